@@ -1,0 +1,1 @@
+//! The physics: reference systems, the library of friction laws, closed-form solutions.

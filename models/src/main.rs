@@ -1,0 +1,2 @@
+//! The program `stickslip`.
+fn main() {}

@@ -1,0 +1,12 @@
+//! Periodic motions of systems with dry friction: declared once, exact or smoothed, shot, followed and judged.
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+extern crate self as stickslip;
+
+pub mod friction;
+pub mod math;
+pub mod model;
+pub mod scalar;
+
+pub use num_dual::DualSVec64;

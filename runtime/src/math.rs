@@ -1,0 +1,50 @@
+//! The functions that formulas may use, over any [`Scalar`].
+
+use crate::scalar::Scalar;
+
+macro_rules! functions {
+    ($($name:ident: $doc:literal;)*) => {$(
+        #[doc = $doc]
+        #[inline]
+        pub fn $name<D: Scalar>(x: D) -> D {
+            x.$name()
+        }
+    )*};
+}
+
+functions! {
+    acos: "The angle whose cosine is `x`.";
+    acosh: "Inverse hyperbolic cosine.";
+    asin: "The angle whose sine is `x`.";
+    asinh: "Inverse hyperbolic sine.";
+    atan: "The angle whose tangent is `x`.";
+    atanh: "Inverse hyperbolic tangent.";
+    cos: "Cosine.";
+    cosh: "Hyperbolic cosine.";
+    exp: "eˣ.";
+    ln: "Natural logarithm.";
+    sin: "Sine.";
+    sinh: "Hyperbolic sine.";
+    sqrt: "Square root.";
+    tan: "Tangent.";
+    tanh: "Hyperbolic tangent.";
+}
+
+/// `x` to the whole power `n`, by products; a negative power is the reciprocal of the positive one.
+#[inline]
+pub fn powi<D: Scalar>(x: D, n: i32) -> D {
+    let mut power = D::from(1.0);
+    for _ in 0..n.unsigned_abs() {
+        power *= x;
+    }
+    if n < 0 { power.recip() } else { power }
+}
+
+/// `x` to any real power that is itself a formula: exp(p ln x), for x > 0; 0 at x = 0 when p > 0.
+#[inline]
+pub fn powf<D: Scalar>(x: D, p: D) -> D {
+    if x.re() == 0.0 && p.re() > 0.0 {
+        return if p.re() == 1.0 { x } else { D::from(0.0) };
+    }
+    (p * x.ln()).exp()
+}

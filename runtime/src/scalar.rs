@@ -1,0 +1,79 @@
+//! Numbers that a model can be evaluated with: plain, or carrying derivatives.
+
+use nalgebra::SVector;
+use num_dual::{Derivative, DualNum, DualSVec64};
+
+/// A number that a declared formula can be evaluated with: `f64`, or a dual number over it.
+///
+/// Implemented for every type that qualifies; nobody needs to implement it by hand.
+///
+/// ```
+/// use stickslip::scalar::Scalar;
+/// fn cube<D: Scalar>(x: D) -> D { x * x * x }
+/// assert_eq!(cube(2.0), 8.0);
+/// let dual = cube(num_dual::Dual64::new(2.0, 1.0));
+/// assert_eq!(dual.eps, 12.0); // 3 x²
+/// ```
+pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync {}
+
+impl<D: DualNum<Primitive = f64> + Copy + Send + Sync> Scalar for D {}
+
+/// A dual number with one lane for each of `N` states and a last one for the design variable.
+///
+/// One evaluation of a right-hand side over such numbers gives f, its Jacobian and ∂f/∂r.
+pub trait Lanes<const N: usize>: Scalar {
+    /// A constant: every lane zero.
+    fn constant(value: f64) -> Self;
+    /// The state of this index: its own lane one.
+    fn state(value: f64, index: usize) -> Self;
+    /// A quantity whose derivative with respect to the design variable is `slope`.
+    fn design(value: f64, slope: f64) -> Self;
+    /// The derivative with respect to each state, and to the design variable.
+    fn slopes(&self) -> ([f64; N], f64);
+}
+
+impl<const N: usize, const P: usize> Lanes<N> for DualSVec64<P> {
+    #[inline]
+    fn constant(value: f64) -> Self {
+        Self::from_re(value)
+    }
+
+    #[inline]
+    fn state(value: f64, index: usize) -> Self {
+        const {
+            assert!(
+                P == N + 1,
+                "one lane for each state and one for the design variable"
+            )
+        };
+        Self::from_re(value).derivative(index)
+    }
+
+    #[inline]
+    fn design(value: f64, slope: f64) -> Self {
+        let mut lanes = SVector::zeros();
+        lanes[N] = slope;
+        Self::new(value, Derivative::some(lanes))
+    }
+
+    #[inline]
+    fn slopes(&self) -> ([f64; N], f64) {
+        match self.eps.0 {
+            Some(lanes) => (std::array::from_fn(|i| lanes[i]), lanes[N]),
+            None => ([0.0; N], 0.0),
+        }
+    }
+}
+
+/// An array whose length only its owner knows: parameters of a model, values for each contact.
+pub trait Inline<T>: Copy + AsRef<[T]> + AsMut<[T]> + Send + Sync {
+    /// Fills the array from the function of the index.
+    fn from_fn(element: impl FnMut(usize) -> T) -> Self;
+}
+
+impl<T: Copy + Send + Sync, const LENGTH: usize> Inline<T> for [T; LENGTH] {
+    #[inline]
+    fn from_fn(element: impl FnMut(usize) -> T) -> Self {
+        std::array::from_fn(element)
+    }
+}
