@@ -4,7 +4,10 @@
 
 extern crate self as stickslip;
 
+pub mod field;
+pub mod flow;
 pub mod friction;
+pub mod integrate;
 pub mod math;
 pub mod model;
 pub mod scalar;

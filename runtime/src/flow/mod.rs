@@ -1,0 +1,148 @@
+//! Where a motion is after a time, and how that depends on where it began.
+
+use crate::field::Work;
+use crate::integrate::IntegrationError;
+
+/// The motion of a system: smooth and exact systems are both just flows.
+pub trait Flow<const N: usize> {
+    /// What a place knows besides its state: nothing for a smooth system, the mode of each contact for an exact one.
+    type Mode: Copy + PartialEq + std::fmt::Debug + Send + Sync;
+
+    /// Follows the motion from `from` for the time `time` ≥ 0.
+    ///
+    /// # Errors
+    /// Any [`FlowError`]; a result is never NaN.
+    fn advance(
+        &self,
+        from: &Place<N, Self::Mode>,
+        time: f64,
+        want: Want,
+    ) -> Result<Passage<N, Self::Mode>, FlowError>;
+
+    /// f and ∂f/∂r at a place (one-sided where the motion will continue).
+    ///
+    /// # Errors
+    /// The field is not finite there, or no mode is consistent.
+    fn velocity(&self, at: &Place<N, Self::Mode>) -> Result<Velocity<N>, FlowError>;
+}
+
+/// A point of phase space from which a motion continues in one way only.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place<const N: usize, Mode> {
+    /// The state.
+    pub state: [f64; N],
+    /// The modes of the contacts.
+    pub mode: Mode,
+}
+
+/// The field at a place, with its derivatives where the motion continues.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Velocity<const N: usize> {
+    /// f.
+    pub f: [f64; N],
+    /// ∂fᵢ/∂yⱼ.
+    pub jacobian: [[f64; N]; N],
+    /// ∂f/∂r.
+    pub design: [f64; N],
+}
+
+/// What a passage shall report beyond its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Want {
+    /// Φ, ∂φ/∂r and ∫ tr J.
+    pub derivatives: bool,
+    /// Extrema of every state.
+    pub extrema: bool,
+    /// Samples of the motion, dense enough to draw.
+    pub path: bool,
+}
+
+/// One motion from a place to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passage<const N: usize, Mode> {
+    /// Where it ended.
+    pub end: Place<N, Mode>,
+    /// How the end depends on the beginning, if that was wanted.
+    pub derivatives: Option<Derivatives<N>>,
+    /// Extrema of the states in the order of time, if wanted.
+    pub extrema: Vec<Extremum<N>>,
+    /// Stretches in constant mode, in the order of time; one for a smooth system.
+    pub segments: Vec<Segment<Mode>>,
+    /// Samples of the motion, if wanted.
+    pub path: Vec<Sample<N>>,
+    /// What it cost.
+    pub work: Work,
+}
+
+/// How the end of a passage depends on its beginning, on the design variable and on its duration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Derivatives<const N: usize> {
+    /// Φ = ∂φ/∂y.
+    pub state: [[f64; N]; N],
+    /// ∂φ/∂r.
+    pub design: [f64; N],
+    /// ∂φ/∂t: the velocity at the end.
+    pub time: [f64; N],
+    /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
+    pub trace: f64,
+    /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, each well conditioned enough to be multiplied out.
+    pub factors: Vec<[[f64; N]; N]>,
+}
+
+/// A local extremum of one state along a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremum<const N: usize> {
+    /// Which state.
+    pub index: usize,
+    /// Whether it is a maximum.
+    pub maximum: bool,
+    /// When, from the beginning of the passage.
+    pub time: f64,
+    /// The whole state there.
+    pub state: [f64; N],
+}
+
+/// A stretch of a motion in constant mode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment<Mode> {
+    /// The modes of the contacts during it.
+    pub mode: Mode,
+    /// Its duration.
+    pub duration: f64,
+}
+
+/// A state on a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample<const N: usize> {
+    /// Time from the beginning of the passage.
+    pub time: f64,
+    /// State at that time.
+    pub state: [f64; N],
+}
+
+/// Why a motion could not be followed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FlowError {
+    /// The integrator gave up.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// A smoothing was used outside the sliding direction for which it stands.
+    #[error(
+        "the smoothing stands for one sliding direction only, but contact {contact} slides backwards at t = {time}: \
+         relative speed {speed:e}"
+    )]
+    Backwards {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// Relative speed, signed.
+        speed: f64,
+    },
+    /// A duration that is negative or not finite.
+    #[error("a motion cannot be followed for the time {time}")]
+    BadTime {
+        /// The duration.
+        time: f64,
+    },
+}
