@@ -11,5 +11,6 @@ pub mod integrate;
 pub mod math;
 pub mod model;
 pub mod scalar;
+pub mod suggest;
 
 pub use num_dual::DualSVec64;

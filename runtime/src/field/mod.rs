@@ -1,8 +1,12 @@
 //! Vector fields: all that an integrator sees of a model.
 
 mod count;
+mod smooth;
+mod smoothing;
 
 pub use count::Work;
+pub use smooth::{Design, SmoothField};
+pub use smoothing::{Kernel, Smoothing, SmoothingError};
 
 use crate::integrate::Tolerance;
 
@@ -19,10 +23,9 @@ pub trait Field<const N: usize> {
     /// f, its Jacobian and ∂f/∂r together.
     fn linearise(&self, y: &[f64; N]) -> Linear<N>;
 
-    /// The largest error of a sliding speed relative to what its friction layer tolerates, for the
-    /// error `error` of the state; 0 for a field without layers.
-    fn layer_error(&self, _y: &[f64; N], _error: &[f64; N], _tolerance: &Tolerance) -> f64 {
-        0.0
+    /// What the error of each component is measured against at `y`; a friction layer tightens it.
+    fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
+        y.map(|component| tolerance.absolute + tolerance.relative * component.abs())
     }
 
     /// Number of surfaces on which the field is continuous but not smooth; steps are split there.

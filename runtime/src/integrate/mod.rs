@@ -1,5 +1,14 @@
 //! Integrators: static in the number of states, no heap in a step, exact derivatives of the discrete step.
 
+mod collocation;
+mod lu;
+mod radau;
+mod tableau;
+
+pub use collocation::Collocation;
+pub use radau::{Accepted, Radau};
+pub use tableau::{RADAU_3, RADAU_5, Tableau};
+
 /// What a local error is measured against.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
@@ -46,4 +55,44 @@ pub enum IntegrationError {
         /// Time reached.
         time: f64,
     },
+}
+
+/// How the end of a step depends on its start, on the design variable and on its length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Propagator<const N: usize> {
+    /// ∂y₁/∂y₀.
+    pub state: [[f64; N]; N],
+    /// ∂y₁/∂r.
+    pub design: [f64; N],
+    /// ∂y₁/∂h.
+    pub time: [f64; N],
+    /// ∫ tr J dt.
+    pub trace: f64,
+}
+
+impl<const N: usize> Propagator<N> {
+    /// A step of no length.
+    pub const IDENTITY: Self = {
+        let mut state = [[0.0; N]; N];
+        let mut i = 0;
+        while i < N {
+            state[i][i] = 1.0;
+            i += 1;
+        }
+        Self { state, design: [0.0; N], time: [0.0; N], trace: 0.0 }
+    };
+
+    /// This motion followed by another.
+    #[must_use]
+    pub fn then(&self, next: &Self) -> Self {
+        let through = |column: &[f64; N], row: usize| -> f64 { (0..N).map(|k| next.state[row][k] * column[k]).sum() };
+        Self {
+            state: std::array::from_fn(|i| {
+                std::array::from_fn(|j| (0..N).map(|k| next.state[i][k] * self.state[k][j]).sum())
+            }),
+            design: std::array::from_fn(|i| through(&self.design, i) + next.design[i]),
+            time: next.time,
+            trace: self.trace + next.trace,
+        }
+    }
 }

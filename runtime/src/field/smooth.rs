@@ -1,0 +1,210 @@
+//! The smooth vector field of a declared model: without friction, or with every contact smoothed.
+
+use super::smoothing::{Smoothed, Smoothing, SmoothingError};
+use super::{Field, Linear};
+use crate::friction::{ContactRule, FrictionLaw};
+use crate::integrate::Tolerance;
+use crate::model::Model;
+use crate::scalar::{Inline, Lanes};
+use num_dual::DualStruct;
+
+/// What a derivative with respect to "the design variable" means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Design {
+    /// Nothing: no such derivative is asked for.
+    #[default]
+    None,
+    /// The model's parameter of this index.
+    Parameter(usize),
+    /// The natural logarithm of the size of the smoothing.
+    Smoothing,
+}
+
+/// A model at given parameters, its friction replaced by a smoothing.
+#[derive(Debug, Clone, Copy)]
+pub struct SmoothField<M: Model<N>, const N: usize> {
+    values: M::Params<f64>,
+    lifted: M::Params<M::Lanes>,
+    smoothing: Smoothing,
+    rule: Smoothed<f64>,
+    lifted_rule: Smoothed<M::Lanes>,
+    magnitude: [f64; N],
+}
+
+/// A smoothing that no contact will ever ask: for models without friction.
+const UNUSED: Smoothing = Smoothing { kernel: super::Kernel::Tanh, size: 1.0 };
+
+impl<M: Model<N>, const N: usize> SmoothField<M, N> {
+    /// The field of `model`, with derivatives ∂/∂r for `design`.
+    ///
+    /// `smoothing` may be left out for models without friction only; models with friction then have no contact to ask.
+    ///
+    /// # Errors
+    /// The smoothing would falsify a law at these parameters (theory 2.3).
+    pub fn new(model: &M, smoothing: Option<Smoothing>, design: Design) -> Result<Self, SmoothingError> {
+        let values = model.values();
+        let smoothing = smoothing.unwrap_or(UNUSED);
+        accept::<M, N>(&values, &smoothing)?;
+        let lifted = M::Params::from_fn(|i| {
+            let value = values.as_ref()[i];
+            if design == Design::Parameter(i) { M::Lanes::design(value, 1.0) } else { M::Lanes::constant(value) }
+        });
+        let sharpness = smoothing.sharpness();
+        let slope = if smoothing.kernel.is_bump() { -sharpness } else { sharpness };
+        let lifted_sharpness = if design == Design::Smoothing {
+            M::Lanes::design(sharpness, slope)
+        } else {
+            M::Lanes::constant(sharpness)
+        };
+        let kernel = smoothing.kernel;
+        Ok(Self {
+            values,
+            lifted,
+            smoothing,
+            rule: Smoothed { kernel, sharpness },
+            lifted_rule: Smoothed { kernel, sharpness: lifted_sharpness },
+            magnitude: [1.0; N],
+        })
+    }
+
+    /// The same field, its states measured against these magnitudes where they pass through zero.
+    #[must_use]
+    pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
+        self.magnitude = magnitude;
+        self
+    }
+
+    /// The first contact that slides backwards beyond what a one-directional smoothing stands for,
+    /// and its relative speed; `None` for sign-type smoothings.
+    #[must_use]
+    pub fn backwards(&self, y: &[f64; N]) -> Option<(usize, f64)> {
+        if !self.smoothing.kernel.is_bump() {
+            return None;
+        }
+        let mut first = None;
+        self.speeds(y, |contact, speed| {
+            if first.is_none() && speed * self.rule.sharpness < -1.0 {
+                first = Some((contact, speed));
+            }
+        });
+        first
+    }
+
+    /// Calls `visit` with the number and relative speed of each contact.
+    fn speeds(&self, y: &[f64; N], visit: impl FnMut(usize, f64)) {
+        let _ = M::rhs(&self.values, *y, &mut Speeds(visit));
+    }
+}
+
+impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
+    const KINEMATIC: [Option<usize>; N] = M::KINEMATIC;
+
+    #[inline]
+    fn f(&self, y: &[f64; N]) -> [f64; N] {
+        M::rhs(&self.values, *y, &mut { self.rule })
+    }
+
+    #[inline]
+    fn linearise(&self, y: &[f64; N]) -> Linear<N> {
+        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+        let rows = M::rhs(&self.lifted, state, &mut { self.lifted_rule });
+        let slopes = rows.map(|row| row.slopes());
+        Linear {
+            f: rows.map(|row| row.re()),
+            jacobian: slopes.map(|(state, _)| state),
+            design: slopes.map(|(_, design)| design),
+        }
+    }
+
+    #[inline]
+    fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
+        let plain = std::array::from_fn(|i| tolerance.relative * y[i].abs() + tolerance.absolute * self.magnitude[i]);
+        if M::INFO.contacts.is_empty() {
+            return plain;
+        }
+        let mut layers = LayerScale::<N> { scale: plain, width: 1.0 / self.rule.sharpness, tolerance };
+        let params = M::Params::from_fn(|i| M::Lanes::constant(self.values.as_ref()[i]));
+        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+        let _ = M::rhs(&params, state, &mut layers);
+        layers.scale
+    }
+
+    fn kinks(&self) -> usize {
+        M::INFO.contacts.len() * self.smoothing.kinks().len()
+    }
+
+    fn kink(&self, index: usize, y: &[f64; N]) -> f64 {
+        let places = self.smoothing.kinks();
+        let (wanted, place) = (index / places.len(), places[index % places.len()]);
+        let mut value = 1.0;
+        self.speeds(y, |contact, speed| {
+            if contact == wanted {
+                value = speed * self.rule.sharpness - place;
+            }
+        });
+        value
+    }
+}
+
+/// Theory 2.3: a smoothing must not turn a law into another one.
+fn accept<M: Model<N>, const N: usize>(values: &M::Params<f64>, smoothing: &Smoothing) -> Result<(), SmoothingError> {
+    let mut levels = Levels { verdict: Ok(()), smoothing, contacts: M::INFO.contacts };
+    let start = std::array::from_fn(|i| M::INFO.states[i].start);
+    let _ = M::rhs(values, start, &mut levels);
+    levels.verdict
+}
+
+/// Compares each law's limit at rest with the force at which sliding starts.
+struct Levels<'a> {
+    verdict: Result<(), SmoothingError>,
+    smoothing: &'a Smoothing,
+    contacts: &'static [crate::model::Contact],
+}
+
+impl ContactRule<f64> for Levels<'_> {
+    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
+        let (stick, slip) = (law.stick(), law.slip(0.0));
+        let peak = stick - slip > 1e-12 * stick;
+        let kernel = self.smoothing.kernel;
+        let (law, contact) = (L::INFO.name, self.contacts[contact].name);
+        if self.verdict.is_ok() && stick > 0.0 && peak != kernel.is_bump() {
+            self.verdict = Err(if peak {
+                SmoothingError::DropsPeak { kernel, law, contact, stick, slip }
+            } else {
+                SmoothingError::NoPeak { kernel, law, contact, stick, slip }
+            });
+        }
+        0.0
+    }
+}
+
+/// Visits the relative speeds; the forces are zero, so nothing else is computed.
+struct Speeds<V>(V);
+
+impl<V: FnMut(usize, f64)> ContactRule<f64> for Speeds<V> {
+    #[inline]
+    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, speed: f64) -> f64 {
+        self.0(contact, speed);
+        0.0
+    }
+}
+
+/// Tightens the scale of each state that enters a sliding speed to what the friction layer resolves.
+struct LayerScale<'a, const N: usize> {
+    scale: [f64; N],
+    width: f64,
+    tolerance: &'a Tolerance,
+}
+
+impl<const N: usize, D: Lanes<N>> ContactRule<D> for LayerScale<'_, N> {
+    #[inline]
+    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, _law: &L, speed: D) -> D {
+        let allowed = self.tolerance.absolute * self.width + self.tolerance.relative * speed.re().abs();
+        for (scale, slope) in self.scale.iter_mut().zip(speed.slopes().0) {
+            if slope != 0.0 {
+                *scale = scale.min(allowed / slope.abs());
+            }
+        }
+        D::from(0.0)
+    }
+}

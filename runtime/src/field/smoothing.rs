@@ -1,0 +1,263 @@
+//! Smooth copies of set-valued friction: chosen at use, never part of a model.
+
+use std::fmt;
+
+use crate::friction::{ContactRule, FrictionLaw};
+use crate::scalar::Scalar;
+
+/// The shape by which a smoothing replaces the jump of a friction force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kernel {
+    /// (2/π) atan z: thesis (3.6). Its slow tail makes it the least accurate for its stiffness.
+    Arctan,
+    /// tanh z.
+    Tanh,
+    /// z / √(1 + z²).
+    Algebraic,
+    /// (3z − z³)/2 up to |z| = 1, then ±1.
+    Cubic,
+    /// (15z − 10z³ + 3z⁵)/8 up to |z| = 1, then ±1.
+    Quintic,
+    /// A bump of width ε that keeps a static peak, for one direction of sliding: thesis (4.7).
+    Quartic,
+}
+
+/// A kernel and its size ε: s/m and growing towards the exact law for sign types, a speed that
+/// shrinks towards it for [`Kernel::Quartic`].
+///
+/// ```
+/// use stickslip::field::{Kernel, Smoothing};
+/// let smoothing: Smoothing = "arctan:1e5".parse()?;
+/// assert_eq!(smoothing, Smoothing { kernel: Kernel::Arctan, size: 1e5 });
+/// # Ok::<(), stickslip::field::SmoothingError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Smoothing {
+    /// The shape.
+    pub kernel: Kernel,
+    /// The size ε > 0.
+    pub size: f64,
+}
+
+/// Why a smoothing cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SmoothingError {
+    /// No kernel has this name.
+    #[error("there is no smoothing `{word}`: {}; write for instance `arctan:1e5`", Kernel::suggest(word))]
+    UnknownKernel {
+        /// The word given.
+        word: String,
+    },
+    /// The size is not a number, not finite, or not positive.
+    #[error("the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{example}`")]
+    BadSize {
+        /// The kernel.
+        kernel: Kernel,
+        /// The word given for the size.
+        word: String,
+        /// A usual size.
+        example: &'static str,
+    },
+    /// A sign-type kernel would drop the static peak of a law.
+    #[error(
+        "`{kernel}` would drop the static peak of `{law}` at contact `{contact}`: its limit at rest is {stick}, but sliding \
+         starts at {slip}, and the copy would converge to a law with the limit {slip}; use `quartic`, which keeps the peak"
+    )]
+    DropsPeak {
+        /// The kernel.
+        kernel: Kernel,
+        /// The law.
+        law: &'static str,
+        /// The contact.
+        contact: &'static str,
+        /// Limit at rest.
+        stick: f64,
+        /// slip(0⁺).
+        slip: f64,
+    },
+    /// A bump has nothing to stand on.
+    #[error(
+        "`{kernel}` smooths a static peak, and `{law}` at contact `{contact}` has none (limit at rest {stick}, sliding starts \
+         at {slip}): the copy would never stick; use a sign type such as `arctan` or `cubic`"
+    )]
+    NoPeak {
+        /// The kernel.
+        kernel: Kernel,
+        /// The law.
+        law: &'static str,
+        /// The contact.
+        contact: &'static str,
+        /// Limit at rest.
+        stick: f64,
+        /// slip(0⁺).
+        slip: f64,
+    },
+}
+
+impl Kernel {
+    /// Every kernel.
+    pub const ALL: [Self; 6] =
+        [Self::Arctan, Self::Tanh, Self::Algebraic, Self::Cubic, Self::Quintic, Self::Quartic];
+
+    /// Name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Arctan => "arctan",
+            Self::Tanh => "tanh",
+            Self::Algebraic => "algebraic",
+            Self::Cubic => "cubic",
+            Self::Quintic => "quintic",
+            Self::Quartic => "quartic",
+        }
+    }
+
+    /// Whether the kernel stands for a static peak in one direction instead of a change of sign.
+    #[must_use]
+    pub const fn is_bump(self) -> bool {
+        matches!(self, Self::Quartic)
+    }
+
+    /// A usual size, as text.
+    #[must_use]
+    pub const fn example(self) -> &'static str {
+        if self.is_bump() { "1e-2" } else { "1e5" }
+    }
+
+    fn suggest(word: &str) -> String {
+        let names = Self::ALL.map(Self::name);
+        crate::suggest::did_you_mean(word, names)
+            .map_or_else(|| format!("there are {}", names.join(", ")), |name| format!("did you mean `{name}`?"))
+    }
+
+    /// φ(z), odd, with φ(∞) = 1. Not for bumps.
+    #[inline]
+    fn sign<D: Scalar>(self, z: D) -> D {
+        let beyond = z.re().abs() >= 1.0;
+        match self {
+            Self::Arctan => z.atan() * std::f64::consts::FRAC_2_PI,
+            Self::Tanh => z.tanh(),
+            Self::Algebraic => z / (z * z + 1.0).sqrt(),
+            Self::Cubic | Self::Quintic if beyond => D::from(z.re().signum()),
+            Self::Cubic => z * (z * z * -0.5 + 1.5),
+            Self::Quintic => {
+                let square = z * z;
+                z * (square * (square * 0.375 - 1.25) + 1.875)
+            }
+            Self::Quartic => D::from(0.0),
+        }
+    }
+
+    /// Values of z (or u, for a bump) at which the kernel itself is not analytic.
+    const fn kinks(self) -> &'static [f64] {
+        match self {
+            Self::Arctan | Self::Tanh | Self::Algebraic => &[0.0],
+            Self::Cubic | Self::Quintic => &[-1.0, 0.0, 1.0],
+            Self::Quartic => &[0.0, 4.0],
+        }
+    }
+}
+
+impl fmt::Display for Kernel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Smoothing {
+    /// Kinks of each contact, as relative speeds times the sharpness.
+    #[must_use]
+    pub(crate) fn kinks(&self) -> &'static [f64] {
+        self.kernel.kinks()
+    }
+
+    /// 1/width of the friction layer: z = sharpness · w.
+    #[must_use]
+    pub fn sharpness(&self) -> f64 {
+        if self.kernel.is_bump() { 1.0 / self.size } else { self.size }
+    }
+}
+
+impl fmt::Display for Smoothing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = format!("{}", self.size);
+        let short = format!("{:e}", self.size);
+        write!(f, "{}:{}", self.kernel, if plain.len() <= short.len() { plain } else { short })
+    }
+}
+
+impl std::str::FromStr for Smoothing {
+    type Err = SmoothingError;
+
+    fn from_str(text: &str) -> Result<Self, SmoothingError> {
+        let (word, size) = text.split_once(':').unwrap_or((text, ""));
+        let kernel = Kernel::ALL
+            .into_iter()
+            .find(|kernel| kernel.name() == word)
+            .ok_or_else(|| SmoothingError::UnknownKernel { word: word.to_owned() })?;
+        size.parse()
+            .ok()
+            .filter(|size: &f64| size.is_finite() && *size > 0.0)
+            .map(|size| Self { kernel, size })
+            .ok_or_else(|| SmoothingError::BadSize { kernel, word: size.to_owned(), example: kernel.example() })
+    }
+}
+
+/// Gives each contact the force of its smoothed law.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Smoothed<D> {
+    pub(super) kernel: Kernel,
+    /// z = sharpness · w.
+    pub(super) sharpness: D,
+}
+
+impl<D: Scalar> ContactRule<D> for Smoothed<D> {
+    #[inline]
+    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, law: &L, speed: D) -> D {
+        let z = speed * self.sharpness;
+        if self.kernel.is_bump() {
+            return -bump(law, z, speed);
+        }
+        -law.slip(speed.abs()) * self.kernel.sign(z)
+    }
+}
+
+/// Theory (2b): slip + (stick − slip) u (4 − u)³/27 for u ≤ 4, slip beyond.
+#[inline]
+fn bump<D: Scalar, L: FrictionLaw<D>>(law: &L, u: D, speed: D) -> D {
+    let slip = law.slip(speed.abs());
+    if u.re() >= 4.0 {
+        return slip;
+    }
+    let rest = -u + 4.0;
+    slip + (law.stick() - slip) * u * (rest * rest * rest) * (1.0 / 27.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kernels_are_odd_and_saturate() {
+        for kernel in Kernel::ALL.into_iter().filter(|kernel| !kernel.is_bump()) {
+            assert_eq!(kernel.sign(0.7), -kernel.sign(-0.7));
+            assert!((kernel.sign(1e9) - 1.0).abs() < 1e-8, "{kernel}");
+        }
+    }
+
+    #[test]
+    fn text_and_back() {
+        for text in ["arctan:1e5", "quartic:0.01", "tanh:250"] {
+            assert_eq!(text.parse::<Smoothing>().unwrap().to_string(), text);
+        }
+    }
+
+    #[test]
+    fn messages_name_the_word_and_the_way_out() {
+        let message = |text: &str| text.parse::<Smoothing>().unwrap_err().to_string();
+        assert!(message("arctn:1e5").contains("did you mean `arctan`?"));
+        assert!(message("arctan:-1").contains("above 0, and `-1` is not"));
+        assert!(message("arctan:nan").contains("`nan`"));
+        assert!(message("quartic").contains("`quartic:1e-2`"));
+    }
+}
