@@ -1,5 +1,17 @@
 //! Integrators: static in the number of states, no heap in a step, exact derivatives of the discrete step.
 
+mod bernstein;
+mod carried;
+mod control;
+mod dense;
+mod dop853;
+pub mod event;
+pub mod explicit;
+mod stepper;
+
+pub use carried::{Carried, Motion};
+pub use dense::Dense;
+
 /// What a local error is measured against.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
@@ -7,6 +19,14 @@ pub struct Tolerance {
     pub relative: f64,
     /// Absolute, in the units of each component.
     pub absolute: f64,
+}
+
+impl Tolerance {
+    /// The error tolerated in a component that goes from `a` to `b`.
+    #[must_use]
+    pub fn scale(&self, a: f64, b: f64) -> f64 {
+        self.absolute + self.relative * a.abs().max(b.abs())
+    }
 }
 
 /// Why an integration stopped before its end.
