@@ -12,4 +12,7 @@ pub mod math;
 pub mod model;
 pub mod scalar;
 
+#[cfg(test)]
+mod examples;
+
 pub use num_dual::DualSVec64;
