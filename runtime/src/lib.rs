@@ -4,9 +4,12 @@
 
 extern crate self as stickslip;
 
+#[doc(hidden)]
+pub mod declared;
 pub mod friction;
 pub mod math;
 pub mod model;
 pub mod scalar;
 
 pub use num_dual::DualSVec64;
+pub use stickslip_macros::{friction_law, model};
