@@ -107,7 +107,6 @@ macro_rules! by_hand {
         }
     };
 }
-pub(crate) use by_hand;
 
 by_hand! {
     /// One mass on a belt: m, k, v_dr, limit, decay, peak.

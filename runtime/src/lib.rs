@@ -4,6 +4,8 @@
 
 extern crate self as stickslip;
 
+#[doc(hidden)]
+pub mod declared;
 pub mod field;
 pub mod flow;
 pub mod friction;
@@ -16,3 +18,4 @@ pub mod scalar;
 mod examples;
 
 pub use num_dual::DualSVec64;
+pub use stickslip_macros::{friction_law, model};
