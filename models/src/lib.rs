@@ -1,1 +1,12 @@
 //! The physics: reference systems, the library of friction laws, closed-form solutions.
+
+pub mod belt_oscillator;
+pub mod belt_pair;
+pub mod drill_string;
+pub mod friction;
+pub mod van_der_pol;
+
+pub use belt_oscillator::BeltOscillator;
+pub use belt_pair::BeltPair;
+pub use drill_string::DrillString;
+pub use van_der_pol::VanDerPol;

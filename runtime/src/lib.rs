@@ -4,6 +4,8 @@
 
 extern crate self as stickslip;
 
+#[doc(hidden)]
+pub mod declared;
 pub mod field;
 pub mod flow;
 pub mod friction;
@@ -13,4 +15,8 @@ pub mod model;
 pub mod scalar;
 pub mod suggest;
 
+#[cfg(test)]
+mod examples;
+
 pub use num_dual::DualSVec64;
+pub use stickslip_macros::{friction_law, model};

@@ -48,3 +48,12 @@ pub fn powf<D: Scalar>(x: D, p: D) -> D {
     }
     (p * x.ln()).exp()
 }
+
+/// `x` to a fixed real power: unlike [`powf`], accurate to rounding; 0 at x = 0 when p > 1.
+#[inline]
+pub fn power<D: Scalar>(x: D, p: f64) -> D {
+    if x.re() == 0.0 && p > 1.0 {
+        return D::from(0.0);
+    }
+    x.powf(p)
+}

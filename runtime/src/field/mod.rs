@@ -1,6 +1,7 @@
 //! Vector fields: all that an integrator sees of a model.
 
 mod count;
+pub mod exact;
 mod smooth;
 mod smoothing;
 

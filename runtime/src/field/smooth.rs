@@ -32,7 +32,10 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
 }
 
 /// A smoothing that no contact will ever ask: for models without friction.
-const UNUSED: Smoothing = Smoothing { kernel: super::Kernel::Tanh, size: 1.0 };
+const UNUSED: Smoothing = Smoothing {
+    kernel: super::Kernel::Tanh,
+    size: 1.0,
+};
 
 impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     /// The field of `model`, with derivatives ∂/∂r for `design`.
@@ -41,16 +44,28 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     ///
     /// # Errors
     /// The smoothing would falsify a law at these parameters (theory 2.3).
-    pub fn new(model: &M, smoothing: Option<Smoothing>, design: Design) -> Result<Self, SmoothingError> {
+    pub fn new(
+        model: &M,
+        smoothing: Option<Smoothing>,
+        design: Design,
+    ) -> Result<Self, SmoothingError> {
         let values = model.values();
         let smoothing = smoothing.unwrap_or(UNUSED);
         accept::<M, N>(&values, &smoothing)?;
         let lifted = M::Params::from_fn(|i| {
             let value = values.as_ref()[i];
-            if design == Design::Parameter(i) { M::Lanes::design(value, 1.0) } else { M::Lanes::constant(value) }
+            if design == Design::Parameter(i) {
+                M::Lanes::design(value, 1.0)
+            } else {
+                M::Lanes::constant(value)
+            }
         });
         let sharpness = smoothing.sharpness();
-        let slope = if smoothing.kernel.is_bump() { -sharpness } else { sharpness };
+        let slope = if smoothing.kernel.is_bump() {
+            -sharpness
+        } else {
+            sharpness
+        };
         let lifted_sharpness = if design == Design::Smoothing {
             M::Lanes::design(sharpness, slope)
         } else {
@@ -62,7 +77,10 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             lifted,
             smoothing,
             rule: Smoothed { kernel, sharpness },
-            lifted_rule: Smoothed { kernel, sharpness: lifted_sharpness },
+            lifted_rule: Smoothed {
+                kernel,
+                sharpness: lifted_sharpness,
+            },
             magnitude: [1.0; N],
         })
     }
@@ -118,11 +136,17 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
 
     #[inline]
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
-        let plain = std::array::from_fn(|i| tolerance.relative * y[i].abs() + tolerance.absolute * self.magnitude[i]);
+        let plain = std::array::from_fn(|i| {
+            tolerance.relative * y[i].abs() + tolerance.absolute * self.magnitude[i]
+        });
         if M::INFO.contacts.is_empty() {
             return plain;
         }
-        let mut layers = LayerScale::<N> { scale: plain, width: 1.0 / self.rule.sharpness, tolerance };
+        let mut layers = LayerScale::<N> {
+            scale: plain,
+            width: 1.0 / self.rule.sharpness,
+            tolerance,
+        };
         let params = M::Params::from_fn(|i| M::Lanes::constant(self.values.as_ref()[i]));
         let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
         let _ = M::rhs(&params, state, &mut layers);
@@ -147,8 +171,15 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
 }
 
 /// Theory 2.3: a smoothing must not turn a law into another one.
-fn accept<M: Model<N>, const N: usize>(values: &M::Params<f64>, smoothing: &Smoothing) -> Result<(), SmoothingError> {
-    let mut levels = Levels { verdict: Ok(()), smoothing, contacts: M::INFO.contacts };
+fn accept<M: Model<N>, const N: usize>(
+    values: &M::Params<f64>,
+    smoothing: &Smoothing,
+) -> Result<(), SmoothingError> {
+    let mut levels = Levels {
+        verdict: Ok(()),
+        smoothing,
+        contacts: M::INFO.contacts,
+    };
     let start = std::array::from_fn(|i| M::INFO.states[i].start);
     let _ = M::rhs(values, start, &mut levels);
     levels.verdict
@@ -169,9 +200,21 @@ impl ContactRule<f64> for Levels<'_> {
         let (law, contact) = (L::INFO.name, self.contacts[contact].name);
         if self.verdict.is_ok() && stick > 0.0 && peak != kernel.is_bump() {
             self.verdict = Err(if peak {
-                SmoothingError::DropsPeak { kernel, law, contact, stick, slip }
+                SmoothingError::DropsPeak {
+                    kernel,
+                    law,
+                    contact,
+                    stick,
+                    slip,
+                }
             } else {
-                SmoothingError::NoPeak { kernel, law, contact, stick, slip }
+                SmoothingError::NoPeak {
+                    kernel,
+                    law,
+                    contact,
+                    stick,
+                    slip,
+                }
             });
         }
         0.0
@@ -199,7 +242,8 @@ struct LayerScale<'a, const N: usize> {
 impl<const N: usize, D: Lanes<N>> ContactRule<D> for LayerScale<'_, N> {
     #[inline]
     fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, _law: &L, speed: D) -> D {
-        let allowed = self.tolerance.absolute * self.width + self.tolerance.relative * speed.re().abs();
+        let allowed =
+            self.tolerance.absolute * self.width + self.tolerance.relative * speed.re().abs();
         for (scale, slope) in self.scale.iter_mut().zip(speed.slopes().0) {
             if slope != 0.0 {
                 *scale = scale.min(allowed / slope.abs());

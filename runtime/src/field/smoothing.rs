@@ -43,13 +43,18 @@ pub struct Smoothing {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SmoothingError {
     /// No kernel has this name.
-    #[error("there is no smoothing `{word}`: {}; write for instance `arctan:1e5`", Kernel::suggest(word))]
+    #[error(
+        "there is no smoothing `{word}`: {}; write for instance `arctan:1e5`",
+        Kernel::suggest(word)
+    )]
     UnknownKernel {
         /// The word given.
         word: String,
     },
     /// The size is not a number, not finite, or not positive.
-    #[error("the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{example}`")]
+    #[error(
+        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{example}`"
+    )]
     BadSize {
         /// The kernel.
         kernel: Kernel,
@@ -96,8 +101,14 @@ pub enum SmoothingError {
 
 impl Kernel {
     /// Every kernel.
-    pub const ALL: [Self; 6] =
-        [Self::Arctan, Self::Tanh, Self::Algebraic, Self::Cubic, Self::Quintic, Self::Quartic];
+    pub const ALL: [Self; 6] = [
+        Self::Arctan,
+        Self::Tanh,
+        Self::Algebraic,
+        Self::Cubic,
+        Self::Quintic,
+        Self::Quartic,
+    ];
 
     /// Name on the command line.
     #[must_use]
@@ -126,8 +137,10 @@ impl Kernel {
 
     fn suggest(word: &str) -> String {
         let names = Self::ALL.map(Self::name);
-        crate::suggest::did_you_mean(word, names)
-            .map_or_else(|| format!("there are {}", names.join(", ")), |name| format!("did you mean `{name}`?"))
+        crate::suggest::did_you_mean(word, names).map_or_else(
+            || format!("there are {}", names.join(", ")),
+            |name| format!("did you mean `{name}`?"),
+        )
     }
 
     /// φ(z), odd, with φ(∞) = 1. Not for bumps.
@@ -174,7 +187,11 @@ impl Smoothing {
     /// 1/width of the friction layer: z = sharpness · w.
     #[must_use]
     pub fn sharpness(&self) -> f64 {
-        if self.kernel.is_bump() { 1.0 / self.size } else { self.size }
+        if self.kernel.is_bump() {
+            1.0 / self.size
+        } else {
+            self.size
+        }
     }
 }
 
@@ -182,7 +199,16 @@ impl fmt::Display for Smoothing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let plain = format!("{}", self.size);
         let short = format!("{:e}", self.size);
-        write!(f, "{}:{}", self.kernel, if plain.len() <= short.len() { plain } else { short })
+        write!(
+            f,
+            "{}:{}",
+            self.kernel,
+            if plain.len() <= short.len() {
+                plain
+            } else {
+                short
+            }
+        )
     }
 }
 
@@ -194,12 +220,18 @@ impl std::str::FromStr for Smoothing {
         let kernel = Kernel::ALL
             .into_iter()
             .find(|kernel| kernel.name() == word)
-            .ok_or_else(|| SmoothingError::UnknownKernel { word: word.to_owned() })?;
+            .ok_or_else(|| SmoothingError::UnknownKernel {
+                word: word.to_owned(),
+            })?;
         size.parse()
             .ok()
             .filter(|size: &f64| size.is_finite() && *size > 0.0)
             .map(|size| Self { kernel, size })
-            .ok_or_else(|| SmoothingError::BadSize { kernel, word: size.to_owned(), example: kernel.example() })
+            .ok_or_else(|| SmoothingError::BadSize {
+                kernel,
+                word: size.to_owned(),
+                example: kernel.example(),
+            })
     }
 }
 
@@ -241,7 +273,7 @@ mod tests {
     fn kernels_are_odd_and_saturate() {
         for kernel in Kernel::ALL.into_iter().filter(|kernel| !kernel.is_bump()) {
             assert_eq!(kernel.sign(0.7), -kernel.sign(-0.7));
-            assert!((kernel.sign(1e9) - 1.0).abs() < 1e-8, "{kernel}");
+            assert!((kernel.sign(1e9_f64) - 1.0).abs() < 1e-8, "{kernel}");
         }
     }
 

@@ -23,7 +23,10 @@ impl<const N: usize, const S: usize> Collocation<N, S> {
                 }
             }
         }
-        Self { nodes, coefficients }
+        Self {
+            nodes,
+            coefficients,
+        }
     }
 
     /// The increment at the fraction `theta` of the step.

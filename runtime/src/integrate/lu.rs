@@ -12,7 +12,11 @@ impl<const N: usize, const S: usize> Lu<N, S> {
     /// The zero matrix of order `order` ≤ N · S.
     #[inline]
     pub(super) fn zero(order: usize) -> Self {
-        Self { rows: [[[[0.0; N]; S]; N]; S], swaps: [[0; N]; S], order: order.min(N * S) }
+        Self {
+            rows: [[[[0.0; N]; S]; N]; S],
+            swaps: [[0; N]; S],
+            order: order.min(N * S),
+        }
     }
 
     /// Row `i`, to be filled in before [`factorise`](Self::factorise).
@@ -100,7 +104,12 @@ mod tests {
         assert!(lu.factorise());
         let mut x = [7.0, 6.0, 11.0]; // matrix · (1, 2, 3)
         lu.solve(&mut x);
-        assert!(x.iter().zip([1.0, 2.0, 3.0]).all(|(a, b)| (a - b).abs() < 1e-14), "{x:?}");
+        assert!(
+            x.iter()
+                .zip([1.0, 2.0, 3.0])
+                .all(|(a, b)| (a - b).abs() < 1e-14),
+            "{x:?}"
+        );
     }
 
     #[test]

@@ -1,11 +1,21 @@
 //! Integrators: static in the number of states, no heap in a step, exact derivatives of the discrete step.
 
+mod bernstein;
+mod carried;
 mod collocation;
+mod control;
+mod dense;
+mod dop853;
+pub mod event;
+pub mod explicit;
 mod lu;
 mod radau;
+mod stepper;
 mod tableau;
 
+pub use carried::{Carried, Motion};
 pub use collocation::Collocation;
+pub use dense::Dense;
 pub use radau::{Accepted, Radau};
 pub use tableau::{RADAU_3, RADAU_5, Tableau};
 
@@ -79,13 +89,20 @@ impl<const N: usize> Propagator<N> {
             state[i][i] = 1.0;
             i += 1;
         }
-        Self { state, design: [0.0; N], time: [0.0; N], trace: 0.0 }
+        Self {
+            state,
+            design: [0.0; N],
+            time: [0.0; N],
+            trace: 0.0,
+        }
     };
 
     /// This motion followed by another.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
-        let through = |column: &[f64; N], row: usize| -> f64 { (0..N).map(|k| next.state[row][k] * column[k]).sum() };
+        let through = |column: &[f64; N], row: usize| -> f64 {
+            (0..N).map(|k| next.state[row][k] * column[k]).sum()
+        };
         Self {
             state: std::array::from_fn(|i| {
                 std::array::from_fn(|j| (0..N).map(|k| next.state[i][k] * self.state[k][j]).sum())

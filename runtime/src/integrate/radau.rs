@@ -124,9 +124,16 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     ) -> Result<Self, IntegrationError> {
         let start = field.linearise(&state);
         if !start.f.iter().all(|component| component.is_finite()) {
-            return Err(IntegrationError::NotFinite { time: 0.0, state: state.to_vec() });
+            return Err(IntegrationError::NotFinite {
+                time: 0.0,
+                state: state.to_vec(),
+            });
         }
-        let next = if step > 0.0 { step } else { first_step(&start, &field.scale(&state, &tolerance), S) };
+        let next = if step > 0.0 {
+            step
+        } else {
+            first_step(&start, &field.scale(&state, &tolerance), S)
+        };
         Ok(Self {
             field,
             tableau,
@@ -139,7 +146,10 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             rejected: false,
             last: Trial::blank(state, start),
             budget,
-            work: Work { linearisations: 1, ..Work::default() },
+            work: Work {
+                linearisations: 1,
+                ..Work::default()
+            },
         })
     }
 
@@ -176,10 +186,20 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             let rest = end - self.time;
             let mut step = fitting(self.next, rest);
             if self.work.steps + self.work.rejected >= self.budget {
-                return Err(self.stuck(|steps, time, state| IntegrationError::TooManySteps { steps, time, state }));
+                return Err(
+                    self.stuck(|steps, time, state| IntegrationError::TooManySteps {
+                        steps,
+                        time,
+                        state,
+                    }),
+                );
             }
             if step <= 4.0 * f64::EPSILON * self.time.abs().max(f64::MIN_POSITIVE) {
-                return Err(IntegrationError::StepTooSmall { time: self.time, step, state: self.state.to_vec() });
+                return Err(IntegrationError::StepTooSmall {
+                    time: self.time,
+                    step,
+                    state: self.state.to_vec(),
+                });
             }
             let guess = self.predict(step);
             let Some(mut trial) = self.solve(step, guess) else {
@@ -188,7 +208,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             };
             let error = self.error(&trial);
             if !(error <= 1.0) {
-                self.reject(step * (SAFETY * error.powf(-1.0 / (S as f64 + 1.0))).clamp(SHRINK, 0.9));
+                self.reject(
+                    step * (SAFETY * error.powf(-1.0 / (S as f64 + 1.0))).clamp(SHRINK, 0.9),
+                );
                 continue;
             }
             let mut collocation = Collocation::new(self.tableau, &trial.increments);
@@ -201,14 +223,21 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         }
     }
 
-    fn stuck(&self, error: impl FnOnce(u64, f64, Vec<f64>) -> IntegrationError) -> IntegrationError {
+    fn stuck(
+        &self,
+        error: impl FnOnce(u64, f64, Vec<f64>) -> IntegrationError,
+    ) -> IntegrationError {
         error(self.work.steps, self.time, self.state.to_vec())
     }
 
     fn reject(&mut self, shorter: f64) {
         self.work.rejected += 1;
         self.rejected = true;
-        self.next = if shorter.is_finite() { shorter } else { 0.1 * self.next };
+        self.next = if shorter.is_finite() {
+            shorter
+        } else {
+            0.1 * self.next
+        };
     }
 
     fn accept(
@@ -219,13 +248,31 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         step: f64,
         end: f64,
     ) -> Accepted<N, S> {
-        let accepted = Accepted { time: self.time, step, start: self.state, end: trial.end(), collocation };
+        let accepted = Accepted {
+            time: self.time,
+            step,
+            start: self.state,
+            end: trial.end(),
+            collocation,
+        };
         let grown = self.grow(error, step, trial.iterations);
-        self.next = if step < self.next && trial.step == step { self.next.max(grown.min(GROW * step)) } else { grown };
-        self.before = Some(Before { step, error: error.max(1e-2), collocation });
+        self.next = if step < self.next && trial.step == step {
+            self.next.max(grown.min(GROW * step))
+        } else {
+            grown
+        };
+        self.before = Some(Before {
+            step,
+            error: error.max(1e-2),
+            collocation,
+        });
         self.rejected = false;
         self.work.steps += 1;
-        self.time = if self.time + step >= end - 4.0 * f64::EPSILON * end.abs() { end } else { self.time + step };
+        self.time = if self.time + step >= end - 4.0 * f64::EPSILON * end.abs() {
+            end
+        } else {
+            self.time + step
+        };
         self.state = accepted.end;
         self.start = trial.arrival();
         self.last = trial;
@@ -235,7 +282,8 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     /// Gustafsson's predictive controller, as in Hairer & Wanner II, section IV.8.
     fn grow(&self, error: f64, step: f64, iterations: usize) -> f64 {
         let order = S as f64 + 1.0;
-        let effort = SAFETY * (2 * NEWTON_ITERATIONS + 1) as f64 / (2 * NEWTON_ITERATIONS + iterations) as f64;
+        let effort = SAFETY * (2 * NEWTON_ITERATIONS + 1) as f64
+            / (2 * NEWTON_ITERATIONS + iterations) as f64;
         let error = error.max(1e-9);
         let mut factor = effort * error.powf(-1.0 / order);
         if let Some(before) = &self.before {
@@ -271,7 +319,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         let mut before = f64::INFINITY;
         for iteration in 1..=NEWTON_ITERATIONS {
             for i in 0..S {
-                trial.linear[i] = self.field.linearise(&add(&trial.start, &trial.increments[i]));
+                trial.linear[i] = self
+                    .field
+                    .linearise(&add(&trial.start, &trial.increments[i]));
             }
             self.work.linearisations += S as u64;
             self.work.factorisations += 1;
@@ -282,7 +332,11 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             if !size.is_finite() || (iteration > 2 && size > 2.0 * before) {
                 return None;
             }
-            let rate = if before.is_finite() { (size / before).min(1.0) } else { 1.0 };
+            let rate = if before.is_finite() {
+                (size / before).min(1.0)
+            } else {
+                1.0
+            };
             trial.iterations = iteration;
             if size * rate <= NEWTON_REST || size <= 1e-2 * NEWTON_REST {
                 return Some(trial);
@@ -347,7 +401,11 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 trial.increments[i][row] += correction;
                 let beyond = correction.abs() / scale[row];
                 // `max` would hide a NaN.
-                largest = if beyond > largest || beyond.is_nan() { beyond } else { largest };
+                largest = if beyond > largest || beyond.is_nan() {
+                    beyond
+                } else {
+                    largest
+                };
             }
         }
         let old = trial.increments[S - 1];
@@ -365,7 +423,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         for (eliminated, source) in kinematic::<F, N>() {
             for i in 0..S {
                 let row = &self.tableau.matrix[i];
-                let sum: f64 = (0..S).map(|j| row[j] * (trial.start[source] + trial.increments[j][source])).sum();
+                let sum: f64 = (0..S)
+                    .map(|j| row[j] * (trial.start[source] + trial.increments[j][source]))
+                    .sum();
                 trial.increments[i][eliminated] = trial.step * sum;
             }
         }
@@ -379,7 +439,11 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         let size = |error: &[f64; N]| {
             (0..N).fold(0.0_f64, |largest, j| {
                 let relative = error[j].abs() / scale[j];
-                if relative > largest || relative.is_nan() { relative } else { largest }
+                if relative > largest || relative.is_nan() {
+                    relative
+                } else {
+                    largest
+                }
             })
         };
         let first = size(&estimate);
@@ -395,7 +459,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     fn filtered(&self, trial: &Trial<N, S>, slope: &[f64; N]) -> [f64; N] {
         let (solved, shift) = (Layout::<F, N>::solved(), trial.step * self.tableau.gamma);
         let mut error: [f64; N] = std::array::from_fn(|j| {
-            let stages: f64 = (0..S).map(|i| self.tableau.error[i] * trial.increments[i][j]).sum();
+            let stages: f64 = (0..S)
+                .map(|i| self.tableau.error[i] * trial.increments[i][j])
+                .sum();
             shift * slope[j] + stages
         });
         let mut lu = Lu::<N, 1>::zero(solved.len());
@@ -426,13 +492,20 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     }
 
     /// The step cut short at the first kink of the field inside it.
-    fn stop_at_kink(&mut self, trial: &Trial<N, S>, collocation: &Collocation<N, S>) -> Option<Trial<N, S>> {
+    fn stop_at_kink(
+        &mut self,
+        trial: &Trial<N, S>,
+        collocation: &Collocation<N, S>,
+    ) -> Option<Trial<N, S>> {
         let (start, end) = (trial.start, trial.end());
         let mut first: Option<(f64, usize)> = None;
         for index in 0..self.field.kinks() {
             let (a, b) = (self.field.kink(index, &start), self.field.kink(index, &end));
             if a.abs() > KINK_REACHED && a * b < 0.0 {
-                let theta = bisect(|theta| self.field.kink(index, &add(&start, &collocation.at(theta))), a);
+                let theta = bisect(
+                    |theta| self.field.kink(index, &add(&start, &collocation.at(theta))),
+                    a,
+                );
                 if first.is_none_or(|(earliest, _)| theta < earliest) {
                     first = Some((theta, index));
                 }
@@ -442,7 +515,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         let mut shorter = self.solve_within(trial, collocation, theta)?;
         // One secant step on the step map; the polynomial supplies the slope.
         let value = self.field.kink(index, &shorter.end());
-        let nearby = self.field.kink(index, &add(&start, &collocation.at(theta * (1.0 - 1e-4))));
+        let nearby = self
+            .field
+            .kink(index, &add(&start, &collocation.at(theta * (1.0 - 1e-4))));
         let here = self.field.kink(index, &add(&start, &collocation.at(theta)));
         let slope = (here - nearby) / (1e-4 * theta);
         let better = theta - value / slope;
@@ -465,7 +540,11 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
 
     /// State and field at the fraction `theta` of the last accepted step, by the step map itself.
     #[must_use]
-    pub fn probe(&mut self, accepted: &Accepted<N, S>, theta: f64) -> Option<([f64; N], Linear<N>)> {
+    pub fn probe(
+        &mut self,
+        accepted: &Accepted<N, S>,
+        theta: f64,
+    ) -> Option<([f64; N], Linear<N>)> {
         let arrived = (self.state, self.start);
         (self.state, self.start) = (accepted.start, self.last.linear[0]);
         let last = self.last;
@@ -489,8 +568,10 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         propagator.design = self.transport(&[0.0; N], 1.0, 0.0);
         propagator.time = self.transport(&[0.0; N], 0.0, 1.0);
         let quadrature = &self.tableau.matrix[S - 1];
-        propagator.trace =
-            self.last.step * (0..S).map(|i| quadrature[i] * self.last.linear[i].trace()).sum::<f64>();
+        propagator.trace = self.last.step
+            * (0..S)
+                .map(|i| quadrature[i] * self.last.linear[i].trace())
+                .sum::<f64>();
         propagator
     }
 
@@ -509,7 +590,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         });
         let slope: [[f64; N]; S] = std::array::from_fn(|j| {
             let linear = &trial.linear[j];
-            std::array::from_fn(|row| dot(&linear.jacobian[row], &known[j]) + linear.design[row] * design)
+            std::array::from_fn(|row| {
+                dot(&linear.jacobian[row], &known[j]) + linear.design[row] * design
+            })
         });
         let mut right = [[0.0; N]; S];
         let flat = right.as_flattened_mut();
@@ -526,7 +609,10 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         }
         for (eliminated, source) in kinematic::<F, N>() {
             let c = position(solved, source);
-            end[eliminated] += h * (0..S).map(|j| a[S - 1][j] * flat[j * width + c]).sum::<f64>();
+            end[eliminated] += h
+                * (0..S)
+                    .map(|j| a[S - 1][j] * flat[j * width + c])
+                    .sum::<f64>();
         }
         end
     }
@@ -575,7 +661,9 @@ fn fitting(step: f64, rest: f64) -> f64 {
 /// Pairs (eliminated row, the state it equals).
 fn kinematic<F: Field<N>, const N: usize>() -> impl Iterator<Item = (usize, usize)> {
     let rows = const { &Layout::<F, N>::KINEMATIC };
-    rows.iter().enumerate().filter_map(|(row, source)| source.map(|source| (row, source)))
+    rows.iter()
+        .enumerate()
+        .filter_map(|(row, source)| source.map(|source| (row, source)))
 }
 
 fn position(solved: &[usize], state: usize) -> usize {
@@ -587,7 +675,11 @@ fn bisect(value: impl Fn(f64) -> f64, from: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..40 {
         let middle = 0.5 * (low + high);
-        if value(middle) * from > 0.0 { low = middle } else { high = middle }
+        if value(middle) * from > 0.0 {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     0.5 * (low + high)
 }

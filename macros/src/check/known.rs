@@ -1,0 +1,226 @@
+//! Declarations that are known to be good: nothing can go wrong any more.
+
+use proc_macro2::Ident;
+use syn::{Attribute, Path, Visibility};
+
+use super::bounds;
+use super::dimension::Dimension;
+use super::units::Units;
+use crate::syntax::{self, Declaration, Field, Formula, Line};
+
+pub(crate) struct Model<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) visibility: &'a Visibility,
+    pub(crate) name: &'a Ident,
+    pub(crate) states: Vec<State<'a>>,
+    pub(crate) parameters: Vec<Parameter<'a>>,
+    /// `let` and friction lines in the order in which they are computed.
+    pub(crate) steps: Vec<Step<'a>>,
+}
+
+pub(crate) struct State<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) name: &'a Ident,
+    pub(crate) unit: Option<Unit>,
+    pub(crate) start: f64,
+    /// The state as named on the left of its equation.
+    pub(crate) left: &'a Ident,
+    pub(crate) rate: &'a Formula,
+}
+
+/// A parameter of a model, or of a law, where it has no default.
+pub(crate) struct Parameter<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) name: &'a Ident,
+    pub(crate) unit: Option<Unit>,
+    pub(crate) default: Option<f64>,
+    pub(crate) bounds: Bounds,
+}
+
+pub(crate) struct Unit {
+    pub(crate) text: String,
+    pub(crate) dimension: Dimension,
+}
+
+/// Each end with whether it belongs to the interval, and the whole as written.
+#[derive(Default)]
+pub(crate) struct Bounds {
+    pub(crate) lower: Option<(f64, bool)>,
+    pub(crate) upper: Option<(f64, bool)>,
+    pub(crate) text: String,
+}
+
+pub(crate) enum Step<'a> {
+    Let(Let<'a>),
+    Contact(Contact<'a>),
+}
+
+pub(crate) struct Let<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) name: &'a Ident,
+    pub(crate) formula: &'a Formula,
+}
+
+pub(crate) struct Contact<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) name: &'a Ident,
+    pub(crate) unit: Option<Unit>,
+    pub(crate) law: &'a Path,
+    pub(crate) fields: &'a [Field],
+    pub(crate) speed: &'a Formula,
+}
+
+pub(crate) struct Law<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) visibility: &'a Visibility,
+    pub(crate) name: &'a Ident,
+    pub(crate) parameters: Vec<Parameter<'a>>,
+    pub(crate) speed: &'a Ident,
+    pub(crate) stick: &'a Formula,
+    pub(crate) slip: &'a Formula,
+}
+
+/// Takes over a model in which no mistake was found.
+pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model<'a>> {
+    let states: Option<_> = written
+        .states()
+        .map(|line| state(line, written, units))
+        .collect();
+    Some(Model {
+        docs: &written.docs,
+        visibility: &written.visibility,
+        name: &written.name,
+        states: states?,
+        parameters: parameters(written, units),
+        steps: written
+            .lines
+            .iter()
+            .filter_map(|line| step(line, units))
+            .collect(),
+    })
+}
+
+/// Takes over a law in which no mistake was found.
+pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>> {
+    let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
+    Some(Law {
+        docs: &written.docs,
+        visibility: &written.visibility,
+        name: &written.name,
+        parameters: parameters(written, units),
+        speed: &slip.speed,
+        stick: &stick.formula,
+        slip: &slip.formula,
+    })
+}
+
+fn state<'a>(
+    line: &'a syntax::State,
+    written: &'a Declaration,
+    units: &Units,
+) -> Option<State<'a>> {
+    let equation = written
+        .derivatives()
+        .find(|equation| equation.state == line.name)?;
+    Some(State {
+        docs: &line.docs,
+        name: &line.name,
+        unit: unit(&line.name, line.unit.as_ref(), units),
+        start: line.start.value,
+        left: &equation.state,
+        rate: &equation.formula,
+    })
+}
+
+fn parameters<'a>(written: &'a Declaration, units: &Units) -> Vec<Parameter<'a>> {
+    let parameter = |line: &'a syntax::Param| Parameter {
+        docs: &line.docs,
+        name: &line.name,
+        unit: unit(&line.name, line.unit.as_ref(), units),
+        default: line.default.as_ref().map(|number| number.value),
+        bounds: line.bounds.as_ref().map(known_bounds).unwrap_or_default(),
+    };
+    written.params().map(parameter).collect()
+}
+
+fn known_bounds(written: &syntax::Bounds) -> Bounds {
+    let end = |bound: &Option<syntax::Bound>| {
+        bound
+            .as_ref()
+            .map(|bound| (bound.number.value, bound.inclusive))
+    };
+    Bounds {
+        lower: end(&written.lower),
+        upper: end(&written.upper),
+        text: bounds::describe(written),
+    }
+}
+
+fn step<'a>(line: &'a Line, units: &Units) -> Option<Step<'a>> {
+    match line {
+        Line::Let(line) => Some(Step::Let(Let {
+            docs: &line.docs,
+            name: &line.name,
+            formula: &line.formula,
+        })),
+        Line::Friction(line) => Some(Step::Contact(Contact {
+            docs: &line.docs,
+            name: &line.name,
+            unit: unit(&line.name, line.unit.as_ref(), units),
+            law: &line.law,
+            fields: &line.fields,
+            speed: &line.speed,
+        })),
+        _ => None,
+    }
+}
+
+fn unit(name: &Ident, stated: Option<&syntax::Unit>, units: &Units) -> Option<Unit> {
+    Some(Unit {
+        text: stated?.to_string(),
+        dimension: units.of_name(name)?,
+    })
+}
+
+impl<'a> Model<'a> {
+    pub(crate) fn lets(&self) -> impl Iterator<Item = &Let<'a>> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Let(quantity) => Some(quantity),
+            Step::Contact(_) => None,
+        })
+    }
+
+    pub(crate) fn contacts(&self) -> impl Iterator<Item = &Contact<'a>> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Contact(contact) => Some(contact),
+            Step::Let(_) => None,
+        })
+    }
+}
+
+impl<'a> Step<'a> {
+    pub(crate) fn name(&self) -> &'a Ident {
+        match self {
+            Self::Let(quantity) => quantity.name,
+            Self::Contact(contact) => contact.name,
+        }
+    }
+
+    pub(crate) fn docs(&self) -> &'a [Attribute] {
+        match self {
+            Self::Let(quantity) => quantity.docs,
+            Self::Contact(contact) => contact.docs,
+        }
+    }
+
+    /// The formulas from which the step is computed.
+    pub(crate) fn formulas(&self) -> Vec<&'a Formula> {
+        match self {
+            Self::Let(quantity) => vec![quantity.formula],
+            Self::Contact(contact) => {
+                let fields = contact.fields.iter().map(|field| &field.formula);
+                fields.chain([contact.speed]).collect()
+            }
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! From a declaration as written to one that is known to be good.
+
+mod bounds;
+mod dimension;
+mod equations;
+mod known;
+mod names;
+mod units;
+
+pub(crate) use self::known::{Bounds, Contact, Law, Let, Model, Parameter, State, Step, Unit};
+use self::names::Names;
+pub(crate) use self::names::is_field;
+use self::units::Units;
+use crate::errors::Errors;
+use crate::syntax::Declaration;
+
+/// Asks everything that a model must answer.
+pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Model<'a>> {
+    let names = Names::of_model(written);
+    names::check_reserved(written, &names, errors);
+    names::check_declared_once(&names, errors);
+    names::check_known(written, &names, errors);
+    names::check_declared_above(written, errors);
+    equations::check_a_state(written, errors);
+    equations::check_left_sides(written, errors);
+    equations::check_one_equation_each(written, errors);
+    equations::check_laws_read_no_force(written, errors);
+    equations::check_forces_linear(written, errors);
+    bounds::check_names(written, errors);
+    bounds::check_intervals(written, errors);
+    bounds::check_defaults(written, errors);
+    let units = Units::of(written, errors);
+    units::check_equations(written, &units, errors);
+    names::check_used(written, &names, errors);
+    if errors.is_empty() {
+        known::model(written, &units)
+    } else {
+        None
+    }
+}
+
+/// Asks everything that a friction law must answer.
+pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Law<'a>> {
+    let names = Names::of_law(written);
+    names::check_reserved(written, &names, errors);
+    names::check_declared_once(&names, errors);
+    names::check_known(written, &names, errors);
+    names::check_rest_has_no_speed(written, errors);
+    equations::check_stick_and_slip(written, errors);
+    bounds::check_names(written, errors);
+    bounds::check_intervals(written, errors);
+    let units = Units::of(written, errors);
+    units::check_law(written, &units, errors);
+    names::check_used(written, &names, errors);
+    if errors.is_empty() {
+        known::law(written, &units)
+    } else {
+        None
+    }
+}

@@ -1,0 +1,63 @@
+//! A friction law: its struct and its two formulas over any scalar.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::lift::Lift;
+use super::shell::Shell;
+use super::{allowed, info};
+use crate::check::Law;
+
+pub(super) fn tokens(law: &Law) -> TokenStream {
+    let structure = structure(law);
+    let (name, speed, allowed, info) = (law.name, law.speed, allowed(), info::of_law(law));
+    let generics = generics(law.parameters.is_empty());
+    let quantity = |name: &Ident| {
+        if name == speed {
+            quote!(__sliding.#name)
+        } else {
+            quote!(self.#name)
+        }
+    };
+    let lift = Lift {
+        scalar: quote!(D),
+        quantity: &quantity,
+    };
+    let (stick, slip) = (lift.formula(law.stick), lift.formula(law.slip));
+    quote! {
+        #structure
+
+        #allowed
+        #[automatically_derived]
+        impl<D: ::stickslip::scalar::Scalar> ::stickslip::friction::FrictionLaw<D> for #name #generics {
+            const INFO: &'static ::stickslip::friction::LawInfo = &#info;
+
+            #[inline]
+            fn stick(&self) -> D {
+                #stick
+            }
+
+            #[inline]
+            fn slip(&self, __speed: D) -> D {
+                struct __Sliding<D> { #speed: D }
+                let __sliding = __Sliding { #speed: __speed };
+                #slip
+            }
+        }
+    }
+}
+
+/// A law without parameters has nothing to be generic over.
+pub(super) fn generics(no_parameters: bool) -> TokenStream {
+    if no_parameters { quote!() } else { quote!(<D>) }
+}
+
+fn structure(law: &Law) -> TokenStream {
+    let shell = Shell {
+        docs: law.docs,
+        visibility: law.visibility,
+        name: law.name,
+        fields: law.parameters.iter().map(Into::into).collect(),
+    };
+    shell.structure(&generics(law.parameters.is_empty()), &quote!(D))
+}

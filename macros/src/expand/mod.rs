@@ -1,0 +1,53 @@
+//! From declarations that are known to be good to tokens; beside errors, stubs.
+
+mod info;
+mod law;
+mod lift;
+mod model;
+mod pattern;
+mod shell;
+mod stub;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::check;
+use crate::errors::Errors;
+use crate::parse::{self, Grammar};
+
+/// Expands `model!`.
+pub(crate) fn model(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::new();
+    let written = parse::declaration(tokens, Grammar::Model, &mut errors);
+    let expanded = written.as_ref().map(|written| {
+        let good = check::model(written, &mut errors);
+        good.map_or_else(|| stub::model(written), |good| model::tokens(&good))
+    });
+    with_errors(expanded, errors)
+}
+
+/// Expands `friction_law!`.
+pub(crate) fn law(tokens: TokenStream) -> TokenStream {
+    let mut errors = Errors::new();
+    let written = parse::declaration(tokens, Grammar::Law, &mut errors);
+    let expanded = written.as_ref().map(|written| {
+        let good = check::law(written, &mut errors);
+        good.map_or_else(|| stub::law(written), |good| law::tokens(&good))
+    });
+    with_errors(expanded, errors)
+}
+
+fn with_errors(expanded: Option<TokenStream>, errors: Errors) -> TokenStream {
+    match errors.finish() {
+        Ok(()) => quote!(#expanded),
+        Err(errors) => {
+            let errors = errors.into_compile_error();
+            quote!(#errors #expanded)
+        }
+    }
+}
+
+/// Lints that a user's names or way of writing may raise in generated code.
+fn allowed() -> TokenStream {
+    quote!(#[allow(clippy::all, clippy::pedantic, dead_code, non_snake_case, non_upper_case_globals, unused)])
+}

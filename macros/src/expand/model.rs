@@ -1,0 +1,250 @@
+//! A model: its struct, its right-hand side over any scalar, and itself as data.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::lift::Lift;
+use super::shell::Shell;
+use super::{allowed, info, pattern};
+use crate::check::{Contact, Model, Step};
+
+pub(super) fn tokens(model: &Model) -> TokenStream {
+    let shell = Shell {
+        docs: model.docs,
+        visibility: model.visibility,
+        name: model.name,
+        fields: model.parameters.iter().map(Into::into).collect(),
+    };
+    let (shell, laws, implementation) = (shell.tokens(), laws(model), implementation(model));
+    quote!(#shell #laws #implementation)
+}
+
+/// The function that builds the law of a contact; only there is the law named.
+pub(super) fn law_of(contact: usize) -> Ident {
+    format_ident!("__law_{contact}")
+}
+
+fn laws(model: &Model) -> TokenStream {
+    if model.contacts().next().is_none() {
+        return quote!();
+    }
+    let (name, allowed) = (model.name, allowed());
+    let laws = model
+        .contacts()
+        .enumerate()
+        .map(|(index, contact)| law(index, contact));
+    quote! {
+        #allowed
+        impl #name { #(#laws)* }
+    }
+}
+
+fn law(index: usize, contact: &Contact) -> TokenStream {
+    let (function, law) = (law_of(index), contact.law);
+    let names = contact.fields.iter().map(|field| &field.name);
+    let places = (0..contact.fields.len()).map(Literal::usize_unsuffixed);
+    let count = Literal::usize_unsuffixed(contact.fields.len());
+    quote! {
+        #[inline]
+        fn #function<D: ::stickslip::scalar::Scalar>(
+            __fields: [D; #count],
+        ) -> impl ::stickslip::friction::FrictionLaw<D> {
+            #law { #(#names: __fields[#places]),* }
+        }
+    }
+}
+
+fn implementation(model: &Model) -> TokenStream {
+    let (name, allowed, info) = (model.name, allowed(), info::of_model(model));
+    let [states, parameters, contacts, observables] = sizes(model);
+    let lanes = Literal::usize_unsuffixed(model.states.len() + 1);
+    let (kinematic, sparsity) = (kinematic(model), sparsity(model));
+    let fields: Vec<&Ident> = model
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name)
+        .collect();
+    let places = (0..fields.len()).map(Literal::usize_unsuffixed);
+    let (rhs, observed) = (rhs(model), observed(model));
+    quote! {
+        #allowed
+        #[automatically_derived]
+        impl ::stickslip::model::Model<#states> for #name {
+            type Params<D: ::stickslip::scalar::Scalar> = [D; #parameters];
+            type PerContact<T: ::core::marker::Copy + ::core::marker::Send + ::core::marker::Sync> =
+                [T; #contacts];
+            type Observables = [f64; #observables];
+            type Lanes = ::stickslip::DualSVec64<#lanes>;
+
+            const INFO: &'static ::stickslip::model::ModelInfo = &#info;
+            const KINEMATIC: [::core::option::Option<usize>; #states] = #kinematic;
+            const SPARSITY: [[bool; #states]; #states] = #sparsity;
+
+            #[inline]
+            fn values(&self) -> [f64; #parameters] {
+                [#(self.#fields),*]
+            }
+
+            #[inline]
+            fn from_values(__values: [f64; #parameters]) -> Self {
+                Self { #(#fields: __values[#places]),* }
+            }
+
+            #[inline]
+            fn rhs<D: ::stickslip::scalar::Scalar>(
+                __params: &[D; #parameters],
+                __state: [D; #states],
+                __contacts: &mut impl ::stickslip::friction::ContactRule<D>,
+            ) -> [D; #states] {
+                #rhs
+            }
+
+            #[inline]
+            fn observables(
+                __params: &[f64; #parameters],
+                __state: [f64; #states],
+                __contacts: &mut impl ::stickslip::friction::ContactRule<f64>,
+            ) -> [f64; #observables] {
+                #observed
+            }
+        }
+    }
+}
+
+/// The numbers of states, parameters, contacts and observables.
+fn sizes(model: &Model) -> [Literal; 4] {
+    let (contacts, lets) = (model.contacts().count(), model.lets().count());
+    [model.states.len(), model.parameters.len(), contacts, lets].map(Literal::usize_unsuffixed)
+}
+
+fn kinematic(model: &Model) -> TokenStream {
+    let rows = pattern::kinematic(model).into_iter().map(|row| match row {
+        None => quote!(::core::option::Option::None),
+        Some(state) => {
+            let state = Literal::usize_unsuffixed(state);
+            quote!(::core::option::Option::Some(#state))
+        }
+    });
+    quote!([#(#rows),*])
+}
+
+fn sparsity(model: &Model) -> TokenStream {
+    let rows = pattern::sparsity(model)
+        .into_iter()
+        .map(|row| quote!([#(#row),*]));
+    quote!([#(#rows),*])
+}
+
+/// The body of `rhs`: the steps that the equations need, then the rates in the order of the states.
+fn rhs(model: &Model) -> TokenStream {
+    let needed = pattern::needed(model);
+    let lift = Lift {
+        scalar: quote!(D),
+        quantity: &field,
+    };
+    let steps = steps(model, &needed, &lift);
+    let names: Vec<&Ident> = model.states.iter().map(|state| state.name).collect();
+    let left = model.states.iter().map(|state| state.left);
+    let rates = model.states.iter().map(|state| lift.formula(state.rate));
+    quote! {
+        #steps
+        struct __Rates<D> { #(#names: D),* }
+        let __rates = __Rates { #(#left: #rates),* };
+        [#(__rates.#names),*]
+    }
+}
+
+/// The body of `observables`.
+fn observed(model: &Model) -> TokenStream {
+    if model.lets().next().is_none() {
+        return quote!([]);
+    }
+    let all = model.steps.iter().map(Step::name).collect();
+    let lift = Lift {
+        scalar: quote!(f64),
+        quantity: &field,
+    };
+    let steps = steps(model, &all, &lift);
+    let names = model.lets().map(|quantity| quantity.name);
+    quote! {
+        #steps
+        [#(__quantities.#names),*]
+    }
+}
+
+/// Every quantity is a field: a field keeps its name and its span, and nothing can capture it.
+fn field(name: &Ident) -> TokenStream {
+    quote!(__quantities.#name)
+}
+
+fn steps(model: &Model, wanted: &HashSet<&Ident>, lift: &Lift) -> TokenStream {
+    let steps: Vec<&Step> = model
+        .steps
+        .iter()
+        .filter(|step| wanted.contains(step.name()))
+        .collect();
+    let (structure, scalar) = (quantities(model, &steps), &lift.scalar);
+    let states = model.states.iter().map(|state| state.name);
+    let parameters = model.parameters.iter().map(|parameter| parameter.name);
+    let state_places = (0..model.states.len()).map(Literal::usize_unsuffixed);
+    let parameter_places = (0..model.parameters.len()).map(Literal::usize_unsuffixed);
+    let computed = steps.iter().map(|step| step.name());
+    let mutable = (!steps.is_empty()).then(|| quote!(mut));
+    let contacts: Vec<&Ident> = model.contacts().map(|contact| contact.name).collect();
+    let lines = steps.iter().map(|step| line(step, &contacts, lift));
+    quote! {
+        #structure
+        let #mutable __quantities = __Quantities {
+            #(#states: __state[#state_places],)*
+            #(#parameters: __params[#parameter_places],)*
+            #(#computed: #scalar::from(0.0),)*
+        };
+        #(#lines)*
+    }
+}
+
+fn quantities(model: &Model, steps: &[&Step]) -> TokenStream {
+    let states = model.states.iter().map(|state| (state.docs, state.name));
+    let parameters = model
+        .parameters
+        .iter()
+        .map(|parameter| (parameter.docs, parameter.name));
+    let computed = steps.iter().map(|step| (step.docs(), step.name()));
+    let fields = states
+        .chain(parameters)
+        .chain(computed)
+        .map(|(docs, name)| quote!(#(#docs)* #name: D));
+    quote!(struct __Quantities<D> { #(#fields),* })
+}
+
+fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
+    let scalar = &lift.scalar;
+    match step {
+        Step::Let(quantity) => {
+            let (name, formula) = (quantity.name, lift.formula(quantity.formula));
+            quote!(__quantities.#name = #formula;)
+        }
+        Step::Contact(contact) => {
+            let name = contact.name;
+            let index = contacts
+                .iter()
+                .position(|other| *other == name)
+                .unwrap_or_default();
+            let (law, index) = (law_of(index), Literal::usize_unsuffixed(index));
+            let fields = contact
+                .fields
+                .iter()
+                .map(|field| lift.formula(&field.formula));
+            let speed = lift.formula(contact.speed);
+            quote! {
+                __quantities.#name = __contacts.force(
+                    #index,
+                    &Self::#law::<#scalar>([#(#fields),*]),
+                    #speed,
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! From tokens to a declaration as written.
+
+mod line;
+mod value;
+
+use proc_macro2::{Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Token, Visibility, braced};
+
+use self::line::Reader;
+use crate::errors::Errors;
+use crate::syntax::{Broken, Declaration, Line};
+
+/// Which of the two grammars a declaration follows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Grammar {
+    Model,
+    Law,
+}
+
+/// Reads a declaration; without a struct and its name there is none.
+pub(crate) fn declaration(
+    tokens: TokenStream,
+    grammar: Grammar,
+    errors: &mut Errors,
+) -> Option<Declaration> {
+    match header.parse2(tokens) {
+        Ok((docs, visibility, name, body)) => Some(Declaration {
+            docs,
+            visibility,
+            name,
+            lines: lines(body, grammar, errors),
+        }),
+        Err(error) => {
+            errors.add(error);
+            None
+        }
+    }
+}
+
+fn header(input: ParseStream) -> syn::Result<(Vec<Attribute>, Visibility, Ident, TokenStream)> {
+    let docs = line::docs(input)?;
+    let visibility = input.parse()?;
+    input.parse::<Token![struct]>()?;
+    let name = input.parse()?;
+    let body;
+    braced!(body in input);
+    let body = body.parse()?;
+    if !input.is_empty() {
+        return Err(input.error("one declaration each: nothing may follow the closing brace"));
+    }
+    Ok((docs, visibility, name, body))
+}
+
+/// Cuts the body at its semicolons first, so that a broken line cannot hide the others.
+fn lines(body: TokenStream, grammar: Grammar, errors: &mut Errors) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut line = TokenStream::new();
+    for token in body {
+        let ends = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == ';');
+        line.extend([token]);
+        if ends {
+            read(std::mem::take(&mut line), grammar, errors, &mut lines);
+        }
+    }
+    if !line.is_empty() {
+        unfinished(line, grammar, errors, &mut lines);
+    }
+    lines
+}
+
+/// The last line has no semicolon: that is worth a word only if nothing else is wrong with it.
+fn unfinished(line: TokenStream, grammar: Grammar, errors: &mut Errors, lines: &mut Vec<Line>) {
+    let last = line.clone().into_iter().last();
+    let mut ended = line;
+    let mut semicolon = Punct::new(';', Spacing::Alone);
+    semicolon.set_span(last.as_ref().map_or_else(Span::call_site, TokenTree::span));
+    ended.extend([TokenTree::from(semicolon)]);
+    read(ended, grammar, errors, lines);
+    if !matches!(lines.last(), Some(Line::Broken(_))) {
+        errors.at(last, "missing `;` at the end of this line");
+    }
+}
+
+fn read(tokens: TokenStream, grammar: Grammar, errors: &mut Errors, lines: &mut Vec<Line>) {
+    let whole = tokens.clone();
+    let reader = |input: ParseStream| {
+        let line = Reader { grammar, errors }.line(input)?;
+        input.parse::<Option<Token![;]>>()?;
+        Ok((line, input.parse::<TokenStream>()?))
+    };
+    match reader.parse2(tokens) {
+        Ok((line, rest)) => {
+            lines.push(line);
+            if let Some(keyword) = line::keyword_of(&rest) {
+                errors.at(
+                    &keyword,
+                    format!("missing `;` at the end of the line before `{keyword}`"),
+                );
+                read(rest, grammar, errors, lines);
+            }
+        }
+        Err(error) => {
+            errors.add(error);
+            lines.push(Line::Broken(broken(&whole)));
+        }
+    }
+}
+
+fn broken(tokens: &TokenStream) -> Broken {
+    let mut words = line::words(tokens);
+    Broken {
+        keyword: words
+            .next()
+            .map(|word| word.to_string())
+            .unwrap_or_default(),
+        name: words.next(),
+    }
+}

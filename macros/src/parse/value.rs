@@ -1,0 +1,214 @@
+//! Numbers, bounds and units.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream};
+use syn::{Lit, LitInt, Token};
+
+use crate::arithmetic;
+use crate::syntax::{Bound, Bounds, Number, Unit, UnitFactor};
+
+/// `["-"] literal`
+pub(super) fn number(input: ParseStream) -> syn::Result<Number> {
+    let sign: Option<Token![-]> = input.parse()?;
+    if !input.peek(Lit) {
+        return Err(input.error("expected a number such as `1.0`"));
+    }
+    let magnitude = arithmetic::number(&input.parse()?)?;
+    Ok(match sign {
+        None => magnitude,
+        Some(minus) => Number {
+            value: -magnitude.value,
+            source: quote!(#minus #magnitude),
+        },
+    })
+}
+
+/// `where bounds`, or nothing.
+pub(super) fn bounds_if_stated(input: ParseStream) -> syn::Result<Option<Bounds>> {
+    if input.parse::<Option<Token![where]>>()?.is_none() {
+        return Ok(None);
+    }
+    let ahead = input.fork();
+    let mut bounds = if input.peek(syn::Ident::peek_any) {
+        one_sided(input)
+    } else {
+        chain(input)
+    }?;
+    bounds.source = consumed(&ahead, input)?;
+    if input.peek(Token![,]) || input.peek(Token![&&]) {
+        let name = &bounds.name;
+        return Err(input.error(format!(
+            "write both ends of an interval as `0.0 <= {name} < 1.0`"
+        )));
+    }
+    Ok(Some(bounds))
+}
+
+/// `name > number`
+fn one_sided(input: ParseStream) -> syn::Result<Bounds> {
+    let name = input.call(Ident::parse_any)?;
+    let relation: Relation = input.parse()?;
+    let end = Some(Bound {
+        number: number(input)?,
+        inclusive: relation.inclusive,
+    });
+    let (lower, upper) = if relation.less {
+        (None, end)
+    } else {
+        (end, None)
+    };
+    if Relation::follows(input) {
+        return Err(input.error(format!("write an interval as `0.0 < {name} < 1.0`")));
+    }
+    let source = TokenStream::new();
+    Ok(Bounds {
+        name,
+        lower,
+        upper,
+        source,
+    })
+}
+
+/// `number < name < number`, the last part optional.
+fn chain(input: ParseStream) -> syn::Result<Bounds> {
+    let (lower, inclusive) = (number(input)?, upward(input)?);
+    let lower = Some(Bound {
+        number: lower,
+        inclusive,
+    });
+    let name = input.call(Ident::parse_any)?;
+    let mut upper = None;
+    if Relation::follows(input) {
+        let inclusive = upward(input)?;
+        upper = Some(Bound {
+            number: number(input)?,
+            inclusive,
+        });
+    }
+    let source = TokenStream::new();
+    Ok(Bounds {
+        name,
+        lower,
+        upper,
+        source,
+    })
+}
+
+/// `<` or `<=`: whether the end belongs to the interval.
+fn upward(input: ParseStream) -> syn::Result<bool> {
+    let place = input.fork();
+    let relation: Relation = input.parse()?;
+    if relation.less {
+        Ok(relation.inclusive)
+    } else {
+        Err(place.error("write the smaller end first, as in `0.0 <= x < 1.0`"))
+    }
+}
+
+struct Relation {
+    less: bool,
+    inclusive: bool,
+}
+
+impl Relation {
+    fn follows(input: ParseStream) -> bool {
+        input.peek(Token![<]) || input.peek(Token![>])
+    }
+}
+
+impl Parse for Relation {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let ahead = input.lookahead1();
+        let less = ahead.peek(Token![<]);
+        if !less && !ahead.peek(Token![>]) {
+            return Err(input.error("expected one of `>`, `>=`, `<`, `<=`"));
+        }
+        if input.parse::<Option<Token![<=]>>()?.is_some()
+            || input.parse::<Option<Token![>=]>>()?.is_some()
+        {
+            return Ok(Self {
+                less,
+                inclusive: true,
+            });
+        }
+        if less {
+            input.parse::<Token![<]>()?;
+        } else {
+            input.parse::<Token![>]>()?;
+        }
+        Ok(Self {
+            less,
+            inclusive: false,
+        })
+    }
+}
+
+/// `: unit`, or nothing.
+pub(super) fn unit_if_stated(input: ParseStream) -> syn::Result<Option<Unit>> {
+    if input.parse::<Option<Token![:]>>()?.is_none() {
+        return Ok(None);
+    }
+    let ahead = input.fork();
+    let mut factors = Vec::new();
+    if input.peek(LitInt) {
+        one(input)?;
+    } else {
+        factors.push(factor(input, false)?);
+    }
+    while input.peek(Token![*]) || input.peek(Token![/]) {
+        let divides = input.parse::<Option<Token![/]>>()?.is_some();
+        if !divides {
+            input.parse::<Token![*]>()?;
+        }
+        factors.push(factor(input, divides)?);
+    }
+    let source = consumed(&ahead, input)?;
+    if input.peek(syn::Ident) {
+        return Err(input.error("join the symbols of a unit with `*` or `/`, as in `N*m`"));
+    }
+    Ok(Some(Unit { factors, source }))
+}
+
+fn one(input: ParseStream) -> syn::Result<()> {
+    let literal: LitInt = input.parse()?;
+    if literal.to_string() == "1" {
+        Ok(())
+    } else {
+        Err(syn::Error::new(
+            literal.span(),
+            "a unit is `1`, or symbols such as `kg*m/s^2`; its factor is not part of it",
+        ))
+    }
+}
+
+/// `symbol["^"int]`
+fn factor(input: ParseStream, divides: bool) -> syn::Result<UnitFactor> {
+    if input.peek(syn::token::Paren) {
+        return Err(input.error("units have no parentheses: write `N/m/s` for N/(m s)"));
+    }
+    if !input.peek(syn::Ident::peek_any) {
+        return Err(input.error("expected the symbol of a unit, as in `kg*m/s^2`"));
+    }
+    let symbol = input.call(Ident::parse_any)?;
+    let mut exponent = 1;
+    if input.parse::<Option<Token![^]>>()?.is_some() {
+        let negative = input.parse::<Option<Token![-]>>()?.is_some();
+        let magnitude: i32 = input.parse::<LitInt>()?.base10_parse()?;
+        exponent = if negative { -magnitude } else { magnitude };
+    }
+    Ok(UnitFactor {
+        symbol,
+        exponent,
+        divides,
+    })
+}
+
+/// The tokens between two places of the same stream.
+fn consumed(from: ParseStream, to: ParseStream) -> syn::Result<TokenStream> {
+    let from: TokenStream = from.fork().parse()?;
+    let to: TokenStream = to.fork().parse()?;
+    let length = from.clone().into_iter().count() - to.into_iter().count();
+    Ok(from.into_iter().take(length).collect())
+}

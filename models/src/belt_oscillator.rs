@@ -1,0 +1,32 @@
+//! One mass on a moving belt.
+
+use stickslip::model;
+
+use crate::friction::Weakening;
+
+model! {
+    /// One mass on a moving belt, held by a spring: thesis section 3.2, Fig. 3.4.
+    pub struct BeltOscillator {
+        /// Displacement of the mass.
+        state x: m   = 1.0;
+        /// Velocity of the mass.
+        state v: m/s = 0.0;
+
+        /// Mass.
+        param m: kg      = 1.0 where m > 0.0;
+        /// Spring stiffness.
+        param k: N/m     = 1.0 where k > 0.0;
+        /// Velocity of the belt.
+        param v_dr: m/s  = 0.2;
+        /// Largest static friction force.
+        param F_s: N     = 1.0 where F_s >= 0.0;
+        /// Rate at which friction weakens with speed.
+        param delta: s/m = 3.0 where delta >= 0.0;
+
+        /// Force of the belt on the mass.
+        friction F: N = Weakening { limit: F_s, decay: delta } opposing v - v_dr;
+
+        der(x) = v;
+        der(v) = (F - k * x) / m;
+    }
+}

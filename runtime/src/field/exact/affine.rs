@@ -1,0 +1,170 @@
+//! The equations as an affine function of the forces of the sticking contacts: f₀ + Σ Bᵢ λᵢ and b + G λ (0.2).
+
+use num_dual::Dual;
+
+use super::constants::Constants;
+use super::mode::{Mode, Modes};
+use super::rule::Branches;
+use super::solve::solve;
+use crate::model::Model;
+use crate::scalar::{Inline, Scalar};
+
+/// A matrix with one row and one column for each contact.
+pub(super) type Square<M, D, const N: usize> =
+    <M as Model<N>>::PerContact<<M as Model<N>>::PerContact<D>>;
+
+/// The equations at one state while some contacts stick, their forces left open.
+///
+/// Entries of contacts that slide are 0 in `input`, `rate` and `compliance`.
+pub(crate) struct Affine<M: Model<N>, D: Scalar, const N: usize> {
+    /// f₀: the field without the sticking forces.
+    pub(crate) field: [D; N],
+    /// Bᵢ.
+    pub(crate) input: M::PerContact<[D; N]>,
+    /// bᵢ: the rate of wᵢ without the sticking forces.
+    pub(crate) rate: M::PerContact<D>,
+    /// G.
+    pub(crate) compliance: Square<M, D, N>,
+    /// wᵢ.
+    pub(crate) speed: M::PerContact<D>,
+    /// λᵢ of the contacts that slide.
+    pub(crate) force: M::PerContact<D>,
+    /// Largest force at rest.
+    pub(crate) stick: M::PerContact<D>,
+}
+
+/// All that is known at one state in one mode.
+pub(crate) struct Snapshot<M: Model<N>, D: Scalar, const N: usize> {
+    /// f.
+    pub(crate) field: [D; N],
+    /// wᵢ.
+    pub(crate) speed: M::PerContact<D>,
+    /// λᵢ.
+    pub(crate) force: M::PerContact<D>,
+    /// Largest force at rest.
+    pub(crate) stick: M::PerContact<D>,
+}
+
+impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
+    /// At a state: from what is constant in the model, where anything is, otherwise by probing.
+    pub(super) fn new(
+        constants: Option<&Constants<M, N>>,
+        params: &M::Params<D>,
+        state: &[D; N],
+        modes: &Modes<M, N>,
+    ) -> Self {
+        let zero = D::from(0.0);
+        let mut rule = Branches::<M, D, N>::free(modes.as_slice());
+        let mut affine = Self {
+            field: M::rhs(params, *state, &mut rule),
+            input: Inline::from_fn(|_| [zero; N]),
+            rate: Inline::from_fn(|_| zero),
+            compliance: Inline::from_fn(|_| Inline::from_fn(|_| zero)),
+            speed: rule.speed,
+            force: rule.force,
+            stick: rule.stick,
+        };
+        match constants {
+            Some(constants) => affine.lift(constants, modes),
+            None => affine.probe(params, state, modes),
+        }
+        affine
+    }
+
+    fn lift(&mut self, constants: &Constants<M, N>, modes: &Modes<M, N>) {
+        for row in modes.sticking() {
+            let gradient = &constants.gradient.as_ref()[row];
+            let drift = self.field.iter().zip(gradient).map(|(f, g)| *f * *g);
+            self.rate.as_mut()[row] = drift.sum();
+            self.input.as_mut()[row] = constants.input.as_ref()[row].map(D::from);
+            for column in modes.sticking() {
+                let entry = constants.compliance.as_ref()[row].as_ref()[column];
+                self.compliance.as_mut()[row].as_mut()[column] = D::from(entry);
+            }
+        }
+    }
+
+    /// Probes the right-hand side with dual numbers: B by seeding the forces, b and G by moving along f₀ and B.
+    fn probe(&mut self, params: &M::Params<D>, state: &[D; N], modes: &Modes<M, N>) {
+        if modes.sticking().next().is_none() {
+            return;
+        }
+        let drift = speed_rates::<M, D, N>(params, state, modes, &self.field);
+        for row in modes.sticking() {
+            self.rate.as_mut()[row] = drift.as_ref()[row];
+        }
+        for column in modes.sticking() {
+            let push = input(params, state, modes, column);
+            let response = speed_rates::<M, D, N>(params, state, modes, &push);
+            self.input.as_mut()[column] = push;
+            for row in modes.sticking() {
+                self.compliance.as_mut()[row].as_mut()[column] = response.as_ref()[row];
+            }
+        }
+    }
+
+    /// The forces that keep ẇ = 0 where contacts stick (3a); `None` if they are not unique.
+    pub(super) fn sticking_forces(&self, modes: &Modes<M, N>) -> Option<M::PerContact<D>> {
+        let stuck = |i: usize| modes.as_slice()[i] == Mode::Stick;
+        let (rate, force) = (self.rate.as_ref(), self.force.as_ref());
+        let rhs = Inline::from_fn(|i| if stuck(i) { -rate[i] } else { force[i] });
+        solve::<M, D, N>(self.compliance, rhs, stuck)
+    }
+
+    /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S.
+    pub(super) fn respond(
+        &self,
+        modes: &Modes<M, N>,
+        rates: &M::PerContact<D>,
+    ) -> Option<M::PerContact<D>> {
+        let stuck = |i: usize| modes.as_slice()[i] == Mode::Stick;
+        solve::<M, D, N>(self.compliance, *rates, stuck)
+    }
+
+    /// The field with the sticking forces in place; `None` if they are not unique.
+    pub(super) fn resolve(&self, modes: &Modes<M, N>) -> Option<Snapshot<M, D, N>> {
+        let force = self.sticking_forces(modes)?;
+        let mut field = self.field;
+        for contact in modes.sticking() {
+            let (push, input) = (force.as_ref()[contact], &self.input.as_ref()[contact]);
+            for (f, b) in field.iter_mut().zip(input) {
+                *f += *b * push;
+            }
+        }
+        Some(Snapshot {
+            field,
+            speed: self.speed,
+            force,
+            stick: self.stick,
+        })
+    }
+}
+
+/// Bᵢ: what a unit force of one contact adds to the field, free of cancellation.
+pub(super) fn input<M: Model<N>, D: Scalar, const N: usize>(
+    params: &M::Params<D>,
+    state: &[D; N],
+    modes: &Modes<M, N>,
+    contact: usize,
+) -> [D; N] {
+    let still = |x: D| Dual::new(x, D::from(0.0));
+    let unit = |i| Dual::new(D::from(0.0), D::from(f64::from(i == contact)));
+    let mut rule = Branches::<M, Dual<D>, N>::with(modes.as_slice(), Inline::from_fn(unit));
+    let lifted = Inline::from_fn(|i| still(params.as_ref()[i]));
+    M::rhs(&lifted, state.map(still), &mut rule).map(|f| f.eps)
+}
+
+/// w_y u for every contact: how fast its speed changes when the state moves along `direction`.
+pub(super) fn speed_rates<M: Model<N>, D: Scalar, const N: usize>(
+    params: &M::Params<D>,
+    state: &[D; N],
+    modes: &Modes<M, N>,
+    direction: &[D; N],
+) -> M::PerContact<D> {
+    let mut rule = Branches::<M, Dual<D>, N>::free(modes.as_slice());
+    let lifted = Inline::from_fn(|i| Dual::new(params.as_ref()[i], D::from(0.0)));
+    let moving = std::array::from_fn(|i| Dual::new(state[i], direction[i]));
+    // Only the speeds matter, which no force enters.
+    let _ = M::rhs(&lifted, moving, &mut rule);
+    Inline::from_fn(|i| rule.speed.as_ref()[i].eps)
+}

@@ -1,0 +1,65 @@
+//! The rule that answers for a force in a given mode, and notes what it was asked.
+
+use super::mode::Mode;
+use crate::friction::{ContactRule, FrictionLaw};
+use crate::model::Model;
+use crate::scalar::{Inline, Scalar};
+
+/// Forces of the sliding contacts by their laws, of the sticking ones as given.
+pub(super) struct Branches<'a, M: Model<N>, D: Scalar, const N: usize> {
+    modes: &'a [Mode],
+    given: M::PerContact<D>,
+    pub(super) speed: M::PerContact<D>,
+    pub(super) force: M::PerContact<D>,
+    pub(super) stick: M::PerContact<D>,
+}
+
+impl<'a, M: Model<N>, D: Scalar, const N: usize> Branches<'a, M, D, N> {
+    /// No force where a contact sticks.
+    #[inline]
+    pub(super) fn free(modes: &'a [Mode]) -> Self {
+        Self::with(modes, Inline::from_fn(|_| D::from(0.0)))
+    }
+
+    /// These forces where a contact sticks.
+    #[inline]
+    pub(super) fn with(modes: &'a [Mode], given: M::PerContact<D>) -> Self {
+        let zero = D::from(0.0);
+        Self {
+            modes,
+            given,
+            speed: Inline::from_fn(|_| zero),
+            force: Inline::from_fn(|_| zero),
+            stick: Inline::from_fn(|_| zero),
+        }
+    }
+}
+
+impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, D, N> {
+    #[inline]
+    fn force<L: FrictionLaw<D>>(&mut self, contact: usize, law: &L, speed: D) -> D {
+        let Some(&mode) = self.modes.get(contact) else {
+            return D::from(0.0);
+        };
+        let force = match mode {
+            Mode::SlideForward => -slip(law, speed),
+            Mode::SlideBackward => slip(law, -speed),
+            Mode::Stick => self.given.as_ref()[contact],
+        };
+        self.speed.as_mut()[contact] = speed;
+        self.force.as_mut()[contact] = force;
+        self.stick.as_mut()[contact] = law.stick();
+        force
+    }
+}
+
+/// slip(s), continued to s < 0 by reflection in the point (0, slip(0)): stages that overshoot a surface
+/// then meet neither a kink in the first derivative nor a pole of the law.
+#[inline]
+fn slip<D: Scalar, L: FrictionLaw<D>>(law: &L, speed: D) -> D {
+    if speed.re() >= 0.0 {
+        law.slip(speed)
+    } else {
+        law.slip(D::from(0.0)) * 2.0 - law.slip(-speed)
+    }
+}

@@ -1,0 +1,173 @@
+//! Polynomials inside a step, in Bernstein form.
+
+/// Highest degree: that of the dense output.
+pub(super) const DEGREE: usize = 7;
+
+/// A polynomial on [0, 1] in Bernstein form: Σ βⱼ C(d,j) θʲ (1−θ)ᵈ⁻ʲ.
+///
+/// It lies in the convex hull of its coefficients, so that coefficients of one sign exclude a root.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bernstein {
+    pub(super) coefficients: [f64; DEGREE + 1],
+    pub(super) degree: usize,
+}
+
+impl Bernstein {
+    /// Nodes on [0, 1] from whose values [`Bernstein::interpolate`] builds a polynomial (Chebyshev-Lobatto).
+    #[must_use]
+    pub fn nodes() -> [f64; DEGREE + 1] {
+        std::array::from_fn(|i| {
+            let half = 0.5 * std::f64::consts::PI * i as f64 / DEGREE as f64;
+            half.sin().powi(2)
+        })
+    }
+
+    /// From its coefficients; at most eight are taken.
+    #[must_use]
+    pub fn new(coefficients: &[f64]) -> Self {
+        let mut all = [0.0; DEGREE + 1];
+        for (place, c) in all.iter_mut().zip(coefficients) {
+            *place = *c;
+        }
+        let degree = coefficients.len().clamp(1, DEGREE + 1) - 1;
+        Self {
+            coefficients: all,
+            degree,
+        }
+    }
+
+    /// From the nested form of the dense output, whose term k multiplies θ^(k/2+1) (1−θ)^((k+1)/2).
+    pub(super) fn from_nested(value: f64, terms: [f64; DEGREE]) -> Self {
+        let mut coefficients = [value; DEGREE + 1];
+        for (k, term) in terms.iter().enumerate() {
+            let (a, b) = (k / 2 + 1, k.div_ceil(2));
+            let spare = DEGREE - a - b;
+            for (i, c) in coefficients[a..=a + spare].iter_mut().enumerate() {
+                *c += term * binomial(spare, i) / binomial(DEGREE, a + i);
+            }
+        }
+        Self {
+            coefficients,
+            degree: DEGREE,
+        }
+    }
+
+    /// The polynomial of degree 7 with these values at [`Bernstein::nodes`].
+    #[must_use]
+    pub fn interpolate(values: &[f64; DEGREE + 1]) -> Self {
+        let nodes = Self::nodes();
+        let mut differences = *values;
+        for order in 1..=DEGREE {
+            for i in (order..=DEGREE).rev() {
+                let run = nodes[i] - nodes[i - order];
+                differences[i] = (differences[i] - differences[i - 1]) / run;
+            }
+        }
+        let mut sum = Self::new(&[differences[DEGREE]]);
+        for i in (0..DEGREE).rev() {
+            sum = sum.times_linear(nodes[i], differences[i]);
+        }
+        sum
+    }
+
+    /// p (θ − root) + rest: the step of Horner's scheme in Newton's form.
+    fn times_linear(&self, root: f64, rest: f64) -> Self {
+        let degree = self.degree + 1;
+        let mut coefficients = [rest; DEGREE + 1];
+        for j in 0..=self.degree {
+            let (up, down) = ((j + 1) as f64, (degree - j) as f64);
+            let c = self.coefficients[j] / degree as f64;
+            coefficients[j] -= c * down * root;
+            coefficients[j + 1] += c * up * (1.0 - root);
+        }
+        Self {
+            coefficients,
+            degree,
+        }
+    }
+
+    /// The coefficients.
+    #[must_use]
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..=self.degree]
+    }
+
+    /// The value at θ.
+    #[must_use]
+    pub fn value(&self, theta: f64) -> f64 {
+        self.value_and_slope(theta).0
+    }
+
+    pub(super) fn value_and_slope(&self, theta: f64) -> (f64, f64) {
+        let mut c = self.coefficients;
+        let mut slope = 0.0;
+        for level in (1..=self.degree).rev() {
+            if level == 1 {
+                slope = self.degree as f64 * (c[1] - c[0]);
+            }
+            for j in 0..level {
+                c[j] += theta * (c[j + 1] - c[j]);
+            }
+        }
+        (c[0], slope)
+    }
+
+    /// The derivative with respect to θ.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let mut slope = Self::new(&[0.0; DEGREE + 1]);
+        slope.degree = self.degree.saturating_sub(1);
+        for j in 0..self.degree {
+            slope.coefficients[j] =
+                self.degree as f64 * (self.coefficients[j + 1] - self.coefficients[j]);
+        }
+        slope
+    }
+
+    /// p(θ)/θⁿ, its lowest n coefficients taken for zero: they vanish where a motion departs from a surface.
+    #[must_use]
+    pub fn deflated(&self, order: usize) -> Self {
+        let mut p = *self;
+        for _ in 0..order.min(self.degree) {
+            let degree = p.degree;
+            for j in 1..=degree {
+                p.coefficients[j - 1] = p.coefficients[j] * degree as f64 / j as f64;
+            }
+            p.coefficients[degree] = 0.0;
+            p.degree = degree - 1;
+        }
+        p
+    }
+
+    /// The polynomial −p.
+    #[must_use]
+    pub fn negated(&self) -> Self {
+        let coefficients = self.coefficients.map(|c| -c);
+        Self {
+            coefficients,
+            degree: self.degree,
+        }
+    }
+
+    /// A lower bound of the polynomial on [0, 1].
+    #[must_use]
+    pub fn lower_bound(&self) -> f64 {
+        self.coefficients()
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// An upper bound of |p| on [0, 1].
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        self.coefficients()
+            .iter()
+            .fold(0.0, |most, c| c.abs().max(most))
+    }
+}
+
+/// C(n, k) for the small n at hand.
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
+}

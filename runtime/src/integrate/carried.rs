@@ -1,0 +1,133 @@
+//! What an explicit step carries along: the state alone, or the state with its tangents.
+
+use crate::field::{Field, Work};
+
+/// A point of the space in which an explicit method steps, and a slope in it.
+///
+/// With tangents the method differentiates its own step: Φ and ∂φ/∂r pass through the same stages as
+/// the state, and come out as the exact derivatives of the discrete step.
+pub trait Carried<const N: usize>: Copy {
+    /// The zero slope.
+    const NOTHING: Self;
+
+    /// Adds `factor` times `slope`.
+    fn add(&mut self, factor: f64, slope: &Self);
+
+    /// The state.
+    fn state(&self) -> &[f64; N];
+
+    /// The slope here; counted in `work`.
+    fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self;
+
+    /// Whether every number is finite.
+    fn is_finite(&self) -> bool;
+}
+
+impl<const N: usize> Carried<N> for [f64; N] {
+    const NOTHING: Self = [0.0; N];
+
+    #[inline]
+    fn add(&mut self, factor: f64, slope: &Self) {
+        for (y, k) in self.iter_mut().zip(slope) {
+            *y += factor * k;
+        }
+    }
+
+    #[inline]
+    fn state(&self) -> &[f64; N] {
+        self
+    }
+
+    #[inline]
+    fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self {
+        work.evaluations += 1;
+        field.f(self)
+    }
+
+    #[inline]
+    fn is_finite(&self) -> bool {
+        self.iter().all(|y| y.is_finite())
+    }
+}
+
+/// A state with the derivatives of the motion that led to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion<const N: usize> {
+    /// The state y.
+    pub state: [f64; N],
+    /// Φ = ∂y/∂y₀, row by row.
+    pub tangent: [[f64; N]; N],
+    /// p = ∂y/∂r.
+    pub design: [f64; N],
+    /// ∫ tr J dt.
+    pub trace: f64,
+}
+
+impl<const N: usize> Motion<N> {
+    /// A motion that begins here: Φ = I, p = 0.
+    #[must_use]
+    pub fn from(state: [f64; N]) -> Self {
+        let mut motion = Self {
+            state,
+            ..Self::NOTHING
+        };
+        motion.restart();
+        motion
+    }
+
+    /// Sets Φ = I and leaves the rest.
+    pub fn restart(&mut self) {
+        self.tangent = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
+    }
+}
+
+impl<const N: usize> Carried<N> for Motion<N> {
+    const NOTHING: Self = Self {
+        state: [0.0; N],
+        tangent: [[0.0; N]; N],
+        design: [0.0; N],
+        trace: 0.0,
+    };
+
+    #[inline]
+    fn add(&mut self, factor: f64, slope: &Self) {
+        self.state.add(factor, &slope.state);
+        self.design.add(factor, &slope.design);
+        for (row, k) in self.tangent.iter_mut().zip(&slope.tangent) {
+            row.add(factor, k);
+        }
+        self.trace += factor * slope.trace;
+    }
+
+    #[inline]
+    fn state(&self) -> &[f64; N] {
+        &self.state
+    }
+
+    /// Φ' = J Φ and p' = J p + f_r.
+    #[inline]
+    fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self {
+        work.linearisations += 1;
+        let linear = field.linearise(&self.state);
+        let mut slope = Self {
+            state: linear.f,
+            design: linear.design,
+            trace: linear.trace(),
+            ..Self::NOTHING
+        };
+        for i in 0..N {
+            for (j, &entry) in linear.jacobian[i].iter().enumerate() {
+                slope.tangent[i].add(entry, &self.tangent[j]);
+                slope.design[i] += entry * self.design[j];
+            }
+        }
+        slope
+    }
+
+    fn is_finite(&self) -> bool {
+        self.state.is_finite()
+            && self.design.is_finite()
+            && self.trace.is_finite()
+            && self.tangent.iter().all(Carried::is_finite)
+    }
+}

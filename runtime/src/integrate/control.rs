@@ -1,0 +1,97 @@
+//! The choice of the next step length from the errors of the last steps.
+
+/// Exponents of a proportional-integral controller for an error of order 8.
+const INTEGRAL: f64 = 0.04;
+const PROPORTIONAL: f64 = 1.0 / 8.0 - 0.2 * INTEGRAL;
+
+const SAFETY: f64 = 0.9;
+const MOST_SHRINK: f64 = 0.2;
+const MOST_GROWTH: f64 = 6.0;
+
+/// h |λ| at which DOP853 loses stability.
+const EDGE_OF_STABILITY: f64 = 6.1;
+
+/// A proportional-integral controller of step lengths, with a memory for stiffness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Control {
+    /// What to try next, once known.
+    pub(super) proposal: Option<f64>,
+    span: f64,
+    last_error: f64,
+    rejected: bool,
+    stiff: u32,
+    not_stiff: u32,
+}
+
+impl Control {
+    pub(super) fn new(span: f64) -> Self {
+        Self {
+            proposal: None,
+            span,
+            last_error: 1e-4,
+            rejected: false,
+            stiff: 0,
+            not_stiff: 0,
+        }
+    }
+
+    /// Length of the Euler step that probes how fast the field bends.
+    pub(super) fn euler_length(&self, size: f64, slope: f64) -> f64 {
+        let length = 0.01 * size / slope;
+        if length.is_finite() && length > 0.0 {
+            length.min(self.span)
+        } else {
+            1e-3 * self.span
+        }
+    }
+
+    /// Hairer's first length.
+    pub(super) fn guess(&self, euler: f64, slope: f64, bend: f64) -> f64 {
+        let steepest = slope.max(bend);
+        let length = (0.01 / steepest).powf(1.0 / 8.0);
+        if length.is_finite() {
+            length.min(100.0 * euler)
+        } else {
+            euler
+        }
+    }
+
+    /// Proposes the length after an accepted step.
+    pub(super) fn accept(&mut self, length: f64, error: f64) {
+        let growth = SAFETY * self.last_error.powf(INTEGRAL) / error.max(1e-14).powf(PROPORTIONAL);
+        let most = if self.rejected { 1.0 } else { MOST_GROWTH };
+        self.proposal = Some(length * growth.clamp(MOST_SHRINK, most));
+        self.last_error = error.max(1e-4);
+        self.rejected = false;
+    }
+
+    /// The length to try after a rejected step.
+    pub(super) fn reject(&mut self, length: f64, error: f64) -> f64 {
+        self.rejected = true;
+        let shrink = if error.is_finite() {
+            (SAFETY / error.powf(PROPORTIONAL)).clamp(MOST_SHRINK, SAFETY)
+        } else {
+            MOST_SHRINK
+        };
+        length * shrink
+    }
+
+    /// Whether time can no longer resolve the length.
+    pub(super) fn exhausted(&self, length: f64, time: f64) -> bool {
+        length <= 4.0 * f64::EPSILON * time.abs().max(1e-6 * self.span)
+    }
+
+    /// Whether `limit` steps, with no six others together between them, were at the edge of stability.
+    pub(super) fn is_stiff(&mut self, stiffness: f64, limit: u32) -> bool {
+        if stiffness > EDGE_OF_STABILITY && stiffness.is_finite() {
+            self.stiff += 1;
+            self.not_stiff = 0;
+        } else {
+            self.not_stiff += 1;
+            if self.not_stiff == 6 {
+                self.stiff = 0;
+            }
+        }
+        self.stiff >= limit
+    }
+}

@@ -1,0 +1,78 @@
+//! The motion inside a step of DOP853: a polynomial of degree 7.
+
+use super::carried::Carried;
+use super::event::Bernstein;
+
+/// Number of coefficients above the value at the start.
+const TERMS: usize = 7;
+
+/// y(θ) for θ in [0, 1] along a step.
+///
+/// Stored as Hairer nests it: y₀ + θ(c₀ + (1−θ)(c₁ + θ(c₂ + (1−θ)(c₃ + ...)))).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dense<const N: usize> {
+    from: [f64; N],
+    length: f64,
+    terms: [[f64; N]; TERMS],
+}
+
+impl<const N: usize> Dense<N> {
+    /// From both ends of the step, the slopes there, and the four higher coefficients.
+    pub(super) fn new(
+        from: [f64; N],
+        end: [f64; N],
+        slopes: (&[f64; N], &[f64; N]),
+        length: f64,
+        higher: [[f64; N]; 4],
+    ) -> Self {
+        let mut terms = [[0.0; N]; TERMS];
+        for i in 0..N {
+            let rise = end[i] - from[i];
+            terms[0][i] = rise;
+            terms[1][i] = length * slopes.0[i] - rise;
+            terms[2][i] = 2.0 * rise - length * (slopes.0[i] + slopes.1[i]);
+        }
+        terms[3..].copy_from_slice(&higher);
+        Self {
+            from,
+            length,
+            terms,
+        }
+    }
+
+    /// Length of the step.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// The state at θ.
+    #[must_use]
+    pub fn state(&self, theta: f64) -> [f64; N] {
+        let mut state = [0.0; N];
+        for (k, term) in self.terms.iter().enumerate().rev() {
+            let factor = if k % 2 == 0 { theta } else { 1.0 - theta };
+            for i in 0..N {
+                state[i] = (state[i] + term[i]) * factor;
+            }
+        }
+        state.add(1.0, &self.from);
+        state
+    }
+
+    /// The polynomial value + g·(y(θ) − y₀): an affine function of the state with gradient g.
+    #[must_use]
+    pub fn along(&self, value: f64, gradient: &[f64; N]) -> Bernstein {
+        let projected = self
+            .terms
+            .map(|term| term.iter().zip(gradient).map(|(t, g)| t * g).sum());
+        Bernstein::from_nested(value, projected)
+    }
+
+    /// The polynomial of one state.
+    #[must_use]
+    pub fn component(&self, index: usize) -> Bernstein {
+        let projected = self.terms.map(|term| term[index]);
+        Bernstein::from_nested(self.from[index], projected)
+    }
+}

@@ -1,0 +1,308 @@
+//! One step of DOP853 at a time.
+
+use super::IntegrationError;
+use super::carried::Carried;
+use super::control::Control;
+use super::dense::Dense;
+use super::dop853::{DENSE, END, ERROR_3, ERROR_5, MORE, STAGES, Weights};
+use super::explicit::Settings;
+use crate::field::{Field, Work};
+
+/// Makes steps of DOP853, one at a time.
+#[derive(Debug, Clone)]
+pub struct Stepper<'f, F, V, const N: usize> {
+    field: &'f F,
+    settings: Settings,
+    control: Control,
+    time: f64,
+    length: f64,
+    from: V,
+    end: V,
+    /// Slopes of the twelve stages, and the one at the end of the step.
+    slopes: [V; 13],
+    /// Where the twelfth stage looked, for the test of stiffness.
+    last_look: [f64; N],
+    /// What has been counted so far.
+    pub work: Work,
+}
+
+impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
+    /// Begins at `from`; the first step length is guessed from the field, for an interval `span`.
+    ///
+    /// # Errors
+    /// `NotFinite` if the state or its slope is not.
+    pub fn new(
+        field: &'f F,
+        settings: Settings,
+        from: V,
+        time: f64,
+        span: f64,
+    ) -> Result<Self, IntegrationError> {
+        let mut stepper = Self {
+            field,
+            settings,
+            control: Control::new(span),
+            time,
+            length: 0.0,
+            from,
+            end: from,
+            slopes: [V::NOTHING; 13],
+            last_look: *from.state(),
+            work: Work::default(),
+        };
+        stepper.slopes[0] = from.slope(field, &mut stepper.work);
+        if !(from.is_finite() && stepper.slopes[0].is_finite()) {
+            return Err(stepper.not_finite());
+        }
+        Ok(stepper)
+    }
+
+    /// Where the step begins.
+    pub fn from(&self) -> &V {
+        &self.from
+    }
+
+    /// Where the step ends.
+    pub fn end(&self) -> &V {
+        &self.end
+    }
+
+    /// The slope at the end of the step.
+    pub fn end_slope(&self) -> &V {
+        &self.slopes[12]
+    }
+
+    /// The time at which the step begins.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The length of the step.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// The length that the next attempt will try.
+    pub fn proposal(&self) -> Option<f64> {
+        self.control.proposal
+    }
+
+    /// Sets the length that the next attempt will try.
+    pub fn propose(&mut self, length: f64) {
+        self.control.proposal = Some(length);
+    }
+
+    /// Makes a step within the tolerance and at most `limit` long, from where the last was committed.
+    ///
+    /// # Errors
+    /// `StepTooSmall`, `NotFinite`, `TooManySteps` or `Stiff`.
+    pub fn attempt(&mut self, limit: f64) -> Result<(), IntegrationError> {
+        let mut length = self.first_length().min(limit);
+        loop {
+            // A step that nearly reaches the limit shall reach it, not leave a crumb.
+            if 1.01 * length >= limit {
+                length = limit;
+            }
+            self.spend()?;
+            self.trial(length);
+            let error = self.error();
+            if error <= 1.0 && self.close() {
+                self.control.accept(length, error);
+                return self.judge_stiffness();
+            }
+            self.work.rejected += 1;
+            length = self.control.reject(length, error);
+            if self.control.exhausted(length, self.time) {
+                return Err(self.too_small(length, error));
+            }
+        }
+    }
+
+    /// Makes the same step with another length, not longer than the accepted one; without a test of its error.
+    ///
+    /// # Errors
+    /// `NotFinite` if the field is not finite on the way.
+    pub fn shorten(&mut self, length: f64) -> Result<(), IntegrationError> {
+        self.trial(length);
+        if self.close() {
+            Ok(())
+        } else {
+            Err(self.not_finite())
+        }
+    }
+
+    /// The state to which a step of this length would lead: the step map on which events are located.
+    pub fn step_map(&mut self, length: f64) -> [f64; N] {
+        let from = *self.from.state();
+        let mut slopes = [[0.0; N]; 12];
+        slopes[0] = *self.slopes[0].state();
+        for (stage, weights) in STAGES.iter().enumerate() {
+            let look = combine(&from, length, weights, &slopes);
+            slopes[stage + 1] = look.slope(self.field, &mut self.work);
+        }
+        combine(&from, length, END, &slopes)
+    }
+
+    /// The polynomial of degree 7 through the step.
+    pub fn dense(&mut self) -> Dense<N> {
+        let from = *self.from.state();
+        let mut slopes = [[0.0; N]; 16];
+        for (plain, carried) in slopes.iter_mut().zip(&self.slopes) {
+            *plain = *carried.state();
+        }
+        for (extra, weights) in MORE.iter().enumerate() {
+            let look = combine(&from, self.length, weights, &slopes);
+            slopes[13 + extra] = look.slope(self.field, &mut self.work);
+        }
+        let higher = DENSE.map(|weights| combine(&[0.0; N], self.length, weights, &slopes));
+        let ends = (&slopes[0], &slopes[12]);
+        Dense::new(from, *self.end.state(), ends, self.length, higher)
+    }
+
+    /// Takes the end of the step as the beginning of the next.
+    pub fn commit(&mut self) {
+        self.commit_at(self.end);
+    }
+
+    /// Takes `place`, a correction of the end by rounding errors only, as the beginning of the next step.
+    pub fn commit_at(&mut self, place: V) {
+        self.work.steps += 1;
+        self.time += self.length;
+        self.from = place;
+        self.end = place;
+        self.slopes[0] = self.slopes[12];
+    }
+
+    fn trial(&mut self, length: f64) {
+        self.length = length;
+        for (stage, weights) in STAGES.iter().enumerate() {
+            let look = combine(&self.from, length, weights, &self.slopes);
+            self.slopes[stage + 1] = look.slope(self.field, &mut self.work);
+            self.last_look = *look.state();
+        }
+        self.end = combine(&self.from, length, END, &self.slopes);
+    }
+
+    /// Evaluates the slope at the end; false if anything there is not finite.
+    fn close(&mut self) -> bool {
+        self.slopes[12] = self.end.slope(self.field, &mut self.work);
+        self.end.is_finite() && self.slopes[12].is_finite()
+    }
+
+    /// Local error of the step over what is tolerated, combined from orders 5 and 3 as Hairer does.
+    fn error(&self) -> f64 {
+        let (from, end) = (self.from.state(), self.end.state());
+        let fifth = self.state_sum(ERROR_5);
+        let third = self.state_sum(ERROR_3);
+        let tolerance = &self.settings.tolerance;
+        let (before, after) = (
+            self.field.scale(from, tolerance),
+            self.field.scale(end, tolerance),
+        );
+        let (mut sum_5, mut sum_3) = (0.0, 0.0);
+        for i in 0..N {
+            let scale = before[i].max(after[i]);
+            sum_5 += (fifth[i] / scale).powi(2);
+            sum_3 += (third[i] / scale).powi(2);
+        }
+        let both = ((sum_5 + 0.01 * sum_3) * N as f64).sqrt();
+        self.length * ratio(sum_5, both)
+    }
+
+    fn state_sum(&self, weights: Weights) -> [f64; N] {
+        let mut sum = [0.0; N];
+        for &(j, weight) in weights {
+            sum.add(weight, self.slopes[j].state());
+        }
+        sum
+    }
+
+    /// The proposed length, or Hairer's guess from the field and its change along a small Euler step.
+    fn first_length(&mut self) -> f64 {
+        if let Some(length) = self.control.proposal {
+            return length;
+        }
+        let (y, f) = (*self.from.state(), *self.slopes[0].state());
+        let scale = self.field.scale(&y, &self.settings.tolerance);
+        let norm = |v: &[f64; N]| -> f64 {
+            let scaled = v.iter().zip(&scale).map(|(v, scale)| v / scale);
+            (scaled.map(|s| s * s).sum::<f64>() / N as f64).sqrt()
+        };
+        let (size, slope) = (norm(&y), norm(&f));
+        let euler = self.control.euler_length(size, slope);
+        let mut look = y;
+        look.add(euler, &f);
+        let mut change = look.slope(self.field, &mut Work::default());
+        change.add(-1.0, &f);
+        let bend = norm(&change) / euler;
+        self.work.evaluations += 1;
+        self.control.guess(euler, slope, bend)
+    }
+
+    fn spend(&mut self) -> Result<(), IntegrationError> {
+        let steps = self.work.steps + self.work.rejected;
+        if steps < self.settings.steps {
+            return Ok(());
+        }
+        Err(IntegrationError::TooManySteps {
+            steps,
+            time: self.time,
+            state: self.from.state().to_vec(),
+        })
+    }
+
+    /// Hairer's test: h times the dominant eigenvalue, estimated from the last two stages.
+    fn judge_stiffness(&mut self) -> Result<(), IntegrationError> {
+        let (mut slopes, mut looks) = (0.0, 0.0);
+        for i in 0..N {
+            let slope = self.slopes[12].state()[i] - self.slopes[11].state()[i];
+            slopes += slope * slope;
+            looks += (self.end.state()[i] - self.last_look[i]).powi(2);
+        }
+        let stiffness = self.length * ratio(slopes, looks).sqrt();
+        if self.control.is_stiff(stiffness, self.settings.stiff_steps) {
+            return Err(IntegrationError::Stiff { time: self.time });
+        }
+        Ok(())
+    }
+
+    fn too_small(&self, step: f64, error: f64) -> IntegrationError {
+        if !error.is_finite() {
+            return self.not_finite();
+        }
+        IntegrationError::StepTooSmall {
+            time: self.time,
+            step,
+            state: self.from.state().to_vec(),
+        }
+    }
+
+    fn not_finite(&self) -> IntegrationError {
+        IntegrationError::NotFinite {
+            time: self.time,
+            state: self.from.state().to_vec(),
+        }
+    }
+}
+
+/// from + h Σ wⱼ kⱼ: the increments are summed before the state is touched, to round once.
+#[inline]
+fn combine<V: Carried<N>, const N: usize>(
+    from: &V,
+    length: f64,
+    weights: Weights,
+    slopes: &[V],
+) -> V {
+    let mut sum = V::NOTHING;
+    for &(j, weight) in weights {
+        sum.add(weight, &slopes[j]);
+    }
+    let mut end = *from;
+    end.add(length, &sum);
+    end
+}
+
+/// a/b, and 0 where both vanish.
+fn ratio(a: f64, b: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { a / b }
+}
