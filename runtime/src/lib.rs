@@ -4,6 +4,7 @@
 
 extern crate self as stickslip;
 
+pub mod continuation;
 #[doc(hidden)]
 pub mod declared;
 pub mod field;

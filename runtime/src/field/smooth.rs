@@ -5,7 +5,7 @@ use super::{Field, Linear};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::integrate::Tolerance;
 use crate::model::Model;
-use crate::scalar::{Inline, Lanes};
+use crate::scalar::{Inline, Lanes, Scalar};
 use num_dual::DualStruct;
 
 /// What a derivative with respect to "the design variable" means.
@@ -21,7 +21,7 @@ pub enum Design {
 }
 
 /// A model at given parameters, its friction replaced by a smoothing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct SmoothField<M: Model<N>, const N: usize> {
     values: M::Params<f64>,
     lifted: M::Params<M::Lanes>,
@@ -90,6 +90,23 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
         self.magnitude = magnitude;
         self
+    }
+
+    /// How fast the friction layers pull (∞-norm of the Jacobian inside all of them), and how fast the rest of the
+    /// field changes at the declared start.
+    #[must_use]
+    pub fn rates(&self) -> (f64, f64) {
+        let start: [f64; N] = std::array::from_fn(|i| M::INFO.states[i].start);
+        let rate = |steepness: f64| {
+            let state = std::array::from_fn(|i| M::Lanes::state(start[i], i));
+            let rows = M::rhs(&self.lifted, state, &mut Layer { steepness });
+            let sums = rows.map(|row| row.slopes().0.iter().map(|slope| slope.abs()).sum::<f64>());
+            sums.into_iter().fold(0.0, f64::max)
+        };
+        (
+            rate(self.smoothing.steepness() * self.smoothing.sharpness()),
+            rate(0.0),
+        )
     }
 
     /// The first contact that slides backwards beyond what a one-directional smoothing stands for,
@@ -229,6 +246,17 @@ impl<V: FnMut(usize, f64)> ContactRule<f64> for Speeds<V> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, speed: f64) -> f64 {
         self.0(contact, speed);
         0.0
+    }
+}
+
+/// Forces as steep as they are inside a layer, wherever the motion is.
+struct Layer {
+    steepness: f64,
+}
+
+impl<D: Scalar> ContactRule<D> for Layer {
+    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, law: &L, speed: D) -> D {
+        (speed - speed.re()) * (-self.steepness * law.stick().re())
     }
 }
 

@@ -184,6 +184,18 @@ impl Smoothing {
         self.kernel.kinks()
     }
 
+    /// Steepest slope of the force over its limit at rest, in the layer's own variable.
+    #[must_use]
+    pub fn steepness(&self) -> f64 {
+        match self.kernel {
+            Kernel::Arctan => std::f64::consts::FRAC_2_PI,
+            Kernel::Tanh | Kernel::Algebraic => 1.0,
+            Kernel::Cubic => 1.5,
+            Kernel::Quintic => 1.875,
+            Kernel::Quartic => 64.0 / 27.0,
+        }
+    }
+
     /// 1/width of the friction layer: z = sharpness · w.
     #[must_use]
     pub fn sharpness(&self) -> f64 {

@@ -1,5 +1,10 @@
 //! Where a motion is after a time, and how that depends on where it began.
 
+mod extrema;
+mod smooth;
+
+pub use smooth::SmoothFlow;
+
 use crate::field::Work;
 use crate::integrate::IntegrationError;
 
@@ -55,6 +60,8 @@ pub struct Want {
     pub extrema: bool,
     /// Samples of the motion, dense enough to draw.
     pub path: bool,
+    /// The factors of Φ, for multipliers that would underflow in their product.
+    pub factors: bool,
 }
 
 /// One motion from a place to another.
@@ -85,7 +92,7 @@ pub struct Derivatives<const N: usize> {
     pub time: [f64; N],
     /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
     pub trace: f64,
-    /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, each well conditioned enough to be multiplied out.
+    /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
     pub factors: Vec<[[f64; N]; N]>,
 }
 

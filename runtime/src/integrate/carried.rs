@@ -1,5 +1,6 @@
 //! What an explicit step carries along: the state alone, or the state with its tangents.
 
+use super::Propagator;
 use crate::field::{Field, Work};
 
 /// A point of the space in which an explicit method steps, and a slope in it.
@@ -72,6 +73,24 @@ impl<const N: usize> Motion<N> {
             ..Self::NOTHING
         };
         motion.restart();
+        motion
+    }
+
+    /// This motion, continued by one step whose derivatives are known; the state is set apart.
+    #[must_use]
+    pub fn through(&self, step: &Propagator<N>) -> Self {
+        let mut motion = Self {
+            state: self.state,
+            trace: self.trace + step.trace,
+            ..Self::NOTHING
+        };
+        motion.design = step.design;
+        for i in 0..N {
+            for (k, &entry) in step.state[i].iter().enumerate() {
+                motion.tangent[i].add(entry, &self.tangent[k]);
+                motion.design[i] += entry * self.design[k];
+            }
+        }
         motion
     }
 

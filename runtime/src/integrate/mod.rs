@@ -8,6 +8,7 @@ mod dense;
 mod dop853;
 pub mod event;
 pub mod explicit;
+mod look;
 mod lu;
 mod radau;
 mod stepper;
@@ -16,6 +17,7 @@ mod tableau;
 pub use carried::{Carried, Motion};
 pub use collocation::Collocation;
 pub use dense::Dense;
+pub use look::Look;
 pub use radau::{Accepted, Radau};
 pub use tableau::{RADAU_3, RADAU_5, Tableau};
 
@@ -96,20 +98,4 @@ impl<const N: usize> Propagator<N> {
             trace: 0.0,
         }
     };
-
-    /// This motion followed by another.
-    #[must_use]
-    pub fn then(&self, next: &Self) -> Self {
-        let through = |column: &[f64; N], row: usize| -> f64 {
-            (0..N).map(|k| next.state[row][k] * column[k]).sum()
-        };
-        Self {
-            state: std::array::from_fn(|i| {
-                std::array::from_fn(|j| (0..N).map(|k| next.state[i][k] * self.state[k][j]).sum())
-            }),
-            design: std::array::from_fn(|i| through(&self.design, i) + next.design[i]),
-            time: next.time,
-            trace: self.trace + next.trace,
-        }
-    }
 }

@@ -2,6 +2,7 @@
 //! derivative of the discrete step from one more solve with the last factorisation.
 
 use super::collocation::Collocation;
+use super::look::Look;
 use super::lu::Lu;
 use super::tableau::Tableau;
 use super::{IntegrationError, Propagator, Tolerance};
@@ -26,6 +27,7 @@ pub struct Radau<'f, F, const N: usize, const S: usize> {
     time: f64,
     state: [f64; N],
     start: Linear<N>,
+    departure: Linear<N>,
     next: f64,
     before: Option<Before<N, S>>,
     rejected: bool,
@@ -141,6 +143,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             time: 0.0,
             state,
             start,
+            departure: start,
             next,
             before: None,
             rejected: false,
@@ -274,6 +277,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             self.time + step
         };
         self.state = accepted.end;
+        self.departure = self.start;
         self.start = trial.arrival();
         self.last = trial;
         accepted
@@ -546,11 +550,31 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         theta: f64,
     ) -> Option<([f64; N], Linear<N>)> {
         let arrived = (self.state, self.start);
-        (self.state, self.start) = (accepted.start, self.last.linear[0]);
+        (self.state, self.start) = (accepted.start, self.departure);
         let last = self.last;
         let trial = self.solve_within(&last, &accepted.collocation, theta);
         (self.state, self.start) = arrived;
         trial.map(|trial| (trial.end(), trial.arrival()))
+    }
+
+    /// The stages of the last accepted step, its beginning first: where the sign of a slope can be read off.
+    pub(crate) fn looks(
+        &self,
+        accepted: &Accepted<N, S>,
+    ) -> impl Iterator<Item = Look<N>> + Clone + use<'f, F, N, S> {
+        let beginning = Look {
+            theta: 0.0,
+            state: accepted.start,
+            linear: self.departure,
+        };
+        let (nodes, start) = (self.tableau.nodes, accepted.start);
+        let (increments, linear) = (self.last.increments, self.last.linear);
+        let stages = (0..S).map(move |i| Look {
+            theta: nodes[i],
+            state: add(&start, &increments[i]),
+            linear: linear[i],
+        });
+        std::iter::once(beginning).chain(stages)
     }
 
     /// The exact derivative of the last accepted step with respect to its start, the design variable and its length.

@@ -1,0 +1,139 @@
+//! Newton's corrector on a bordered system: thesis (2.18) to (2.20).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Linearisation, ZeroProblem};
+
+/// Most iterations of one correction.
+const ITERATIONS: usize = 12;
+/// A stalled iteration this many times above the accuracy asked for still counts as converged:
+/// below that, what is left is the noise of the residual itself.
+const NOISE: f64 = 30.0;
+
+/// Why a correction failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Failure<E> {
+    /// The residual did not fall monotonically: (2.20).
+    #[error("the residual rose from {before:e} to {after:e} at r = {r}")]
+    ResidualRose {
+        /// Norm before.
+        before: f64,
+        /// Norm after.
+        after: f64,
+        /// Design variable.
+        r: f64,
+    },
+    /// Newton did not converge within its iterations.
+    #[error("no convergence at r = {r}: the last correction was {correction:e}")]
+    NoConvergence {
+        /// Norm of the last correction.
+        correction: f64,
+        /// Design variable.
+        r: f64,
+    },
+    /// The bordered matrix is singular: (2.23).
+    #[error("the bordered Jacobian is singular at r = {r}")]
+    Singular {
+        /// Design variable.
+        r: f64,
+    },
+    /// The corrected point lies too far off the tangent (2.21), or on another branch (2.22).
+    #[error("the branch turns by {beta_1:.3} rad, its unknowns by {beta_2:.3} rad, at r = {r}")]
+    Angle {
+        /// Angle between tangent and chord.
+        beta_1: f64,
+        /// The same without the design variable.
+        beta_2: f64,
+        /// Design variable.
+        r: f64,
+    },
+    /// The equations could not be evaluated.
+    #[error(transparent)]
+    Evaluation(E),
+}
+
+/// A converged point.
+#[derive(Debug, Clone)]
+pub struct Corrected<Extra> {
+    /// Unknowns.
+    pub z: DVector<f64>,
+    /// Design variable.
+    pub r: f64,
+    /// The last evaluation, one negligible correction away from `z`.
+    pub linearisation: Linearisation<Extra>,
+    /// Norm of the residual there.
+    pub residual: f64,
+    /// Norms of all corrections, in units of the scale.
+    pub corrections: Vec<f64>,
+}
+
+/// Corrects (z, r) along the hyperplane orthogonal to `normal` (scaled coordinates, r last) until a
+/// correction is at most `accuracy` times the scale. With `normal` = (0, ..., 0, 1), r stays fixed.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn correct<P: ZeroProblem>(
+    problem: &mut P,
+    mut z: DVector<f64>,
+    mut r: f64,
+    normal: &DVector<f64>,
+    r_scale: f64,
+    accuracy: f64,
+) -> Result<Corrected<P::Extra>, Failure<P::Error>> {
+    let scale = problem.scale();
+    let n = scale.len();
+    let mut corrections: Vec<f64> = Vec::new();
+    let mut before = f64::INFINITY;
+    for _ in 0..ITERATIONS {
+        let linearisation = problem.evaluate(&z, r).map_err(Failure::Evaluation)?;
+        let residual = linearisation.residual.norm();
+        let last = corrections.last().copied();
+        let settled = last.is_some_and(|last| last <= NOISE * accuracy);
+        if residual >= before && !settled {
+            return Err(Failure::ResidualRose {
+                before,
+                after: residual,
+                r,
+            });
+        }
+        let bordered = bordered(&linearisation, &scale, r_scale, normal);
+        let mut right = DVector::zeros(n + 1);
+        right.rows_mut(0, n).copy_from(&(-&linearisation.residual));
+        let correction = bordered.lu().solve(&right).ok_or(Failure::Singular { r })?;
+        let size = correction.norm();
+        if !size.is_finite() {
+            return Err(Failure::Singular { r });
+        }
+        z += correction.rows(0, n).component_mul(&scale);
+        r += correction[n] * r_scale;
+        corrections.push(size);
+        let stalled = last.is_some_and(|last| size > 0.3 * last) && size <= NOISE * accuracy;
+        if size <= accuracy || stalled {
+            return Ok(Corrected {
+                z,
+                r,
+                linearisation,
+                residual,
+                corrections,
+            });
+        }
+        before = residual;
+    }
+    let correction = corrections.last().copied().unwrap_or(f64::NAN);
+    Err(Failure::NoConvergence { correction, r })
+}
+
+/// [h_z h_r; normal] in scaled coordinates.
+pub(super) fn bordered<Extra>(
+    linearisation: &Linearisation<Extra>,
+    scale: &DVector<f64>,
+    r_scale: f64,
+    normal: &DVector<f64>,
+) -> DMatrix<f64> {
+    let n = scale.len();
+    DMatrix::from_fn(n + 1, n + 1, |i, j| match (i == n, j == n) {
+        (true, _) => normal[j],
+        (false, true) => linearisation.design[i] * r_scale,
+        (false, false) => linearisation.jacobian[(i, j)] * scale[j],
+    })
+}

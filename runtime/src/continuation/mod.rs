@@ -1,0 +1,61 @@
+//! Path following of the zeros of h(z, r) through folds: thesis section 2.3 (Fey 1992).
+//!
+//! Knows a zero problem and nothing of orbits.
+
+mod branch;
+mod corrector;
+mod predictor;
+mod step;
+
+pub use branch::{Branch, Ending, Point, Settings};
+pub use corrector::{Corrected, Failure, correct};
+
+use nalgebra::{DMatrix, DVector};
+
+/// n equations h(z, r) = 0 in n unknowns z and one design variable r.
+pub trait ZeroProblem {
+    /// Why the equations could not be evaluated.
+    type Error: std::error::Error + Clone;
+    /// What an evaluation yields beside the equations, kept with an accepted point.
+    type Extra: Clone;
+
+    /// h and its derivatives at (z, r).
+    ///
+    /// # Errors
+    /// The equations cannot be evaluated there; the step is then made smaller.
+    fn evaluate(
+        &mut self,
+        z: &DVector<f64>,
+        r: f64,
+    ) -> Result<Linearisation<Self::Extra>, Self::Error>;
+
+    /// Usual magnitudes of the unknowns: angles, lengths and corrections are measured in these.
+    fn scale(&self) -> DVector<f64>;
+
+    /// Told of each accepted point, so that the problem can follow the branch with what it fixes
+    /// (a phase condition, say). It may return other unknowns for the same solution.
+    ///
+    /// # Errors
+    /// The point is no solution of the kind sought; the branch ends there.
+    fn accept(
+        &mut self,
+        z: DVector<f64>,
+        _r: f64,
+        _extra: &Self::Extra,
+    ) -> Result<DVector<f64>, Self::Error> {
+        Ok(z)
+    }
+}
+
+/// A zero problem at one point.
+#[derive(Debug, Clone)]
+pub struct Linearisation<Extra> {
+    /// h, in units in which errors of all equations weigh the same.
+    pub residual: DVector<f64>,
+    /// ∂h/∂z.
+    pub jacobian: DMatrix<f64>,
+    /// ∂h/∂r.
+    pub design: DVector<f64>,
+    /// Whatever else was found.
+    pub extra: Extra,
+}

@@ -1,0 +1,311 @@
+//! The flow of a smooth field: explicit until the motion turns stiff, implicit from there.
+
+use std::ops::ControlFlow;
+
+use super::extrema::extrema;
+use super::{Derivatives, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want};
+use crate::field::{Field, SmoothField, Work};
+use crate::integrate::explicit::{Settings, Stepper, integrate};
+use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
+use crate::model::Model;
+
+/// Points of a step that a drawing gets.
+const DRAWN: usize = 6;
+/// Trial steps after which a passage is given up.
+const BUDGET: u64 = 200_000;
+/// A layer this many times faster than the rest of the motion is stiff from the start.
+const STIFF_LAYER: f64 = 30.0;
+
+/// The motion of a model whose friction is smoothed, or that has none.
+#[derive(Clone, Copy)]
+pub struct SmoothFlow<M: Model<N>, const N: usize> {
+    field: SmoothField<M, N>,
+    tolerance: Tolerance,
+    stiff: bool,
+}
+
+impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
+    /// The flow of `field`, integrated to this local tolerance.
+    ///
+    /// A field whose friction layers are much faster than the rest of its motion is integrated
+    /// implicitly throughout; any other explicitly, until Hairer's test finds it stiff.
+    #[must_use]
+    pub fn new(field: SmoothField<M, N>, tolerance: Tolerance) -> Self {
+        let (layer, rest) = field.rates();
+        Self {
+            field,
+            tolerance,
+            stiff: layer > STIFF_LAYER * rest,
+        }
+    }
+
+    /// The field that moves it.
+    #[must_use]
+    pub fn field(&self) -> &SmoothField<M, N> {
+        &self.field
+    }
+
+    /// The place of a state.
+    #[must_use]
+    pub fn place(&self, state: [f64; N]) -> Place<N, ()> {
+        Place { state, mode: () }
+    }
+
+    fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
+        let settings = Settings {
+            steps: BUDGET,
+            ..Settings::new(self.tolerance)
+        };
+        let mut work = Work::default();
+        let mut backwards = Ok(());
+        let from = record.motion.state;
+        let outcome = if record.want.derivatives {
+            integrate(
+                &self.field,
+                settings,
+                record.motion,
+                time,
+                &mut work,
+                |step| {
+                    record.motion = *step.end();
+                    record.explicit_step(&self.field, step);
+                    self.watch(record, &mut backwards)
+                },
+            )
+            .map(|motion| motion.state)
+        } else {
+            integrate(&self.field, settings, from, time, &mut work, |step| {
+                record.motion.state = *step.end();
+                record.explicit_step(&self.field, step);
+                self.watch(record, &mut backwards)
+            })
+        };
+        record.work += work;
+        backwards?;
+        match outcome {
+            Ok(_) => record.time = time,
+            Err(IntegrationError::Stiff { .. }) => {}
+            Err(error) => return Err(error.into()),
+        }
+        Ok(())
+    }
+
+    fn watch(&self, record: &Record<N>, verdict: &mut Result<(), FlowError>) -> ControlFlow<()> {
+        *verdict = self.check_direction(record);
+        if verdict.is_err() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    fn implicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
+        let (offset, rest) = (record.time, time - record.time);
+        let start = record.motion.state;
+        let mut radau = Radau::new(&self.field, &RADAU_5, self.tolerance, start, 0.0, BUDGET)?;
+        let mut outcome = Ok(());
+        while outcome.is_ok() && radau.time() < rest {
+            outcome = match radau.step(rest) {
+                Ok(step) => {
+                    record.implicit_step(&mut radau, &step, offset);
+                    self.check_direction(record)
+                }
+                Err(error) => Err(error.into()),
+            };
+        }
+        record.work += radau.work;
+        record.time = time;
+        outcome
+    }
+
+    fn check_direction(&self, record: &Record<N>) -> Result<(), FlowError> {
+        match self.field.backwards(&record.motion.state) {
+            Some((contact, speed)) => Err(FlowError::Backwards {
+                contact,
+                time: record.time,
+                speed,
+            }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
+    type Mode = ();
+
+    fn advance(
+        &self,
+        from: &Place<N, ()>,
+        time: f64,
+        want: Want,
+    ) -> Result<Passage<N, ()>, FlowError> {
+        if !(time >= 0.0 && time.is_finite()) {
+            return Err(FlowError::BadTime { time });
+        }
+        let mut record = Record::new(from.state, want);
+        if time > 0.0 && !self.stiff {
+            self.explicit(&mut record, time)?;
+        }
+        if record.time < time {
+            self.implicit(&mut record, time)?;
+        }
+        let velocity = self.field.f(&record.motion.state);
+        record.passage(time, velocity)
+    }
+
+    fn velocity(&self, at: &Place<N, ()>) -> Result<Velocity<N>, FlowError> {
+        let linear = self.field.linearise(&at.state);
+        if !linear.f.iter().all(|component| component.is_finite()) {
+            return Err(IntegrationError::NotFinite {
+                time: 0.0,
+                state: at.state.to_vec(),
+            }
+            .into());
+        }
+        Ok(Velocity {
+            f: linear.f,
+            jacobian: linear.jacobian,
+            design: linear.design,
+        })
+    }
+}
+
+/// What a passage gathers on its way.
+struct Record<const N: usize> {
+    want: Want,
+    time: f64,
+    motion: Motion<N>,
+    extrema: Vec<super::Extremum<N>>,
+    factors: Vec<[[f64; N]; N]>,
+    path: Vec<Sample<N>>,
+    work: Work,
+}
+
+impl<const N: usize> Record<N> {
+    fn new(state: [f64; N], want: Want) -> Self {
+        let path = if want.path {
+            vec![Sample { time: 0.0, state }]
+        } else {
+            Vec::new()
+        };
+        Self {
+            want,
+            time: 0.0,
+            motion: Motion::from(state),
+            extrema: Vec::new(),
+            factors: Vec::new(),
+            path,
+            work: Work::default(),
+        }
+    }
+
+    fn explicit_step<F: Field<N>, V>(&mut self, field: &F, step: &mut Stepper<'_, F, V, N>)
+    where
+        V: crate::integrate::Carried<N>,
+    {
+        let (time, length) = (step.time(), step.length());
+        self.time = time + length;
+        if !(self.want.extrema || self.want.path) {
+            return;
+        }
+        let dense = step.dense();
+        if self.want.extrema {
+            let looks = [0.0, 0.25, 0.5, 0.75, 1.0].map(|theta| Look {
+                theta,
+                linear: field.linearise(&dense.state(theta)),
+                state: dense.state(theta),
+            });
+            extrema(
+                looks.into_iter(),
+                time,
+                length,
+                &mut self.extrema,
+                |theta| {
+                    let state = step.step_map(theta * length);
+                    Some((state, field.linearise(&state)))
+                },
+            );
+        }
+        self.draw(time, length, |theta| dense.state(theta));
+    }
+
+    fn implicit_step<F: Field<N>, const S: usize>(
+        &mut self,
+        radau: &mut Radau<'_, F, N, S>,
+        step: &Accepted<N, S>,
+        offset: f64,
+    ) {
+        self.time = offset + radau.time();
+        self.motion.state = step.end;
+        if self.want.derivatives {
+            let propagator = radau.propagator();
+            self.motion = self.motion.through(&propagator);
+            if self.want.factors {
+                self.factors.push(propagator.state);
+            }
+        }
+        if self.want.extrema {
+            let looks = radau.looks(step);
+            extrema(
+                looks,
+                offset + step.time,
+                step.step,
+                &mut self.extrema,
+                |theta| radau.probe(step, theta),
+            );
+        }
+        self.draw(offset + step.time, step.step, |theta| {
+            let increment = step.collocation.at(theta);
+            std::array::from_fn(|j| step.start[j] + increment[j])
+        });
+    }
+
+    fn draw(&mut self, time: f64, length: f64, at: impl Fn(f64) -> [f64; N]) {
+        if self.want.path {
+            self.path.extend((1..=DRAWN).map(|k| {
+                let theta = k as f64 / DRAWN as f64;
+                Sample {
+                    time: time + theta * length,
+                    state: at(theta),
+                }
+            }));
+        }
+    }
+
+    fn passage(self, time: f64, velocity: [f64; N]) -> Result<Passage<N, ()>, FlowError> {
+        let motion = self.motion;
+        let finite = motion
+            .state
+            .iter()
+            .chain(&velocity)
+            .all(|number| number.is_finite());
+        if !finite || (self.want.derivatives && !crate::integrate::Carried::is_finite(&motion)) {
+            return Err(IntegrationError::NotFinite {
+                time,
+                state: motion.state.to_vec(),
+            }
+            .into());
+        }
+        let derivatives = self.want.derivatives.then_some(Derivatives {
+            state: motion.tangent,
+            design: motion.design,
+            time: velocity,
+            trace: motion.trace,
+            factors: self.factors,
+        });
+        Ok(Passage {
+            end: Place {
+                state: motion.state,
+                mode: (),
+            },
+            derivatives,
+            extrema: self.extrema,
+            segments: vec![Segment {
+                mode: (),
+                duration: time,
+            }],
+            path: self.path,
+            work: self.work,
+        })
+    }
+}
