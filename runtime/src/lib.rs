@@ -4,6 +4,7 @@
 
 extern crate self as stickslip;
 
+pub mod bifurcation;
 pub mod continuation;
 #[doc(hidden)]
 pub mod declared;
@@ -14,6 +15,7 @@ pub mod integrate;
 pub mod math;
 pub mod model;
 pub mod scalar;
+pub mod shooting;
 pub mod suggest;
 
 #[cfg(test)]

@@ -27,7 +27,15 @@ functions! {
     sinh: "Hyperbolic sine.";
     sqrt: "Square root.";
     tan: "Tangent.";
-    tanh: "Hyperbolic tangent.";
+}
+
+/// Hyperbolic tangent; ±1 where it rounds to that, so that no derivative overflows.
+#[inline]
+pub fn tanh<D: Scalar>(x: D) -> D {
+    if x.re().abs() > 22.0 {
+        return D::from(x.re().signum());
+    }
+    x.tanh()
 }
 
 /// `x` to the whole power `n`, by products; a negative power is the reciprocal of the positive one.

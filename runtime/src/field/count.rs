@@ -21,6 +21,22 @@ pub struct Work {
     pub newton: u64,
 }
 
+impl Work {
+    /// What was done since an earlier count.
+    #[must_use]
+    pub fn since(&self, before: &Self) -> Self {
+        Self {
+            steps: self.steps - before.steps,
+            rejected: self.rejected - before.rejected,
+            evaluations: self.evaluations - before.evaluations,
+            linearisations: self.linearisations - before.linearisations,
+            factorisations: self.factorisations - before.factorisations,
+            events: self.events - before.events,
+            newton: self.newton - before.newton,
+        }
+    }
+}
+
 impl AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
         self.steps += other.steps;

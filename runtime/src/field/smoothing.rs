@@ -149,7 +149,7 @@ impl Kernel {
         let beyond = z.re().abs() >= 1.0;
         match self {
             Self::Arctan => z.atan() * std::f64::consts::FRAC_2_PI,
-            Self::Tanh => z.tanh(),
+            Self::Tanh => crate::math::tanh(z),
             Self::Algebraic => z / (z * z + 1.0).sqrt(),
             Self::Cubic | Self::Quintic if beyond => D::from(z.re().signum()),
             Self::Cubic => z * (z * z * -0.5 + 1.5),

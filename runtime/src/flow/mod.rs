@@ -1,17 +1,32 @@
 //! Where a motion is after a time, and how that depends on where it began.
 
 mod extrema;
+mod family;
 mod smooth;
 
+pub use family::{Family, SmoothFamily};
 pub use smooth::SmoothFlow;
 
+use crate::field::SmoothingError;
 use crate::field::Work;
 use crate::integrate::IntegrationError;
+use crate::model::ParameterError;
 
 /// The motion of a system: smooth and exact systems are both just flows.
 pub trait Flow<const N: usize> {
     /// What a place knows besides its state: nothing for a smooth system, the mode of each contact for an exact one.
     type Mode: Copy + PartialEq + std::fmt::Debug + Send + Sync;
+
+    /// The place of a state: decides the modes from which the motion will continue.
+    ///
+    /// # Errors
+    /// No mode is consistent with the state.
+    fn place(&self, state: [f64; N]) -> Result<Place<N, Self::Mode>, FlowError>;
+
+    /// How many contacts stick in this mode: as many multipliers of an orbit through it are exactly zero.
+    fn sticking(_mode: &Self::Mode) -> usize {
+        0
+    }
 
     /// Follows the motion from `from` for the time `time` ≥ 0.
     ///
@@ -146,6 +161,12 @@ pub enum FlowError {
         /// Relative speed, signed.
         speed: f64,
     },
+    /// A parameter is outside what the model declares.
+    #[error(transparent)]
+    Parameter(ParameterError),
+    /// The smoothing would falsify a law.
+    #[error(transparent)]
+    Smoothing(SmoothingError),
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]
     BadTime {

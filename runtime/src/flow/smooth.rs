@@ -45,16 +45,10 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         &self.field
     }
 
-    /// The place of a state.
-    #[must_use]
-    pub fn place(&self, state: [f64; N]) -> Place<N, ()> {
-        Place { state, mode: () }
-    }
-
     fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
         let settings = Settings {
             steps: BUDGET,
-            ..Settings::new(self.tolerance)
+            ..Settings::new(self.tolerance.explicit())
         };
         let mut work = Work::default();
         let mut backwards = Ok(());
@@ -132,6 +126,10 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
 
 impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
     type Mode = ();
+
+    fn place(&self, state: [f64; N]) -> Result<Place<N, ()>, FlowError> {
+        Ok(Place { state, mode: () })
+    }
 
     fn advance(
         &self,

@@ -30,6 +30,40 @@ pub struct Tolerance {
     pub absolute: f64,
 }
 
+impl Tolerance {
+    /// The local tolerance that gives periods and extrema a relative error of about `accuracy`.
+    ///
+    /// The error estimates are of a lower order than the methods, so that the error itself falls
+    /// faster than the tolerance; calibrated on the reference systems.
+    #[must_use]
+    pub fn for_accuracy(accuracy: f64) -> Self {
+        let local = accuracy.powf(0.8).clamp(1e-11, 3e-7);
+        Self {
+            relative: local,
+            absolute: local,
+        }
+    }
+
+    /// The tolerance at which the explicit method is about as accurate as the implicit one at this.
+    #[must_use]
+    pub fn explicit(self) -> Self {
+        let local = |tolerance: f64| (0.3 * tolerance.powf(1.25)).max(1e-14);
+        Self {
+            relative: local(self.relative),
+            absolute: local(self.absolute),
+        }
+    }
+
+    /// A tolerance `factor` times as large.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            relative: self.relative * factor,
+            absolute: self.absolute * factor,
+        }
+    }
+}
+
 /// Why an integration stopped before its end.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntegrationError {

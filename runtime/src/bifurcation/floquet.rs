@@ -1,0 +1,197 @@
+//! Multipliers of a periodic orbit, from its section map: theory section 6.
+
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+/// Moduli below this share of the largest entry of the section map are not resolved by it.
+const RESOLVED: f64 = 1e-9;
+
+/// What the multipliers say of a periodic orbit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stability {
+    /// All multipliers lie inside the unit circle.
+    Stable,
+    /// At least one lies outside.
+    Unstable,
+    /// One lies closer to the unit circle than its accuracy.
+    Undecided,
+}
+
+impl Stability {
+    /// The word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
+/// Multipliers of the section map: the trivial one is projected out and only measures accuracy.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Floquet {
+    /// The n − 1 multipliers, largest modulus first; 0 where they underflow.
+    pub multipliers: Vec<Complex<f64>>,
+    /// Natural logarithms of their moduli; `None` for an exact zero, or where they cannot be known.
+    pub log_moduli: Vec<Option<f64>>,
+    /// ‖Φf − f‖ / ‖f‖: how far the trivial multiplier is from 1.
+    pub trivial_error: f64,
+    /// The verdict.
+    pub stability: Stability,
+    /// Number of multipliers outside the unit circle.
+    pub unstable: usize,
+}
+
+/// Judges an orbit from its monodromy matrix `monodromy`, the velocity `velocity` at its start,
+/// ∫ tr J dt where det Φ follows from it (`trace`), the number of multipliers that are zero
+/// because contacts stick, and the relative accuracy of Φ.
+#[must_use]
+pub fn floquet<const N: usize>(
+    monodromy: &[[f64; N]; N],
+    velocity: &[f64; N],
+    trace: Option<f64>,
+    zeros: usize,
+    accuracy: f64,
+) -> Floquet {
+    let phi = DMatrix::from_fn(N, N, |i, j| monodromy[i][j]);
+    let f = DVector::from_column_slice(velocity);
+    let trivial_error = (&phi * &f - &f).norm() / f.norm();
+    let section = section_map(&phi, &f);
+    let size = section.amax();
+    let mut found = eigenvalues(&section);
+    found.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+    let zeros = zeros.min(found.len());
+    let live = found.len() - zeros;
+    found[live..].fill(Complex::new(0.0, 0.0));
+    let floor = RESOLVED.max(trivial_error) * size.max(f64::MIN_POSITIVE);
+    let mut logs: Vec<Option<f64>> = found
+        .iter()
+        .map(|multiplier| (multiplier.norm() > floor).then(|| multiplier.norm().ln()))
+        .collect();
+    if zeros == 0
+        && let Some(trace) = trace
+    {
+        supplement(&mut found, &mut logs, trace);
+    }
+    let uncertainty = accuracy.max(trivial_error) * size.max(1.0);
+    let (stability, unstable) = judge(&found, uncertainty);
+    Floquet {
+        multipliers: found,
+        log_moduli: logs,
+        trivial_error,
+        stability,
+        unstable,
+    }
+}
+
+/// DP = Qᵀ Φ Q with Q an orthonormal basis of the complement of f: (6a) for the section normal to f.
+fn section_map(phi: &DMatrix<f64>, f: &DVector<f64>) -> DMatrix<f64> {
+    let n = f.len();
+    // Householder's reflection that carries the first axis to f: its other columns span the complement.
+    let mut normal = f / f.norm();
+    normal[0] += if normal[0] >= 0.0 { 1.0 } else { -1.0 };
+    let reflection =
+        DMatrix::identity(n, n) - 2.0 / normal.norm_squared() * &normal * normal.transpose();
+    let basis = reflection.columns(1, n - 1);
+    basis.transpose() * phi * basis
+}
+
+/// Eigenvalues; empty if the matrix is, NaN-free because the flow is.
+fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
+    match matrix.nrows() {
+        0 => Vec::new(),
+        1 => vec![Complex::new(matrix[(0, 0)], 0.0)],
+        _ => Schur::try_new(matrix.clone(), f64::EPSILON, 10_000)
+            .map(|schur| schur.complex_eigenvalues().iter().copied().collect())
+            .unwrap_or_default(),
+    }
+}
+
+/// Liouville: the logarithms of all moduli add up to ∫ tr J. What the product of Φ cannot resolve
+/// follows from the rest where only one is missing.
+fn supplement(found: &mut [Complex<f64>], logs: &mut [Option<f64>], trace: f64) {
+    let missing: Vec<usize> = (0..logs.len()).filter(|&i| logs[i].is_none()).collect();
+    let single = found.len() == 1;
+    match (missing.as_slice(), single) {
+        // One multiplier besides the trivial one: Liouville is exact and never worse.
+        (_, true) => {
+            logs[0] = Some(trace);
+            found[0] = Complex::new(trace.exp(), 0.0);
+        }
+        (&[last], false) => {
+            let rest = trace - logs.iter().flatten().sum::<f64>();
+            logs[last] = Some(rest);
+            let sign = if found[last].re < 0.0 { -1.0 } else { 1.0 };
+            found[last] = Complex::new(sign * rest.exp(), 0.0);
+        }
+        (several, _) => several
+            .iter()
+            .for_each(|&i| found[i] = Complex::new(0.0, 0.0)),
+    }
+}
+
+fn judge(multipliers: &[Complex<f64>], uncertainty: f64) -> (Stability, usize) {
+    let outside = multipliers
+        .iter()
+        .filter(|multiplier| multiplier.norm() > 1.0)
+        .count();
+    let clearly = multipliers
+        .iter()
+        .any(|multiplier| multiplier.norm() > 1.0 + 10.0 * uncertainty);
+    let near = multipliers
+        .iter()
+        .any(|multiplier| (multiplier.norm() - 1.0).abs() <= 10.0 * uncertainty);
+    let stability = if clearly {
+        Stability::Unstable
+    } else if near {
+        Stability::Undecided
+    } else {
+        Stability::Stable
+    };
+    (stability, outside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_trivial_multiplier_is_projected_out() {
+        // Eigenvalues 1 (along f), −0.5 and 2.
+        let change =
+            DMatrix::from_row_slice(3, 3, &[1.0, 0.3, -0.2, 0.5, 1.0, 0.1, -1.0, 0.4, 2.0]);
+        let diagonal = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, -0.5, 2.0]));
+        let phi = &change * diagonal * change.clone().try_inverse().unwrap();
+        let monodromy = std::array::from_fn(|i| std::array::from_fn(|j| phi[(i, j)]));
+        let velocity = std::array::from_fn(|i| change[(i, 0)]);
+        let verdict = floquet::<3>(&monodromy, &velocity, None, 0, 1e-12);
+        assert!((verdict.multipliers[0].re - 2.0).abs() < 1e-13);
+        assert!((verdict.multipliers[1].re + 0.5).abs() < 1e-13);
+        assert!(verdict.trivial_error < 1e-14);
+        assert_eq!(
+            (verdict.stability, verdict.unstable),
+            (Stability::Unstable, 1)
+        );
+    }
+
+    #[test]
+    fn what_underflows_is_known_by_its_logarithm() {
+        let verdict = floquet::<2>(
+            &[[1.0, 3.0], [0.0, 0.0]],
+            &[1.0, 0.0],
+            Some(-29_000.0),
+            0,
+            1e-12,
+        );
+        assert_eq!(verdict.multipliers[0].norm(), 0.0);
+        assert_eq!(verdict.log_moduli, [Some(-29_000.0)]);
+        assert_eq!(verdict.stability, Stability::Stable);
+    }
+
+    #[test]
+    fn too_close_to_the_circle_is_undecided() {
+        let verdict = floquet::<2>(&[[1.0, 0.0], [0.0, 1.0 + 1e-9]], &[1.0, 0.0], None, 0, 1e-8);
+        assert_eq!(verdict.stability, Stability::Undecided);
+    }
+}

@@ -1,0 +1,5 @@
+//! Stability of periodic motions, and where it changes.
+
+mod floquet;
+
+pub use floquet::{Floquet, Stability, floquet};

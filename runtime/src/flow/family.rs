@@ -1,0 +1,79 @@
+//! Flows that depend on a design variable.
+
+use super::{Flow, FlowError, SmoothFlow};
+use crate::field::{Design, SmoothField, Smoothing, SmoothingError};
+use crate::integrate::Tolerance;
+use crate::model::{Model, ParameterError};
+
+/// One flow for each value of a design variable r.
+pub trait Family<const N: usize> {
+    /// The flows.
+    type Flow: Flow<N>;
+
+    /// The flow at r, with derivatives ∂/∂r.
+    ///
+    /// # Errors
+    /// r is outside what the model declares, or its smoothing would falsify a law there.
+    fn at(&self, r: f64) -> Result<Self::Flow, FlowError>;
+
+    /// The same family, integrated to another tolerance.
+    #[must_use]
+    fn with_tolerance(&self, tolerance: Tolerance) -> Self
+    where
+        Self: Sized;
+}
+
+/// A model without friction, or with one smoothing, along one design variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothFamily<M, const N: usize> {
+    /// The model at the values of all parameters but the design variable.
+    pub model: M,
+    /// The smoothing of its contacts.
+    pub smoothing: Option<Smoothing>,
+    /// What r stands for.
+    pub design: Design,
+    /// Local tolerance of the integration.
+    pub tolerance: Tolerance,
+    /// Usual magnitudes of the states.
+    pub magnitude: [f64; N],
+}
+
+impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
+    type Flow = SmoothFlow<M, N>;
+
+    fn at(&self, r: f64) -> Result<SmoothFlow<M, N>, FlowError> {
+        let mut values = self.model.values();
+        let mut smoothing = self.smoothing;
+        match (self.design, &mut smoothing) {
+            (Design::Parameter(index), _) => {
+                if let Some(value) = values.as_mut().get_mut(index) {
+                    *value = r;
+                }
+            }
+            (Design::Smoothing, Some(smoothing)) => smoothing.size = r.exp(),
+            _ => {}
+        }
+        M::INFO.check(values.as_ref())?;
+        let field = SmoothField::new(&M::from_values(values), smoothing, self.design)?;
+        Ok(SmoothFlow::new(
+            field.with_magnitude(self.magnitude),
+            self.tolerance,
+        ))
+    }
+
+    fn with_tolerance(&self, tolerance: Tolerance) -> Self {
+        Self { tolerance, ..*self }
+    }
+}
+
+impl From<ParameterError> for FlowError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+impl From<SmoothingError> for FlowError {
+    fn from(error: SmoothingError) -> Self {
+        Self::Smoothing(error)
+    }
+}

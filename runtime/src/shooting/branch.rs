@@ -1,0 +1,79 @@
+//! A branch of periodic orbits along the design variable.
+
+use super::guess::Guess;
+use super::orbit::Orbit;
+use super::problem::{OrbitProblem, Shot};
+use super::search::{Search, problem};
+use crate::continuation::{Branch, Ending, Failure, Point, Settings};
+use crate::field::Work;
+use crate::flow::{Family, Flow, FlowError};
+use crate::integrate::Tolerance;
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+/// Periodic orbits along r; an iterator over them.
+pub struct OrbitBranch<F: Family<N> + Clone, const N: usize> {
+    branch: Branch<OrbitProblem<F, N>>,
+    first: Option<Orbit<N, Mode<F, N>>>,
+    accuracy: f64,
+    counted: Work,
+}
+
+impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
+    /// Starts from an orbit found at r = `settings.from`; the first item is that orbit.
+    ///
+    /// # Errors
+    /// The orbit cannot be converged on with the family's derivative ∂/∂r.
+    pub fn start(
+        family: &F,
+        orbit: &Orbit<N, Mode<F, N>>,
+        search: &Search<N>,
+        settings: Settings,
+    ) -> Result<Self, Failure<FlowError>> {
+        let family = family.with_tolerance(Tolerance::for_accuracy(search.accuracy));
+        let magnitude = std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j]));
+        let guess = Guess {
+            place: orbit.place,
+            period: orbit.period,
+            magnitude,
+        };
+        let (problem, z) =
+            problem(family, settings.from, &guess, search.segments).map_err(Failure::Evaluation)?;
+        let (branch, first) = Branch::start(problem, z, settings)?;
+        let mut orbits = Self {
+            branch,
+            first: None,
+            accuracy: search.accuracy,
+            counted: Work::default(),
+        };
+        let first = orbits.read(&first);
+        orbits.first = Some(first);
+        Ok(orbits)
+    }
+
+    /// Why the branch ended; `None` while it goes on.
+    #[must_use]
+    pub fn ending(&self) -> Option<&Ending<FlowError>> {
+        self.branch.ending()
+    }
+
+    fn read(&mut self, point: &Point<Shot<N, Mode<F, N>>>) -> Orbit<N, Mode<F, N>> {
+        let total = self.branch.problem.work;
+        let work = total.since(&self.counted);
+        self.counted = total;
+        Orbit::read::<F::Flow>(&point.extra, point.r, point.residual, self.accuracy, work)
+            .at(&point.z)
+    }
+}
+
+impl<F: Family<N> + Clone, const N: usize> Iterator for OrbitBranch<F, N> {
+    type Item = Orbit<N, Mode<F, N>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if let Some(first) = self.first.take() {
+            return Some(first);
+        }
+        let point = self.branch.next()?;
+        Some(self.read(&point))
+    }
+}

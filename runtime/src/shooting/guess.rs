@@ -1,0 +1,209 @@
+//! A first guess: let the motion settle, and watch it come back to its section.
+
+use crate::flow::{Flow, FlowError, Place, Want};
+
+/// Most minima of the first state that are awaited.
+const PATIENCE: usize = 3000;
+/// Longest period sought, in crossings of the section.
+const LONGEST: usize = 32;
+/// Chunks without a crossing after which the motion is no oscillation.
+const SILENCE: u32 = 60;
+/// An oscillation this small, relative to its first swing, has settled on an equilibrium.
+const VANISHED: f64 = 1e-7;
+
+/// A place near a periodic orbit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Guess<const N: usize, Mode> {
+    /// On the section where the first state is least.
+    pub place: Place<N, Mode>,
+    /// Time to come back.
+    pub period: f64,
+    /// Half the extent of each state on the way.
+    pub magnitude: [f64; N],
+}
+
+/// Where a settling motion ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Settled<const N: usize, T> {
+    /// `accept` was satisfied with a guess.
+    Orbit(T),
+    /// It came to rest.
+    Equilibrium([f64; N]),
+    /// Neither, after this time.
+    Neither(f64),
+}
+
+/// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub fn settle<F: Flow<N>, T, const N: usize>(
+    flow: &F,
+    start: Place<N, F::Mode>,
+    mut accept: impl FnMut(&Guess<N, F::Mode>) -> Option<T>,
+) -> Result<Settled<N, T>, FlowError> {
+    let mut watch = Watch::new(start);
+    let mut chunk = watch.first_chunk(flow)?;
+    let mut silent = 0;
+    while watch.minima.len() < PATIENCE && silent < SILENCE {
+        let crossings = watch.follow(flow, chunk)?;
+        if watch.at_rest() {
+            return Ok(Settled::Equilibrium(watch.place.state));
+        }
+        if crossings < 2 {
+            chunk *= 2.0;
+            silent += 1;
+        } else {
+            silent = 0;
+        }
+        for guess in watch.guesses(flow)? {
+            if let Some(orbit) = accept(&guess) {
+                return Ok(Settled::Orbit(orbit));
+            }
+        }
+    }
+    Ok(if watch.slow(flow)? {
+        Settled::Equilibrium(watch.place.state)
+    } else {
+        Settled::Neither(watch.time)
+    })
+}
+
+/// A minimum of the first state.
+#[derive(Debug, Clone, Copy)]
+struct Minimum<const N: usize> {
+    time: f64,
+    state: [f64; N],
+}
+
+struct Watch<const N: usize, Mode> {
+    place: Place<N, Mode>,
+    time: f64,
+    minima: Vec<Minimum<N>>,
+    /// Minima already offered as guesses.
+    offered: usize,
+    /// A return must be this close to be offered.
+    closeness: f64,
+    extent: [f64; N],
+    first_extent: f64,
+    swings: Vec<f64>,
+}
+
+impl<const N: usize, Mode: Copy> Watch<N, Mode> {
+    fn new(place: Place<N, Mode>) -> Self {
+        Self {
+            place,
+            time: 0.0,
+            minima: Vec::new(),
+            offered: 0,
+            closeness: 3e-2,
+            extent: [0.0; N],
+            first_extent: 0.0,
+            swings: Vec::new(),
+        }
+    }
+
+    /// A time in which the linearised motion turns by about a radian.
+    fn first_chunk<F: Flow<N, Mode = Mode>>(&self, flow: &F) -> Result<f64, FlowError> {
+        let jacobian = flow.velocity(&self.place)?.jacobian;
+        let norm = jacobian
+            .iter()
+            .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())
+            .fold(0.0, f64::max);
+        Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 })
+    }
+
+    /// Follows one chunk; returns the number of minima in it.
+    fn follow<F: Flow<N, Mode = Mode>>(
+        &mut self,
+        flow: &F,
+        chunk: f64,
+    ) -> Result<usize, FlowError> {
+        let want = Want {
+            extrema: true,
+            ..Want::default()
+        };
+        let passage = flow.advance(&self.place, chunk, want)?;
+        let before = self.minima.len();
+        let (mut low, mut high) = (passage.end.state, passage.end.state);
+        for extremum in &passage.extrema {
+            let (j, value) = (extremum.index, extremum.state[extremum.index]);
+            low[j] = low[j].min(value);
+            high[j] = high[j].max(value);
+            if j == 0 && !extremum.maximum {
+                self.minima.push(Minimum {
+                    time: self.time + extremum.time,
+                    state: extremum.state,
+                });
+            }
+        }
+        let crossings = self.minima.len() - before;
+        if crossings >= 2 {
+            self.extent = std::array::from_fn(|j| high[j] - low[j]);
+            self.first_extent = self.first_extent.max(self.extent[0]);
+            self.swings.push(self.extent[0]);
+        }
+        self.place = passage.end;
+        self.time += chunk;
+        Ok(crossings)
+    }
+
+    fn at_rest(&self) -> bool {
+        let size = self.place.state[0].abs().max(self.first_extent);
+        self.swings
+            .last()
+            .is_some_and(|&swing| swing <= VANISHED * size)
+    }
+
+    /// Whether the state hardly moves over the time watched.
+    fn slow<F: Flow<N, Mode = Mode>>(&self, flow: &F) -> Result<bool, FlowError> {
+        let velocity = flow.velocity(&self.place)?.f;
+        Ok((0..N).all(|j| {
+            velocity[j].abs() * self.time
+                <= 1e-3 * self.place.state[j].abs().max(self.extent[j]).max(1e-9)
+        }))
+    }
+
+    /// New returns to the section that are close enough; later ones must be closer.
+    fn guesses<F: Flow<N, Mode = Mode>>(
+        &mut self,
+        flow: &F,
+    ) -> Result<Vec<Guess<N, Mode>>, FlowError> {
+        let mut guesses = Vec::new();
+        for last in self.offered..self.minima.len() {
+            let here = self.minima[last];
+            let close = (1..=LONGEST.min(last)).find(|&k| {
+                self.distance(&here.state, &self.minima[last - k].state) < self.closeness
+            });
+            if let Some(k) = close {
+                let place = flow.place(here.state)?;
+                let period = here.time - self.minima[last - k].time;
+                guesses.push(Guess {
+                    place,
+                    period,
+                    magnitude: self.magnitude(),
+                });
+            }
+        }
+        self.offered = self.minima.len();
+        if guesses.len() > 1 {
+            guesses.drain(..guesses.len() - 1);
+        }
+        if !guesses.is_empty() {
+            self.closeness = (0.7 * self.closeness).max(1e-6);
+        }
+        Ok(guesses)
+    }
+
+    fn magnitude(&self) -> [f64; N] {
+        self.extent
+            .map(|extent| if extent > 0.0 { 0.5 * extent } else { 1.0 })
+    }
+
+    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let magnitude = self.magnitude();
+        (0..N)
+            .map(|j| (a[j] - b[j]).abs() / magnitude[j])
+            .fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,15 @@
+//! Periodic orbits by shooting: thesis section 2.2.
+
+mod branch;
+mod guess;
+mod orbit;
+mod phase;
+mod problem;
+mod search;
+
+pub use branch::OrbitBranch;
+pub use guess::{Guess, Settled, settle};
+pub use orbit::Orbit;
+pub use phase::Phase;
+pub use problem::{OrbitProblem, Shot};
+pub use search::{OrbitError, Search, anchored, closest, converge};

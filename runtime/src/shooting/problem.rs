@@ -1,0 +1,204 @@
+//! The zero problem of a periodic orbit: (2.3) with a phase condition, over any number of segments.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::phase::Phase;
+use crate::continuation::{Linearisation, ZeroProblem};
+use crate::field::Work;
+use crate::flow::{Family, Flow, FlowError, Passage, Place, Velocity, Want};
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+/// Unknowns are the starts x₁ … xₘ of `m` segments and the period T; the equations are
+/// φ(xᵢ, T/m) − xᵢ₊₁ = 0, cyclically, and a phase condition on x₁.
+#[derive(Debug, Clone)]
+pub struct OrbitProblem<F: Family<N>, const N: usize> {
+    /// The flows.
+    pub family: F,
+    /// The phase condition.
+    pub phase: Phase<N>,
+    /// Usual magnitudes of the states: half their extent along the orbit.
+    pub magnitude: [f64; N],
+    /// Usual magnitude of the period.
+    pub period: f64,
+    /// What the passages shall report besides derivatives.
+    pub want: Want,
+    /// Work of all evaluations.
+    pub work: Work,
+    modes: Vec<Mode<F, N>>,
+}
+
+/// One evaluation of the problem: the motion once around.
+#[derive(Debug, Clone)]
+pub struct Shot<const N: usize, Mode> {
+    /// One passage for each segment.
+    pub passages: Vec<Passage<N, Mode>>,
+    /// Where the first begins.
+    pub start: Place<N, Mode>,
+    /// The field there.
+    pub velocity: Velocity<N>,
+    /// The period tried.
+    pub period: f64,
+}
+
+impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
+    /// The problem of an orbit near the one through `starts`, of about this period.
+    pub fn new(
+        family: F,
+        phase: Phase<N>,
+        starts: &[Place<N, Mode<F, N>>],
+        period: f64,
+        magnitude: [f64; N],
+    ) -> Self {
+        Self {
+            family,
+            phase,
+            magnitude,
+            period,
+            want: Want {
+                derivatives: true,
+                extrema: true,
+                ..Want::default()
+            },
+            work: Work::default(),
+            modes: starts.iter().map(|place| place.mode).collect(),
+        }
+    }
+
+    /// The unknowns for these starts and this period.
+    #[must_use]
+    pub fn unknowns(starts: &[[f64; N]], period: f64) -> DVector<f64> {
+        let states = starts.iter().flatten().copied();
+        DVector::from_iterator(starts.len() * N + 1, states.chain(std::iter::once(period)))
+    }
+
+    fn segment(&self, z: &DVector<f64>, i: usize) -> [f64; N] {
+        std::array::from_fn(|j| z[i * N + j])
+    }
+}
+
+impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
+    type Error = FlowError;
+    type Extra = Shot<N, Mode<F, N>>;
+
+    fn evaluate(
+        &mut self,
+        z: &DVector<f64>,
+        r: f64,
+    ) -> Result<Linearisation<Self::Extra>, FlowError> {
+        let (m, n) = (self.modes.len(), z.len());
+        let period = z[n - 1];
+        if !(period > 0.0 && period.is_finite()) {
+            return Err(FlowError::BadTime { time: period });
+        }
+        let flow = self.family.at(r)?;
+        let mut h = DVector::zeros(n);
+        let mut h_z = DMatrix::zeros(n, n);
+        let mut h_r = DVector::zeros(n);
+        let mut passages = Vec::with_capacity(m);
+        for i in 0..m {
+            let from = Place {
+                state: self.segment(z, i),
+                mode: self.modes[i],
+            };
+            let passage = flow.advance(&from, period / m as f64, self.want)?;
+            self.work += passage.work;
+            let next = self.segment(z, (i + 1) % m);
+            if let Some(derivatives) = &passage.derivatives {
+                for row in 0..N {
+                    let (at, unit) = (i * N + row, self.magnitude[row]);
+                    h[at] = (passage.end.state[row] - next[row]) / unit;
+                    h_r[at] = derivatives.design[row] / unit;
+                    h_z[(at, n - 1)] = derivatives.time[row] / (m as f64 * unit);
+                    for column in 0..N {
+                        h_z[(at, i * N + column)] += derivatives.state[row][column] / unit;
+                    }
+                    h_z[(at, ((i + 1) % m) * N + row)] -= 1.0 / unit;
+                }
+            }
+            passages.push(passage);
+        }
+        let start = Place {
+            state: self.segment(z, 0),
+            mode: self.modes[0],
+        };
+        let velocity = flow.velocity(&start)?;
+        let (value, gradient, design) = self.phase.equation(&start.state, &velocity);
+        let unit: f64 = (0..N)
+            .map(|j| (gradient[j] * self.magnitude[j]).abs())
+            .sum();
+        let unit = if unit > 0.0 { unit } else { 1.0 };
+        h[n - 1] = value / unit;
+        h_r[n - 1] = design / unit;
+        for (column, slope) in gradient.iter().enumerate() {
+            h_z[(n - 1, column)] = slope / unit;
+        }
+        self.work.newton += 1;
+        Ok(Linearisation {
+            residual: h,
+            jacobian: h_z,
+            design: h_r,
+            extra: Shot {
+                passages,
+                start,
+                velocity,
+                period,
+            },
+        })
+    }
+
+    fn scale(&self) -> DVector<f64> {
+        let m = self.modes.len();
+        DVector::from_fn(m * N + 1, |i, _| {
+            if i == m * N {
+                self.period
+            } else {
+                self.magnitude[i % N]
+            }
+        })
+    }
+
+    fn accept(
+        &mut self,
+        z: DVector<f64>,
+        _r: f64,
+        shot: &Self::Extra,
+    ) -> Result<DVector<f64>, FlowError> {
+        self.period = shot.period;
+        self.magnitude = shot.magnitude(&self.magnitude);
+        if let Phase::Orthogonal { at, velocity } = &mut self.phase {
+            *at = std::array::from_fn(|j| z[j]);
+            *velocity = shot.velocity.f;
+        }
+        Ok(z)
+    }
+}
+
+impl<const N: usize, Mode> Shot<N, Mode> {
+    /// Smallest and largest value of each state along the motion.
+    #[must_use]
+    pub fn extent(&self) -> ([f64; N], [f64; N]) {
+        let (mut low, mut high) = (self.start.state, self.start.state);
+        for passage in &self.passages {
+            for extremum in &passage.extrema {
+                let (j, value) = (extremum.index, extremum.state[extremum.index]);
+                low[j] = low[j].min(value);
+                high[j] = high[j].max(value);
+            }
+        }
+        (low, high)
+    }
+
+    /// Half the extent of each state; `fallback` where it has none.
+    fn magnitude(&self, fallback: &[f64; N]) -> [f64; N] {
+        let (low, high) = self.extent();
+        std::array::from_fn(|j| {
+            let half = 0.5 * (high[j] - low[j]);
+            if half > 0.0 && half.is_finite() {
+                half
+            } else {
+                fallback[j]
+            }
+        })
+    }
+}
