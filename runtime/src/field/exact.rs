@@ -15,7 +15,7 @@ pub use mode::{Mode, Modes};
 use rule::Branches;
 pub(crate) use solve::solve;
 use system::singular;
-pub use system::{ContactError, ExactSystem};
+pub use system::{ContactError, ContactState, ExactSystem};
 
 /// The exact field while every contact keeps its mode.
 pub struct ExactField<'s, M: Model<N>, const N: usize> {

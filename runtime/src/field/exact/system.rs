@@ -33,6 +33,17 @@ pub enum ContactError {
     },
 }
 
+/// What one contact does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactState {
+    /// Relative speed w.
+    pub speed: f64,
+    /// Friction force λ as it stands in the equations.
+    pub force: f64,
+    /// Largest force at rest.
+    pub stick: f64,
+}
+
 /// A model at given parameters, its parameters lifted once to every scalar in use.
 pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) plain: M::Params<f64>,
@@ -114,7 +125,24 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         affine.resolve(modes).ok_or_else(|| singular(modes))
     }
 
-    /// The same, each number with its rate along the motion.
+    /// What every contact does at a state.
+    ///
+    /// # Errors
+    /// The sticking forces are not unique, or push the wrong way.
+    pub fn contact_states(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+    ) -> Result<M::PerContact<ContactState>, ContactError> {
+        let at = self.snapshot(state, modes)?;
+        Ok(Inline::from_fn(|i| ContactState {
+            speed: at.speed.as_ref()[i],
+            force: at.force.as_ref()[i],
+            stick: at.stick.as_ref()[i],
+        }))
+    }
+
+    /// All that is known at a state, each number with its rate along the motion.
     ///
     /// # Errors
     /// As [`ExactSystem::snapshot`].

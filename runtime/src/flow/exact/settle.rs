@@ -12,6 +12,8 @@ pub(super) const EDGE: f64 = 1e-11;
 const NO_RATE: f64 = 1e-12;
 /// The same where the rate is known to vanish but for rounding errors.
 const ROUNDED_RATE: f64 = 1e-9;
+/// Contacts among which all combinations are searched.
+const SEARCHED: usize = 6;
 /// Relative difference of two utilisations that makes a tie.
 const TIE: f64 = 1e-12;
 
@@ -74,8 +76,53 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
         let mut tangential = self.let_go_first(&mut verdict);
         // Every round lets at least one contact go, so that there are at most as many as contacts.
         while self.release(&mut verdict, &mut tangential)? {}
-        self.judge_departures(&mut verdict, &tangential)?;
-        Ok(verdict)
+        let judged = self.judge_departures(&mut verdict, &tangential);
+        match judged {
+            Err(FlowError::InconsistentMode { .. }) => match self.search(&tangential)? {
+                Some(found) => Ok(found),
+                None => judged.map(|()| verdict),
+            },
+            _ => judged.map(|()| verdict),
+        }
+    }
+
+    /// Among all combinations of modes those that hold together, and of these the first that sticks most.
+    ///
+    /// Letting go one by one may overshoot where contacts act on each other: a force that drops can
+    /// turn the way in which another was let go. Some combination always holds, since limits lowered
+    /// to slip(0⁺) everywhere make it a convex problem.
+    fn search(&self, tangential: &M::PerContact<bool>) -> Result<Option<Verdict<M, N>>, FlowError> {
+        const CHOICES: [Mode; 3] = [Mode::Stick, Mode::SlideForward, Mode::SlideBackward];
+        let mut best: Option<Verdict<M, N>> = None;
+        let count = self.contacts().count().min(SEARCHED) as u32;
+        for code in 0..3_u32.pow(count) {
+            let mut verdict = Verdict {
+                modes: self.all_stick(),
+                notes: Inline::from_fn(|_| Note::default()),
+            };
+            self.note_arrivals(&mut verdict)?;
+            let mut rest = code;
+            for i in self.contacts().take(SEARCHED) {
+                verdict.modes.set(i, CHOICES[(rest % 3) as usize]);
+                rest /= 3;
+            }
+            let sticking = |v: &Verdict<M, N>| v.modes.sticking().count();
+            if best
+                .as_ref()
+                .is_some_and(|b| sticking(b) >= sticking(&verdict))
+            {
+                continue;
+            }
+            let modes = verdict.modes;
+            let holds = !self.release(&mut verdict, &mut { *tangential })?;
+            if holds
+                && modes == verdict.modes
+                && self.judge_departures(&mut verdict, tangential).is_ok()
+            {
+                best = Some(verdict);
+            }
+        }
+        Ok(best)
     }
 
     fn contacts(&self) -> impl Iterator<Item = usize> {
