@@ -1,9 +1,9 @@
 //! Flows that depend on a design variable.
 
 use super::{Flow, FlowError, SmoothFlow};
-use crate::field::{Design, SmoothField, Smoothing, SmoothingError};
+use crate::field::{Design, SmoothField, Smoothing};
 use crate::integrate::Tolerance;
-use crate::model::{Model, ParameterError};
+use crate::model::Model;
 
 /// One flow for each value of a design variable r.
 pub trait Family<const N: usize> {
@@ -63,17 +63,5 @@ impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
 
     fn with_tolerance(&self, tolerance: Tolerance) -> Self {
         Self { tolerance, ..*self }
-    }
-}
-
-impl From<ParameterError> for FlowError {
-    fn from(error: ParameterError) -> Self {
-        Self::Parameter(error)
-    }
-}
-
-impl From<SmoothingError> for FlowError {
-    fn from(error: SmoothingError) -> Self {
-        Self::Smoothing(error)
     }
 }

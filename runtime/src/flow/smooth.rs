@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::extrema::extrema;
-use super::{Derivatives, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want};
+use super::{Calm, Derivatives, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want};
 use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, Stepper, integrate};
 use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
@@ -176,6 +176,7 @@ struct Record<const N: usize> {
     extrema: Vec<super::Extremum<N>>,
     factors: Vec<[[f64; N]; N]>,
     path: Vec<Sample<N>>,
+    calm: Calm<N, ()>,
     work: Work,
 }
 
@@ -193,6 +194,7 @@ impl<const N: usize> Record<N> {
             extrema: Vec::new(),
             factors: Vec::new(),
             path,
+            calm: Calm::at(Place { state, mode: () }),
             work: Work::default(),
         }
     }
@@ -203,6 +205,7 @@ impl<const N: usize> Record<N> {
     {
         let (time, length) = (step.time(), step.length());
         self.time = time + length;
+        self.stay(length);
         if !(self.want.extrema || self.want.path) {
             return;
         }
@@ -235,6 +238,7 @@ impl<const N: usize> Record<N> {
     ) {
         self.time = offset + radau.time();
         self.motion.state = step.end;
+        self.stay(step.step);
         if self.want.derivatives {
             let propagator = radau.propagator();
             self.motion = self.motion.through(&propagator);
@@ -256,6 +260,14 @@ impl<const N: usize> Record<N> {
             let increment = step.collocation.at(theta);
             std::array::from_fn(|j| step.start[j] + increment[j])
         });
+    }
+
+    fn stay(&mut self, length: f64) {
+        let place = Place {
+            state: self.motion.state,
+            mode: (),
+        };
+        self.calm.offer(self.time, length, place);
     }
 
     fn draw(&mut self, time: f64, length: f64, at: impl Fn(f64) -> [f64; N]) {
@@ -303,6 +315,8 @@ impl<const N: usize> Record<N> {
                 duration: time,
             }],
             path: self.path,
+            calm: self.calm,
+            events: Vec::new(),
             work: self.work,
         })
     }

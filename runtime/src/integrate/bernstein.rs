@@ -149,6 +149,18 @@ impl Bernstein {
         }
     }
 
+    /// The polynomial with coefficients of at most this size, which are rounding errors, set to zero.
+    #[must_use]
+    pub fn without_noise(&self, size: f64) -> Self {
+        let coefficients = self
+            .coefficients
+            .map(|c| if c.abs() <= size { 0.0 } else { c });
+        Self {
+            coefficients,
+            degree: self.degree,
+        }
+    }
+
     /// A lower bound of the polynomial on [0, 1].
     #[must_use]
     pub fn lower_bound(&self) -> f64 {

@@ -143,6 +143,11 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         combine(&from, length, END, &slopes)
     }
 
+    /// f at any state, counted.
+    pub fn slope_at(&mut self, state: &[f64; N]) -> [f64; N] {
+        state.slope(self.field, &mut self.work)
+    }
+
     /// The polynomial of degree 7 through the step.
     pub fn dense(&mut self) -> Dense<N> {
         let from = *self.from.state();

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::guess::{Guess, Settled, settle};
-use super::orbit::Orbit;
+use super::orbit::{Orbit, Solution};
 use super::phase::Phase;
 use super::problem::{OrbitProblem, Shot};
 use crate::continuation::{Corrected, Failure, correct};
@@ -134,7 +134,13 @@ pub fn converge<F: Family<N> + Clone, const N: usize>(
     work += rough.1.work;
     let accuracy = difference(&loose.0, &tight);
     let shot = &tight.linearisation.extra;
-    Ok(Orbit::read::<F::Flow>(shot, r, tight.residual, accuracy, work).at(&tight.z))
+    let solution = Solution {
+        shot,
+        z: &tight.z,
+        r,
+        residual: tight.residual,
+    };
+    Ok(Orbit::read(family, solution, accuracy, work))
 }
 
 type Converged<F, const N: usize> = (Found<F, N>, OrbitProblem<F, N>);
