@@ -4,7 +4,7 @@ use crate::errors::Errors;
 use crate::syntax::{Bound, Bounds, Declaration, Param};
 
 /// The bounds of a parameter are about that parameter.
-pub(super) fn check_names(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_bound_names(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
         let (own, other) = (&param.name, &bounds.name);
         if own != other {
@@ -17,7 +17,7 @@ pub(super) fn check_names(written: &Declaration, errors: &mut Errors) {
 }
 
 /// Some value is left between the bounds.
-pub(super) fn check_intervals(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_bounds_not_empty(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
         let (Some(lower), Some(upper)) = (&bounds.lower, &bounds.upper) else {
             continue;
@@ -34,7 +34,7 @@ pub(super) fn check_intervals(written: &Declaration, errors: &mut Errors) {
 }
 
 /// The default keeps its own bounds.
-pub(super) fn check_defaults(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_defaults_in_bounds(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
         let Some(default) = &param.default else {
             continue;

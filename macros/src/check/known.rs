@@ -6,7 +6,8 @@ use syn::{Attribute, Path, Visibility};
 use super::bounds;
 use super::dimension::Dimension;
 use super::units::Units;
-use crate::syntax::{self, Declaration, Field, Formula, Line};
+use crate::formula::Formula;
+use crate::syntax::{self, Declaration, Line};
 
 pub(crate) struct Model<'a> {
     pub(crate) docs: &'a [Attribute],
@@ -66,8 +67,23 @@ pub(crate) struct Contact<'a> {
     pub(crate) name: &'a Ident,
     pub(crate) unit: Option<Unit>,
     pub(crate) law: &'a Path,
-    pub(crate) fields: &'a [Field],
+    pub(crate) fields: Vec<Field<'a>>,
     pub(crate) speed: &'a Formula,
+    pub(crate) measures: Measures,
+}
+
+/// `name: formula` in the braces of a law, and its dimension where it is known.
+pub(crate) struct Field<'a> {
+    pub(crate) name: &'a Ident,
+    pub(crate) formula: &'a Formula,
+    pub(crate) dimension: Option<Dimension>,
+}
+
+/// The dimensions against which a contact measures the fields of its law.
+pub(crate) struct Measures {
+    pub(crate) force: Option<Dimension>,
+    pub(crate) speed: Option<Dimension>,
+    pub(crate) time: Dimension,
 }
 
 pub(crate) struct Law<'a> {
@@ -163,15 +179,29 @@ fn step<'a>(line: &'a Line, units: &Units) -> Option<Step<'a>> {
             name: &line.name,
             formula: &line.formula,
         })),
-        Line::Friction(line) => Some(Step::Contact(Contact {
-            docs: &line.docs,
-            name: &line.name,
-            unit: unit(&line.name, line.unit.as_ref(), units),
-            law: &line.law,
-            fields: &line.fields,
-            speed: &line.speed,
-        })),
+        Line::Friction(line) => Some(Step::Contact(contact(line, units))),
         _ => None,
+    }
+}
+
+fn contact<'a>(line: &'a syntax::Friction, units: &Units) -> Contact<'a> {
+    let field = |field: &'a syntax::Field| Field {
+        name: &field.name,
+        formula: &field.formula,
+        dimension: units.of_formula(&field.formula),
+    };
+    Contact {
+        docs: &line.docs,
+        name: &line.name,
+        unit: unit(&line.name, line.unit.as_ref(), units),
+        law: &line.law,
+        fields: line.fields.iter().map(field).collect(),
+        speed: &line.speed,
+        measures: Measures {
+            force: units.of_name(&line.name),
+            speed: units.of_formula(&line.speed),
+            time: units.time(),
+        },
     }
 }
 
@@ -218,7 +248,7 @@ impl<'a> Step<'a> {
         match self {
             Self::Let(quantity) => vec![quantity.formula],
             Self::Contact(contact) => {
-                let fields = contact.fields.iter().map(|field| &field.formula);
+                let fields = contact.fields.iter().map(|field| field.formula);
                 fields.chain([contact.speed]).collect()
             }
         }

@@ -105,7 +105,7 @@ fn contact(index: usize, contact: &Contact) -> TokenStream {
     let fields = contact
         .fields
         .iter()
-        .map(|field| format!("{}: {}", text(&field.name), field.formula));
+        .map(|field| format!("{}: {}", text(field.name), field.formula));
     let (fields, speed) = (
         fields.collect::<Vec<_>>().join(", "),
         contact.speed.to_string(),

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 
 use super::lift::Lift;
 use super::shell::Shell;
-use super::{allowed, info, pattern};
+use super::{agreement, allowed, info, pattern};
 use crate::check::{Contact, Model, Step};
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
@@ -18,7 +18,8 @@ pub(super) fn tokens(model: &Model) -> TokenStream {
         fields: model.parameters.iter().map(Into::into).collect(),
     };
     let (shell, laws, implementation) = (shell.tokens(), laws(model), implementation(model));
-    quote!(#shell #laws #implementation)
+    let agreements = agreement::assertions(model);
+    quote!(#shell #laws #implementation #agreements)
 }
 
 /// The function that builds the law of a contact; only there is the law named.
@@ -43,7 +44,7 @@ fn laws(model: &Model) -> TokenStream {
 
 fn law(index: usize, contact: &Contact) -> TokenStream {
     let (function, law) = (law_of(index), contact.law);
-    let names = contact.fields.iter().map(|field| &field.name);
+    let names = contact.fields.iter().map(|field| field.name);
     let places = (0..contact.fields.len()).map(Literal::usize_unsuffixed);
     let count = Literal::usize_unsuffixed(contact.fields.len());
     quote! {
@@ -236,7 +237,7 @@ fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
             let fields = contact
                 .fields
                 .iter()
-                .map(|field| lift.formula(&field.formula));
+                .map(|field| lift.formula(field.formula));
             let speed = lift.formula(contact.speed);
             quote! {
                 __quantities.#name = __contacts.force(

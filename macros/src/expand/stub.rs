@@ -124,7 +124,7 @@ fn declared<'a>(written: &'a Declaration, keyword: &str) -> Vec<&'a Ident> {
         Line::Param(line) => Some(&line.name).filter(|_| keyword == "param"),
         Line::Let(line) => Some(&line.name).filter(|_| keyword == "let"),
         Line::Friction(line) => Some(&line.name).filter(|_| keyword == "friction"),
-        Line::Broken(line) => line.name.as_ref().filter(|_| keyword == line.keyword),
+        Line::Broken(line) => line.name.as_ref().filter(|_| line.keyword == Some(keyword)),
         Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) => None,
     });
     names

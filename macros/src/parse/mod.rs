@@ -1,6 +1,7 @@
 //! From tokens to a declaration as written.
 
 mod line;
+mod shape;
 mod value;
 
 use proc_macro2::{Ident, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -9,7 +10,7 @@ use syn::{Attribute, Token, Visibility, braced};
 
 use self::line::Reader;
 use crate::errors::Errors;
-use crate::syntax::{Broken, Declaration, Line};
+use crate::syntax::{Declaration, Line};
 
 /// Which of the two grammars a declaration follows.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -92,7 +93,7 @@ fn read(tokens: TokenStream, grammar: Grammar, errors: &mut Errors, lines: &mut 
     match reader.parse2(tokens) {
         Ok((line, rest)) => {
             lines.push(line);
-            if let Some(keyword) = line::keyword_of(&rest) {
+            if let Some(keyword) = shape::keyword_of(&rest) {
                 errors.at(
                     &keyword,
                     format!("missing `;` at the end of the line before `{keyword}`"),
@@ -102,18 +103,7 @@ fn read(tokens: TokenStream, grammar: Grammar, errors: &mut Errors, lines: &mut 
         }
         Err(error) => {
             errors.add(error);
-            lines.push(Line::Broken(broken(&whole)));
+            lines.push(Line::Broken(shape::broken(&whole, grammar)));
         }
-    }
-}
-
-fn broken(tokens: &TokenStream) -> Broken {
-    let mut words = line::words(tokens);
-    Broken {
-        keyword: words
-            .next()
-            .map(|word| word.to_string())
-            .unwrap_or_default(),
-        name: words.next(),
     }
 }
