@@ -4,7 +4,7 @@ use std::fmt::{Display, Formatter, Result};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
-use syn::{Attribute, Path, Visibility};
+use syn::{Attribute, Path, Token, Visibility};
 
 use crate::formula::{Formula, Number, tight};
 
@@ -17,8 +17,29 @@ pub(crate) mod word {
 pub(crate) struct Declaration {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) visibility: Visibility,
+    pub(crate) keyword: Token![struct],
     pub(crate) name: Ident,
     pub(crate) lines: Vec<Line>,
+}
+
+/// What stands before the braces.
+#[derive(Clone, Copy)]
+pub(crate) struct Header<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) visibility: &'a Visibility,
+    pub(crate) keyword: Token![struct],
+    pub(crate) name: &'a Ident,
+}
+
+impl Declaration {
+    pub(crate) fn header(&self) -> Header<'_> {
+        Header {
+            docs: &self.docs,
+            visibility: &self.visibility,
+            keyword: self.keyword,
+            name: &self.name,
+        }
+    }
 }
 
 pub(crate) enum Line {

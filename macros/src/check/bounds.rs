@@ -19,11 +19,7 @@ pub(super) fn check_bound_names(written: &Declaration, errors: &mut Errors) {
 /// Some value is left between the bounds.
 pub(super) fn check_bounds_not_empty(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
-        let (Some(lower), Some(upper)) = (&bounds.lower, &bounds.upper) else {
-            continue;
-        };
-        let (low, high) = (lower.number.value, upper.number.value);
-        if low > high || (low == high && !(lower.inclusive && upper.inclusive)) {
+        if is_empty(bounds) {
             let (name, described) = (&param.name, describe(bounds));
             errors.at(
                 bounds,
@@ -39,7 +35,7 @@ pub(super) fn check_defaults_in_bounds(written: &Declaration, errors: &mut Error
         let Some(default) = &param.default else {
             continue;
         };
-        if !contains(bounds, default.value) {
+        if !is_empty(bounds) && !contains(bounds, default.value) {
             let (name, described) = (&param.name, describe(bounds));
             errors.at(
                 default,
@@ -53,6 +49,14 @@ fn bounded(written: &Declaration) -> impl Iterator<Item = (&Param, &Bounds)> {
     written
         .params()
         .filter_map(|param| Some((param, param.bounds.as_ref()?)))
+}
+
+fn is_empty(bounds: &Bounds) -> bool {
+    let (Some(lower), Some(upper)) = (&bounds.lower, &bounds.upper) else {
+        return false;
+    };
+    let (low, high) = (lower.number.value, upper.number.value);
+    low > high || (low == high && !(lower.inclusive && upper.inclusive))
 }
 
 fn contains(bounds: &Bounds, value: f64) -> bool {

@@ -1,18 +1,16 @@
 //! Declarations that are known to be good: nothing can go wrong any more.
 
 use proc_macro2::Ident;
-use syn::{Attribute, Path, Visibility};
+use syn::{Attribute, Path};
 
 use super::bounds;
 use super::dimension::Dimension;
 use super::units::Units;
 use crate::formula::Formula;
-use crate::syntax::{self, Declaration, Line};
+use crate::syntax::{self, Declaration, Header, Line};
 
 pub(crate) struct Model<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
-    pub(crate) name: &'a Ident,
+    pub(crate) header: Header<'a>,
     pub(crate) states: Vec<State<'a>>,
     pub(crate) parameters: Vec<Parameter<'a>>,
     /// `let` and friction lines in the order in which they are computed.
@@ -87,9 +85,7 @@ pub(crate) struct Measures {
 }
 
 pub(crate) struct Law<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
-    pub(crate) name: &'a Ident,
+    pub(crate) header: Header<'a>,
     pub(crate) parameters: Vec<Parameter<'a>>,
     pub(crate) speed: &'a Ident,
     pub(crate) stick: &'a Formula,
@@ -103,9 +99,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
         .map(|line| state(line, written, units))
         .collect();
     Some(Model {
-        docs: &written.docs,
-        visibility: &written.visibility,
-        name: &written.name,
+        header: written.header(),
         states: states?,
         parameters: parameters(written, units),
         steps: written
@@ -120,9 +114,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
 pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>> {
     let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
     Some(Law {
-        docs: &written.docs,
-        visibility: &written.visibility,
-        name: &written.name,
+        header: written.header(),
         parameters: parameters(written, units),
         speed: &slip.speed,
         stick: &stick.formula,

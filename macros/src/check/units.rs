@@ -224,7 +224,12 @@ pub(super) fn check_law(written: &Declaration, units: &Units, errors: &mut Error
     } else {
         Dimension::FORCE
     };
+    let reads_speed = |formula: &Formula| {
+        let names = formula.names();
+        written.slips().any(|slip| names.contains(&&slip.speed))
+    };
     let sticks = written.sticks().map(|stick| ("stick", &stick.formula));
+    let sticks = sticks.filter(|(_, formula)| !reads_speed(formula));
     let slips = written.slips().map(|slip| ("slip", &slip.formula));
     for (line, formula) in sticks.chain(slips) {
         if let Some(found) = units.measure(formula, errors)

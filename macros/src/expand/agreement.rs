@@ -13,7 +13,7 @@ use crate::formula::tight;
 pub(super) fn assertions(model: &Model) -> TokenStream {
     let contacts = model.contacts().enumerate();
     contacts
-        .flat_map(|(index, contact)| of_contact(model.name, index, contact))
+        .flat_map(|(index, contact)| of_contact(model.header.name, index, contact))
         .collect()
 }
 
@@ -28,7 +28,7 @@ fn of_contact<'a>(
 
 fn assertion(model: &Ident, index: usize, contact: &Contact, field: &Field) -> Option<TokenStream> {
     let dimension = field.dimension?;
-    let (found, law) = (exponents(dimension)?, super::model::law_of(index));
+    let (found, law) = (exponents(dimension)?, super::builder::name(index));
     let [force, speed] = [contact.measures.force, contact.measures.speed].map(if_known);
     let time = exponents(contact.measures.time)?;
     let name = field.name.unraw().to_string();

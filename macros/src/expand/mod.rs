@@ -1,6 +1,7 @@
 //! From declarations that are known to be good to tokens; beside errors, stubs.
 
 mod agreement;
+mod builder;
 mod info;
 mod law;
 mod lift;

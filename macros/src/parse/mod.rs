@@ -4,9 +4,9 @@ mod line;
 mod shape;
 mod value;
 
-use proc_macro2::{Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Token, Visibility, braced};
+use syn::{Token, braced};
 
 use self::line::Reader;
 use crate::errors::Errors;
@@ -26,12 +26,10 @@ pub(crate) fn declaration(
     errors: &mut Errors,
 ) -> Option<Declaration> {
     match header.parse2(tokens) {
-        Ok((docs, visibility, name, body)) => Some(Declaration {
-            docs,
-            visibility,
-            name,
-            lines: lines(body, grammar, errors),
-        }),
+        Ok((mut declaration, body)) => {
+            declaration.lines = lines(body, grammar, errors);
+            Some(declaration)
+        }
         Err(error) => {
             errors.add(error);
             None
@@ -39,18 +37,21 @@ pub(crate) fn declaration(
     }
 }
 
-fn header(input: ParseStream) -> syn::Result<(Vec<Attribute>, Visibility, Ident, TokenStream)> {
-    let docs = line::docs(input)?;
-    let visibility = input.parse()?;
-    input.parse::<Token![struct]>()?;
-    let name = input.parse()?;
+fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
+    let declaration = Declaration {
+        docs: line::docs(input)?,
+        visibility: input.parse()?,
+        keyword: input.parse()?,
+        name: input.parse()?,
+        lines: Vec::new(),
+    };
     let body;
     braced!(body in input);
     let body = body.parse()?;
     if !input.is_empty() {
         return Err(input.error("one declaration each: nothing may follow the closing brace"));
     }
-    Ok((docs, visibility, name, body))
+    Ok((declaration, body))
 }
 
 /// Cuts the body at its semicolons first, so that a broken line cannot hide the others.

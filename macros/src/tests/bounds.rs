@@ -36,12 +36,12 @@ fn defaults_keep_their_bounds() {
 #[test]
 fn intervals_are_not_empty() {
     assert_eq!(
-        told("where 2.0 < k < 1.0")[0],
-        "no value of `k` can keep the bound `2.0 < k < 1.0`"
+        told("where 2.0 < k < 1.0"),
+        ["no value of `k` can keep the bound `2.0 < k < 1.0`"]
     );
     assert_eq!(
-        told("where 1.0 < k <= 1.0")[0],
-        "no value of `k` can keep the bound `1.0 < k <= 1.0`"
+        told("where 1.0 < k <= 1.0"),
+        ["no value of `k` can keep the bound `1.0 < k <= 1.0`"]
     );
 }
 
