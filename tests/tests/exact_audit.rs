@@ -16,6 +16,7 @@ const PATH: Want = Want {
     derivatives: false,
     extrema: true,
     path: true,
+    factors: false,
 };
 
 stickslip::model! {

@@ -16,6 +16,7 @@ const EXTREMA: Want = Want {
     derivatives: false,
     extrema: true,
     path: true,
+    factors: false,
 };
 
 stickslip::model! {

@@ -18,6 +18,7 @@ const DERIVATIVES: Want = Want {
     derivatives: true,
     extrema: false,
     path: false,
+    factors: false,
 };
 
 stickslip::model! {

@@ -15,6 +15,7 @@ const EXTREMA: Want = Want {
     derivatives: false,
     extrema: true,
     path: false,
+    factors: false,
 };
 
 /// One period from release to release, after a motion that began at rest on the belt.

@@ -6,10 +6,12 @@ mod extrema;
 mod family;
 mod saltation;
 mod smooth;
+mod word;
 
 pub use event::{Event, EventKind};
-pub use family::{Family, SmoothFamily};
+pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
+pub use word::word;
 
 use crate::field::SmoothingError;
 use crate::field::Work;
@@ -245,6 +247,14 @@ pub enum FlowError {
     Vanished {
         /// Where.
         state: Vec<f64>,
+    },
+    /// A motion that should close comes back in another mode.
+    #[error("the motion comes back in mode {found}, but began in mode {wanted}")]
+    OtherMode {
+        /// Modes of the contacts at the end.
+        found: String,
+        /// Modes of the contacts at the start.
+        wanted: String,
     },
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]

@@ -125,6 +125,13 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
             };
             let passage = flow.advance(&from, period / m as f64, self.want)?;
             self.work += passage.work;
+            // A start that is held on a surface hides a motion that does not come back to it.
+            if passage.end.mode != self.modes[(i + 1) % m] {
+                return Err(FlowError::OtherMode {
+                    found: format!("{:?}", passage.end.mode),
+                    wanted: format!("{:?}", self.modes[(i + 1) % m]),
+                });
+            }
             let next = self.segment(z, (i + 1) % m);
             if let Some(derivatives) = &passage.derivatives {
                 for row in 0..N {
