@@ -12,6 +12,7 @@ const ALL: Want = Want {
     derivatives: true,
     extrema: true,
     path: true,
+    factors: true,
 };
 
 fn flow<M: Model<N>, const N: usize>(model: &M) -> ExactFlow<M, N> {
