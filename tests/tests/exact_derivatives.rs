@@ -104,7 +104,7 @@ fn checked<M: Model<N>, const N: usize>(model: &M, start: [f64; N], time: f64) -
     let product = derivatives
         .factors
         .iter()
-        .fold(identity(), |all, factor| multiply(factor, &all));
+        .fold(identity(), |all, factor| multiply(&factor.state, &all));
     assert_eq!(
         product, derivatives.state,
         "Φ is the product of its factors"

@@ -148,7 +148,16 @@ pub struct Derivatives<const N: usize> {
     /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
     pub trace: f64,
     /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
-    pub factors: Vec<[[f64; N]; N]>,
+    pub factors: Vec<Factor<N>>,
+}
+
+/// A factor of Φ over one stretch of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factor<const N: usize> {
+    /// ∂(end)/∂(beginning) of the stretch.
+    pub state: [[f64; N]; N],
+    /// ∫ J dt over the stretch, where an implicit step damps what decays fast far less than the motion does.
+    pub growth: Option<[[f64; N]; N]>,
 }
 
 /// A local extremum of one state along a motion.

@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::extrema::extrema;
-use super::{Calm, Derivatives, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want};
+use super::{
+    Calm, Derivatives, Factor, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want,
+};
 use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, Stepper, integrate};
 use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
@@ -75,6 +77,12 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
             })
         };
         record.work += work;
+        if record.want.factors {
+            record.factors.push(Factor {
+                state: record.motion.tangent,
+                growth: None,
+            });
+        }
         backwards?;
         match outcome {
             Ok(_) => record.time = time,
@@ -174,7 +182,7 @@ struct Record<const N: usize> {
     time: f64,
     motion: Motion<N>,
     extrema: Vec<super::Extremum<N>>,
-    factors: Vec<[[f64; N]; N]>,
+    factors: Vec<Factor<N>>,
     path: Vec<Sample<N>>,
     calm: Calm<N, ()>,
     work: Work,
@@ -243,7 +251,11 @@ impl<const N: usize> Record<N> {
             let propagator = radau.propagator();
             self.motion = self.motion.through(&propagator);
             if self.want.factors {
-                self.factors.push(propagator.state);
+                let growth = Some(radau.growth());
+                self.factors.push(Factor {
+                    state: propagator.state,
+                    growth,
+                });
             }
         }
         if self.want.extrema {

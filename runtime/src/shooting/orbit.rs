@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::problem::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
-use crate::flow::{Family, Flow, Place, Segment};
+use crate::flow::{Factor, Family, Flow, Place, Segment};
 
 /// A periodic orbit.
 #[derive(Debug, Clone)]
@@ -97,7 +97,14 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
             max,
             min,
             period_count: shot.minima().count().max(1),
-            floquet: floquet(&monodromy, &shot.velocity.f, trace, zeros, accuracy),
+            floquet: floquet(
+                &monodromy,
+                &shot.velocity.f,
+                trace,
+                zeros,
+                &shot.factors(),
+                accuracy,
+            ),
             residual,
             error_estimate: accuracy.max(residual),
             segments,
@@ -113,6 +120,17 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
 }
 
 impl<const N: usize, Mode: Copy> Shot<N, Mode> {
+    /// The factors of Φ once around, if they were wanted.
+    fn factors(&self) -> Vec<Factor<N>> {
+        let derivatives = self
+            .passages
+            .iter()
+            .filter_map(|passage| passage.derivatives.as_ref());
+        derivatives
+            .flat_map(|derivatives| derivatives.factors.iter().copied())
+            .collect()
+    }
+
     /// Φ once around, and ∫ tr J.
     pub(crate) fn monodromy(&self) -> ([[f64; N]; N], f64) {
         let mut phi: [[f64; N]; N] =

@@ -7,7 +7,9 @@ use super::switch::Strike;
 use crate::field::Work;
 use crate::field::exact::{ExactField, Modes};
 use crate::flow::saltation::{Tracked, product};
-use crate::flow::{Calm, Derivatives, Event, FlowError, Passage, Place, Sample, Segment, Want};
+use crate::flow::{
+    Calm, Derivatives, Event, Factor, FlowError, Passage, Place, Sample, Segment, Want,
+};
 use crate::integrate::event::polish;
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Carried, Dense, IntegrationError, Motion};
@@ -112,7 +114,14 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             design: motion.design,
             time: end.field,
             trace: motion.trace,
-            factors: self.factors.clone(),
+            factors: self
+                .factors
+                .iter()
+                .map(|&state| Factor {
+                    state,
+                    growth: None,
+                })
+                .collect(),
         })
     }
 
