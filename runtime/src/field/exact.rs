@@ -1,11 +1,14 @@
 //! The exact field: every contact slides one way or sticks, and a sticking force is what keeps its speed at zero.
 
 mod affine;
+mod columns;
 mod constants;
 mod mode;
 mod rule;
 mod solve;
 mod system;
+
+use num_dual::Dual64;
 
 use super::{Field, Linear};
 use crate::model::Model;
@@ -95,38 +98,35 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         self.order.as_ref().iter().copied().take(self.sticking)
     }
 
-    /// f over any scalar; NaN where the sticking forces are not unique.
+    /// The field without the sticking forces, over any scalar.
     #[inline]
-    fn evaluate<D: Scalar>(&self, params: &M::Params<D>, state: &[D; N]) -> [D; N] {
-        if self.sticks() && self.levers.is_none() {
-            return Affine::new(None, params, state, &self.modes)
-                .resolve(&self.modes)
-                .map_or([D::from(f64::NAN); N], |snapshot| snapshot.field);
-        }
+    fn free<D: Scalar>(&self, params: &M::Params<D>, state: [D; N]) -> [D; N] {
         let mut rule = Branches::<M, D, N>::free(self.modes.as_slice());
-        let mut field = M::rhs(params, *state, &mut rule);
-        if let (Some(levers), Some(gradients)) = (&self.levers, self.system.gradients()) {
-            for contact in self.stuck() {
-                hold(&mut field, &gradients[contact], &levers.as_ref()[contact]);
-            }
-        }
-        field
+        M::rhs(params, state, &mut rule)
+    }
+
+    /// The field by probing, over any scalar; NaN where the sticking forces are not unique.
+    fn probe<D: Scalar>(&self, params: &M::Params<D>, state: &[D; N]) -> [D; N] {
+        Affine::new(None, params, state, &self.modes)
+            .resolve(&self.modes)
+            .map_or([D::from(f64::NAN); N], |snapshot| snapshot.field)
+    }
+
+    /// w_y and lever of every contact that sticks, if they are constant.
+    fn holds(&self) -> Option<impl Iterator<Item = (&[f64; N], &[f64; N])>> {
+        let (levers, gradients) = (self.levers.as_ref()?.as_ref(), self.system.gradients()?);
+        Some(self.stuck().map(move |i| (&gradients[i], &levers[i])))
     }
 }
 
-/// f ← f − lever (w_y f): the sticking force of one contact, given that the lever of no other moves w.
+/// Takes out of `column`, f or a derivative of it, what the sticking force takes out: column − lever (w_y column).
+///
+/// The lever of one contact moves no other, so that they may follow each other.
 #[inline]
-fn hold<D: Scalar, const N: usize>(field: &mut [D; N], gradient: &[f64; N], lever: &[f64; N]) {
-    let mut rate = D::from(0.0);
-    for (f, g) in field.iter().zip(gradient) {
-        if *g != 0.0 {
-            rate += *f * *g;
-        }
-    }
-    for (f, b) in field.iter_mut().zip(lever) {
-        if *b != 0.0 {
-            *f -= rate * *b;
-        }
+fn hold<const N: usize>(column: &mut [f64; N], gradient: &[f64; N], lever: &[f64; N]) {
+    let rate: f64 = column.iter().zip(gradient).map(|(f, g)| f * g).sum();
+    for (f, b) in column.iter_mut().zip(lever) {
+        *f -= rate * b;
     }
 }
 
@@ -135,24 +135,68 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
 
     #[inline]
     fn f(&self, y: &[f64; N]) -> [f64; N] {
-        self.evaluate(&self.system.plain, y)
+        if !self.sticks() {
+            return self.free(&self.system.plain, *y);
+        }
+        let Some(holds) = self.holds() else {
+            return self.probe(&self.system.plain, y);
+        };
+        let mut field = self.free(&self.system.plain, *y);
+        for (gradient, lever) in holds {
+            hold(&mut field, gradient, lever);
+        }
+        field
     }
 
     #[inline]
     fn linearise(&self, y: &[f64; N]) -> Linear<N> {
-        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
-        linear_of(&self.evaluate(&self.system.lanes, &state))
+        if self.sticks() && self.levers.is_none() {
+            let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+            return linear_of(&self.probe(&self.system.lanes, &state));
+        }
+        let mut linear = self.system.columns.linearise(
+            |seed| {
+                let state = std::array::from_fn(|i| Dual64::new(y[i], seed[i]));
+                self.free(&self.system.directional, state)
+            },
+            || self.free(&self.system.turned, y.map(Dual64::from)),
+        );
+        if let Some(holds) = self.holds() {
+            for (gradient, lever) in holds {
+                linear.hold(gradient, lever);
+            }
+        }
+        linear
     }
 }
 
 /// Values, Jacobian and design column out of the lanes.
-#[inline]
 pub(crate) fn linear_of<L: Lanes<N>, const N: usize>(field: &[L; N]) -> Linear<N> {
     let slopes: [_; N] = std::array::from_fn(|i| field[i].slopes());
     Linear {
         f: std::array::from_fn(|i| field[i].re()),
         jacobian: slopes.map(|(state, _)| state),
         design: slopes.map(|(_, design)| design),
+    }
+}
+
+impl<const N: usize> Linear<N> {
+    /// [`hold`] for f, every column of the Jacobian, and the design column.
+    #[inline]
+    fn hold(&mut self, gradient: &[f64; N], lever: &[f64; N]) {
+        hold(&mut self.f, gradient, lever);
+        hold(&mut self.design, gradient, lever);
+        let mut rates = [0.0; N];
+        for (row, g) in self.jacobian.iter().zip(gradient) {
+            for (rate, entry) in rates.iter_mut().zip(row) {
+                *rate += g * entry;
+            }
+        }
+        for (row, b) in self.jacobian.iter_mut().zip(lever) {
+            for (entry, rate) in row.iter_mut().zip(&rates) {
+                *entry -= rate * b;
+            }
+        }
     }
 }
 

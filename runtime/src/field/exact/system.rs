@@ -3,6 +3,7 @@
 use num_dual::Dual64;
 
 use super::affine::{Affine, Snapshot, speed_rates};
+use super::columns::Columns;
 use super::constants::Constants;
 use super::mode::{Mode, Modes};
 use super::rule::Branches;
@@ -47,7 +48,10 @@ pub struct ContactState {
 /// A model at given parameters, its parameters lifted once to every scalar in use.
 pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) plain: M::Params<f64>,
-    directional: M::Params<Dual64>,
+    pub(super) directional: M::Params<Dual64>,
+    /// The parameters moving with the design variable.
+    pub(super) turned: M::Params<Dual64>,
+    pub(super) columns: Columns<N>,
     pub(super) lanes: M::Params<M::Lanes>,
     pub(super) constants: Option<Constants<M, N>>,
 }
@@ -62,6 +66,8 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         Self {
             plain,
             directional: Inline::from_fn(|i| Dual64::from(values[i])),
+            turned: Inline::from_fn(|i| Dual64::new(values[i], f64::from(design == Some(i)))),
+            columns: Columns::of::<M>(design.is_some()),
             constants: Constants::find(&lanes),
             lanes,
         }

@@ -126,6 +126,9 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
         let departure = self.departure.as_ref()[guard.contact];
         let begins = from == 0.0 && departure.side == guard.side;
         let order = if begins { departure.order } else { 0 };
+        if order == 0 && self.nearest.is_none() && polynomial.lower_bound() >= 0.0 {
+            return;
+        }
         let rest = polynomial.deflated(order);
         if let Some((theta, until)) = rest.first_fall() {
             let theta = from + width * theta;
