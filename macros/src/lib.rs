@@ -7,10 +7,13 @@ mod arithmetic;
 mod check;
 mod errors;
 mod expand;
+mod formula;
 mod parse;
 mod suggest;
 mod syntax;
-mod text;
+
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 

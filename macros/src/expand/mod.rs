@@ -1,5 +1,7 @@
 //! From declarations that are known to be good to tokens; beside errors, stubs.
 
+mod agreement;
+mod builder;
 mod info;
 mod law;
 mod lift;
@@ -7,6 +9,9 @@ mod model;
 mod pattern;
 mod shell;
 mod stub;
+
+#[cfg(test)]
+pub(crate) use self::lift::lifted;
 
 use proc_macro2::TokenStream;
 use quote::quote;

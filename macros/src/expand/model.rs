@@ -3,61 +3,30 @@
 use std::collections::HashSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::lift::Lift;
 use super::shell::Shell;
-use super::{allowed, info, pattern};
-use crate::check::{Contact, Model, Step};
+use super::{agreement, allowed, builder, info, pattern};
+use crate::check::{Model, Step};
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
     let shell = Shell {
-        docs: model.docs,
-        visibility: model.visibility,
-        name: model.name,
+        header: model.header,
         fields: model.parameters.iter().map(Into::into).collect(),
     };
-    let (shell, laws, implementation) = (shell.tokens(), laws(model), implementation(model));
-    quote!(#shell #laws #implementation)
-}
-
-/// The function that builds the law of a contact; only there is the law named.
-pub(super) fn law_of(contact: usize) -> Ident {
-    format_ident!("__law_{contact}")
-}
-
-fn laws(model: &Model) -> TokenStream {
-    if model.contacts().next().is_none() {
-        return quote!();
-    }
-    let (name, allowed) = (model.name, allowed());
-    let laws = model
-        .contacts()
-        .enumerate()
-        .map(|(index, contact)| law(index, contact));
-    quote! {
-        #allowed
-        impl #name { #(#laws)* }
-    }
-}
-
-fn law(index: usize, contact: &Contact) -> TokenStream {
-    let (function, law) = (law_of(index), contact.law);
-    let names = contact.fields.iter().map(|field| &field.name);
-    let places = (0..contact.fields.len()).map(Literal::usize_unsuffixed);
-    let count = Literal::usize_unsuffixed(contact.fields.len());
-    quote! {
-        #[inline]
-        fn #function<D: ::stickslip::scalar::Scalar>(
-            __fields: [D; #count],
-        ) -> impl ::stickslip::friction::FrictionLaw<D> {
-            #law { #(#names: __fields[#places]),* }
-        }
-    }
+    let contacts = model.contacts().map(builder::Named::from);
+    let (shell, laws) = (
+        shell.tokens(),
+        builder::builders(model.header.name, contacts),
+    );
+    let implementation = implementation(model);
+    let agreements = agreement::assertions(model);
+    quote!(#shell #laws #implementation #agreements)
 }
 
 fn implementation(model: &Model) -> TokenStream {
-    let (name, allowed, info) = (model.name, allowed(), info::of_model(model));
+    let (name, allowed, info) = (model.header.name, allowed(), info::of_model(model));
     let [states, parameters, contacts, observables] = sizes(model);
     let lanes = Literal::usize_unsuffixed(model.states.len() + 1);
     let (kinematic, sparsity) = (kinematic(model), sparsity(model));
@@ -232,11 +201,11 @@ fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
                 .iter()
                 .position(|other| *other == name)
                 .unwrap_or_default();
-            let (law, index) = (law_of(index), Literal::usize_unsuffixed(index));
+            let (law, index) = (builder::name(index), Literal::usize_unsuffixed(index));
             let fields = contact
                 .fields
                 .iter()
-                .map(|field| lift.formula(&field.formula));
+                .map(|field| lift.formula(field.formula));
             let speed = lift.formula(contact.speed);
             quote! {
                 __quantities.#name = __contacts.force(

@@ -1,16 +1,13 @@
 //! What is emitted even beside errors: the struct of the parameters, its defaults and the handles.
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
-use syn::{Attribute, Visibility};
-
 use super::{allowed, info};
 use crate::check::Parameter;
+use crate::syntax::Header;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
 
 pub(super) struct Shell<'a> {
-    pub(super) docs: &'a [Attribute],
-    pub(super) visibility: &'a Visibility,
-    pub(super) name: &'a Ident,
+    pub(super) header: Header<'a>,
     pub(super) fields: Vec<Field<'a>>,
 }
 
@@ -30,12 +27,13 @@ impl Shell<'_> {
 
     /// The plain struct.
     pub(super) fn structure(&self, generics: &TokenStream, scalar: &TokenStream) -> TokenStream {
-        let Self {
+        let Header {
             docs,
             visibility,
+            keyword,
             name,
-            fields,
-        } = self;
+        } = self.header;
+        let fields = &self.fields;
         let names = fields.iter().map(|field| field.name);
         let field_docs = fields.iter().map(|field| &field.docs);
         quote! {
@@ -47,14 +45,14 @@ impl Shell<'_> {
                 ::core::cmp::PartialEq,
             )]
             #[allow(non_snake_case)]
-            #visibility struct #name #generics {
+            #visibility #keyword #name #generics {
                 #(#field_docs #visibility #names: #scalar,)*
             }
         }
     }
 
     fn default(&self) -> TokenStream {
-        let (name, allowed) = (self.name, allowed());
+        let (name, allowed) = (self.header.name, allowed());
         let names = self.fields.iter().map(|field| field.name);
         let values = self.fields.iter().map(|field| info::number(field.default));
         quote! {
@@ -69,7 +67,8 @@ impl Shell<'_> {
     }
 
     fn handles(&self) -> TokenStream {
-        let (name, visibility, allowed) = (self.name, self.visibility, allowed());
+        let (name, allowed) = (self.header.name, allowed());
+        let visibility = self.header.visibility;
         let names = self.fields.iter().map(|field| field.name);
         let docs = self.fields.iter().map(|field| &field.docs);
         let places = (0..self.fields.len()).map(Literal::usize_unsuffixed);

@@ -7,7 +7,7 @@ use quote::{ToTokens, quote};
 
 use super::law::generics;
 use super::shell::{Field, Shell};
-use super::{allowed, info};
+use super::{allowed, builder, info};
 use crate::check::is_field;
 use crate::syntax::{Declaration, Line};
 
@@ -19,8 +19,10 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
     let (parameters, contacts, observables) = (count("param"), count("friction"), count("let"));
     let lanes = Literal::usize_unsuffixed(declared(written, "state").len() + 1);
     let (text, command) = (name.to_string(), info::command(name));
+    let laws = builder::builders(name, written.frictions().map(Into::into));
     quote! {
         #shell
+        #laws
 
         #allowed
         #[automatically_derived]
@@ -74,7 +76,7 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
 /// A law that cannot be asked anything.
 pub(super) fn law(written: &Declaration) -> TokenStream {
     let (shell, name, allowed) = (shell(written), &written.name, allowed());
-    let generics = generics(shell.fields.is_empty());
+    let generics = generics(name, shell.fields.is_empty());
     let structure = shell.structure(&generics, &quote!(D));
     let text = name.to_string();
     quote! {
@@ -109,9 +111,7 @@ fn shell(written: &Declaration) -> Shell<'_> {
         default: 0.0,
     };
     Shell {
-        docs: &written.docs,
-        visibility: &written.visibility,
-        name: &written.name,
+        header: written.header(),
         fields: declared(written, "param").into_iter().map(field).collect(),
     }
 }
@@ -124,7 +124,7 @@ fn declared<'a>(written: &'a Declaration, keyword: &str) -> Vec<&'a Ident> {
         Line::Param(line) => Some(&line.name).filter(|_| keyword == "param"),
         Line::Let(line) => Some(&line.name).filter(|_| keyword == "let"),
         Line::Friction(line) => Some(&line.name).filter(|_| keyword == "friction"),
-        Line::Broken(line) => line.name.as_ref().filter(|_| keyword == line.keyword),
+        Line::Broken(line) => line.name.as_ref().filter(|_| line.keyword == Some(keyword)),
         Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) => None,
     });
     names
