@@ -51,7 +51,7 @@ impl Arithmetic<'_> {
             Expr::Lit(ExprLit { lit, .. }) => self.literal(lit),
             Expr::Path(path) => self.path(path),
             Expr::Paren(inner) => Kind::Group(self.boxed(&inner.expr)),
-            Expr::Group(inner) => self.kind(&inner.expr),
+            Expr::Group(inner) => self.pasted(&inner.expr),
             Expr::Unary(unary) => self.unary(unary),
             Expr::Binary(binary) => self.binary(binary),
             Expr::Call(call) => self.call(call),
@@ -68,6 +68,14 @@ impl Arithmetic<'_> {
                 Err(error) => self.refuse(literal, error),
             },
             _ => self.refuse(literal, ONLY),
+        }
+    }
+
+    /// What another macro has pasted binds as if it stood in parentheses.
+    fn pasted(&mut self, expression: &Expr) -> Kind {
+        match expression {
+            Expr::Binary(_) | Expr::Unary(_) => Kind::Group(self.boxed(expression)),
+            _ => self.kind(expression),
         }
     }
 

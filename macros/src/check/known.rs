@@ -34,6 +34,8 @@ pub(crate) struct Parameter<'a> {
     pub(crate) unit: Option<Unit>,
     pub(crate) default: Option<f64>,
     pub(crate) bounds: Bounds,
+    /// The parameter as named in its bounds.
+    pub(crate) bounded: Option<&'a Ident>,
 }
 
 pub(crate) struct Unit {
@@ -147,6 +149,7 @@ fn parameters<'a>(written: &'a Declaration, units: &Units) -> Vec<Parameter<'a>>
         unit: unit(&line.name, line.unit.as_ref(), units),
         default: line.default.as_ref().map(|number| number.value),
         bounds: line.bounds.as_ref().map(known_bounds).unwrap_or_default(),
+        bounded: line.bounds.as_ref().map(|bounds| &bounds.name),
     };
     written.params().map(parameter).collect()
 }

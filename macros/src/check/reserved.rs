@@ -12,7 +12,10 @@ const WORDS: [&str; 7] = [
 ];
 
 /// What every model has by these names.
-const MODEL_ITEMS: [&str; 8] = [
+const MODEL_ITEMS: [&str; 11] = [
+    "INFO",
+    "KINEMATIC",
+    "SPARSITY",
     "clone",
     "default",
     "eq",
@@ -44,7 +47,7 @@ pub(super) fn check_reserved(written: &Declaration, names: &Names, errors: &mut 
 fn reserved(name: &Ident, in_model: bool) -> Option<&'static str> {
     let text = name.to_string();
     if in_model && MODEL_ITEMS.contains(&text.as_str()) {
-        Some("every model has a method of this name")
+        Some("every model has an item of this name")
     } else if in_model && text == "smooth" {
         Some("it stands for the size of the smoothing")
     } else if WORDS.contains(&text.as_str()) {

@@ -3,8 +3,9 @@
 //! Each law is named in one place, so that a misspelt law or field is one message of the compiler.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
 use syn::Path;
+use syn::spanned::Spanned;
 
 use super::allowed;
 use crate::check::Contact;
@@ -58,11 +59,10 @@ pub(super) fn builders<'a>(
 fn builder((index, Named { law, fields }): (usize, Named)) -> TokenStream {
     let (name, count) = (name(index), Literal::usize_unsuffixed(fields.len()));
     let places = (0..fields.len()).map(Literal::usize_unsuffixed);
+    let is_law = quote_spanned!(law.span()=> impl ::stickslip::friction::FrictionLaw<D>);
     quote! {
         #[inline]
-        fn #name<D: ::stickslip::scalar::Scalar>(
-            __fields: [D; #count],
-        ) -> impl ::stickslip::friction::FrictionLaw<D> {
+        fn #name<D: ::stickslip::scalar::Scalar>(__fields: [D; #count]) -> #is_law {
             #law { #(#fields: __fields[#places]),* }
         }
     }

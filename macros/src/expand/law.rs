@@ -60,7 +60,16 @@ fn structure(law: &Law) -> TokenStream {
     let shell = Shell {
         header: law.header,
         fields: law.parameters.iter().map(Into::into).collect(),
+        bounded: law
+            .parameters
+            .iter()
+            .filter_map(|parameter| parameter.bounded)
+            .collect(),
     };
     let generics = generics(law.header.name, law.parameters.is_empty());
-    shell.structure(&generics, &quote!(D))
+    let (structure, uses) = (
+        shell.structure(&generics, &quote!(D)),
+        shell.uses(&generics),
+    );
+    quote!(#structure #uses)
 }

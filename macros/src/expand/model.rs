@@ -14,6 +14,11 @@ pub(super) fn tokens(model: &Model) -> TokenStream {
     let shell = Shell {
         header: model.header,
         fields: model.parameters.iter().map(Into::into).collect(),
+        bounded: model
+            .parameters
+            .iter()
+            .filter_map(|parameter| parameter.bounded)
+            .collect(),
     };
     let contacts = model.contacts().map(builder::Named::from);
     let (shell, laws) = (

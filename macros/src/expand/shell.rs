@@ -9,6 +9,8 @@ use quote::quote;
 pub(super) struct Shell<'a> {
     pub(super) header: Header<'a>,
     pub(super) fields: Vec<Field<'a>>,
+    /// The fields as named in bounds: used nowhere, but an editor should find them.
+    pub(super) bounded: Vec<&'a Ident>,
 }
 
 /// A parameter: its name, its docs with unit, default and bounds, and its default.
@@ -22,7 +24,8 @@ impl Shell<'_> {
     pub(super) fn tokens(&self) -> TokenStream {
         let structure = self.structure(&quote!(), &quote!(f64));
         let (default, handles) = (self.default(), self.handles());
-        quote!(#structure #default #handles)
+        let uses = self.uses(&quote!());
+        quote!(#structure #default #handles #uses)
     }
 
     /// The plain struct.
@@ -47,6 +50,22 @@ impl Shell<'_> {
             #[allow(non_snake_case)]
             #visibility #keyword #name #generics {
                 #(#field_docs #visibility #names: #scalar,)*
+            }
+        }
+    }
+
+    /// A function that uses every field that has bounds.
+    pub(super) fn uses(&self, generics: &TokenStream) -> TokenStream {
+        if self.bounded.is_empty() {
+            return quote!();
+        }
+        let (name, fields, allowed) = (self.header.name, &self.bounded, allowed());
+        quote! {
+            #allowed
+            impl #generics #name #generics {
+                fn __bounded(&self) {
+                    #(let _ = &self.#fields;)*
+                }
             }
         }
     }
@@ -102,7 +121,7 @@ fn documented(parameter: &Parameter) -> TokenStream {
         parameter
             .unit
             .as_ref()
-            .map(|unit| format!("in `{}`", unit.text)),
+            .map(|unit| format!("In `{}`", unit.text)),
     );
     facts.extend(
         parameter

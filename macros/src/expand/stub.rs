@@ -113,6 +113,7 @@ fn shell(written: &Declaration) -> Shell<'_> {
     Shell {
         header: written.header(),
         fields: declared(written, "param").into_iter().map(field).collect(),
+        bounded: Vec::new(),
     }
 }
 

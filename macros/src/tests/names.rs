@@ -84,7 +84,7 @@ fn reserved_names_are_refused() {
     };
     assert_eq!(
         told("default"),
-        ["`default` cannot be a name here: every model has a method of this name; choose another"]
+        ["`default` cannot be a name here: every model has an item of this name; choose another"]
     );
     assert_eq!(
         told("smooth"),
