@@ -44,7 +44,7 @@ pub fn belt_oscillator() -> Subject<BeltOscillator, 2> {
 #[must_use]
 pub fn belt_pair() -> Subject<BeltPair, 4> {
     plain(Some(Smoothing {
-        kernel: Kernel::Arctan,
+        kernel: Kernel::Cubic,
         size: 1e3,
     }))
 }

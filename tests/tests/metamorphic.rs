@@ -1,6 +1,6 @@
 //! The same motion told in other ways: theory, section 10.
 
-use stickslip::field::{Design, Kernel, Smoothing};
+use stickslip::field::{Design, Smoothing};
 use stickslip::model::Model;
 use stickslip::shooting::{Orbit, Search, closest};
 use stickslip_models::{BeltOscillator, BeltPair};
@@ -83,8 +83,8 @@ fn a_dimensional_belt_oscillator_is_the_nondimensional_one() {
         v_dr: v_dr * speed,
         delta: delta / speed,
     };
-    let size = plain.smoothing.unwrap().size / speed;
-    let kernel = Kernel::Arctan;
+    let Smoothing { kernel, size } = plain.smoothing.unwrap();
+    let size = size / speed;
     let dimensional = Subject {
         model,
         smoothing: Some(Smoothing { kernel, size }),
@@ -129,8 +129,8 @@ fn swapped_masses_move_alike() {
         gamma: gamma * beta,
         v_dr: v_dr / beta,
     };
-    let size = plain.smoothing.unwrap().size * beta;
-    let kernel = Kernel::Arctan;
+    let Smoothing { kernel, size } = plain.smoothing.unwrap();
+    let size = size * beta;
     let swapped = Subject {
         model,
         smoothing: Some(Smoothing { kernel, size }),
