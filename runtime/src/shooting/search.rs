@@ -160,6 +160,11 @@ fn newton<F: Family<N> + Clone, const N: usize>(
     effort: Effort,
 ) -> Result<Converged<F, N>, OrbitError> {
     let family = family.with_tolerance(Tolerance::for_accuracy(effort.tolerance));
+    if at_rest(&family.at(r)?, guess)? {
+        return Err(OrbitError::Equilibrium {
+            state: guess.place.state.to_vec(),
+        });
+    }
     let (mut problem, z) = problem(family, r, guess, segments)?;
     problem.want.factors = effort.factors;
     let mut normal = DVector::zeros(z.len() + 1);
@@ -177,6 +182,15 @@ fn newton<F: Family<N> + Clone, const N: usize>(
         });
     }
     Ok((found, problem))
+}
+
+/// Whether a guess hardly moves in its period: there Newton's matrix is singular for any period.
+fn at_rest<F: Flow<N>, const N: usize>(
+    flow: &F,
+    guess: &Guess<N, F::Mode>,
+) -> Result<bool, FlowError> {
+    let velocity = flow.velocity(&guess.place)?.f;
+    Ok((0..N).all(|j| velocity[j].abs() * guess.period <= EXTENT * guess.magnitude[j]))
 }
 
 /// The shooting problem near a guess, and its unknowns.
