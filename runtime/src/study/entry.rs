@@ -51,7 +51,9 @@ pub trait Entry: Send + Sync {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StudyError {
     /// Exact dynamics were asked for.
-    #[error("`{model}` has friction, and its exact dynamics are not available yet: give `--smooth {example}`")]
+    #[error(
+        "`{model}` has friction, and its exact dynamics are not available yet: give `--smooth {example}`"
+    )]
     ExactNotAvailable {
         /// The model.
         model: &'static str,
