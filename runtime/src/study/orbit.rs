@@ -54,8 +54,18 @@ pub(super) struct Sought<'a, F: Family<N>, const N: usize> {
 
 impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
     /// The orbit at r, in the family's own count.
+    ///
+    /// A period without a start is no more than a guess: if Newton cannot use it, the motion settles from the declared start.
     pub(super) fn orbit(&self, r: f64) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-        closest(self.family, r, &self.search)
+        let found = closest(self.family, r, &self.search);
+        if found.is_ok() || self.search.period.is_none() || self.case.start.is_some() {
+            return found;
+        }
+        let search = Search {
+            period: None,
+            ..self.search
+        };
+        closest(self.family, r, &search)
     }
 
     /// The orbit as it is reported.

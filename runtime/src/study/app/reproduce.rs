@@ -15,7 +15,7 @@ pub type Reproduction = fn(folder: &Path, quiet: bool) -> Result<(), Box<dyn Err
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let Some(reproduction) = app.reproduction else {
         let command = arguments::command(app, None);
-        return Err(Failure::usage(usage::no_command("", &command)));
+        return Err(Failure::usage(usage::which_command(&command)));
     };
     let folder = options.get_one::<PathBuf>("out");
     let folder = folder.map_or(Path::new("report"), PathBuf::as_path);
