@@ -302,7 +302,14 @@ fn what_cannot_be_found_is_no_usage_error() {
 
 #[test]
 fn help_is_no_error() {
-    for line in ["--help", "orbit --help", "--version", "models"] {
+    for line in [
+        "--help",
+        "orbit --help",
+        "help",
+        "help orbit",
+        "--version",
+        "models",
+    ] {
         let answer = stickslip(&words(line));
         assert_eq!(
             (answer.code, answer.stderr.as_str()),

@@ -82,6 +82,9 @@ fn options(command: &Command) -> Vec<String> {
 
 fn no_option(word: &str, command: &Command, words: &[OsString]) -> String {
     let here = called(command, words);
+    if options(here).iter().any(|option| option == word) {
+        return format!("`{word}` stands after `--`, where only a model can stand");
+    }
     let elsewhere = command
         .get_subcommands()
         .find(|other| options(other).iter().any(|option| option == word));
