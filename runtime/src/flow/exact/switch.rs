@@ -13,7 +13,7 @@ use crate::scalar::Inline;
 /// Value of a guard, relative to its scale, up to which it has fallen where it was to fall.
 const FALLEN: f64 = 1e-12;
 /// Depth to which a guard falls, in units of what is tolerated, up to which it only grazes.
-const GRAZE: f64 = 10.0;
+const GRAZE: f64 = 1.0;
 /// Rounding error of a guard, relative to its scale.
 pub(super) const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
