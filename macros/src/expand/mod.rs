@@ -3,6 +3,7 @@
 mod agreement;
 mod builder;
 mod info;
+mod items;
 mod law;
 mod lift;
 mod model;

@@ -5,9 +5,10 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::items::{Items, Sizes};
 use super::lift::Lift;
 use super::shell::Shell;
-use super::{agreement, allowed, builder, info, pattern};
+use super::{agreement, builder, info, pattern};
 use crate::check::{Model, Step};
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
@@ -25,72 +26,34 @@ pub(super) fn tokens(model: &Model) -> TokenStream {
         shell.tokens(),
         builder::builders(model.header.name, contacts),
     );
-    let implementation = implementation(model);
+    let items = items(model).tokens();
     let agreements = agreement::assertions(model);
-    quote!(#shell #laws #implementation #agreements)
+    quote!(#shell #laws #items #agreements)
 }
 
-fn implementation(model: &Model) -> TokenStream {
-    let (name, allowed, info) = (model.header.name, allowed(), info::of_model(model));
-    let [states, parameters, contacts, observables] = sizes(model);
-    let lanes = Literal::usize_unsuffixed(model.states.len() + 1);
-    let (kinematic, sparsity) = (kinematic(model), sparsity(model));
+fn items<'a>(model: &Model<'a>) -> Items<'a> {
     let fields: Vec<&Ident> = model
         .parameters
         .iter()
         .map(|parameter| parameter.name)
         .collect();
     let places = (0..fields.len()).map(Literal::usize_unsuffixed);
-    let (rhs, observed) = (rhs(model), observed(model));
-    quote! {
-        #allowed
-        #[automatically_derived]
-        impl ::stickslip::model::Model<#states> for #name {
-            type Params<D: ::stickslip::scalar::Scalar> = [D; #parameters];
-            type PerContact<T: ::core::marker::Copy + ::core::marker::Send + ::core::marker::Sync> =
-                [T; #contacts];
-            type Observables = [f64; #observables];
-            type Lanes = ::stickslip::DualSVec64<#lanes>;
-
-            const INFO: &'static ::stickslip::model::ModelInfo = &#info;
-            const KINEMATIC: [::core::option::Option<usize>; #states] = #kinematic;
-            const SPARSITY: [[bool; #states]; #states] = #sparsity;
-
-            #[inline]
-            fn values(&self) -> [f64; #parameters] {
-                [#(self.#fields),*]
-            }
-
-            #[inline]
-            fn from_values(__values: [f64; #parameters]) -> Self {
-                Self { #(#fields: __values[#places]),* }
-            }
-
-            #[inline]
-            fn rhs<D: ::stickslip::scalar::Scalar>(
-                __params: &[D; #parameters],
-                __state: [D; #states],
-                __contacts: &mut impl ::stickslip::friction::ContactRule<D>,
-            ) -> [D; #states] {
-                #rhs
-            }
-
-            #[inline]
-            fn observables(
-                __params: &[f64; #parameters],
-                __state: [f64; #states],
-                __contacts: &mut impl ::stickslip::friction::ContactRule<f64>,
-            ) -> [f64; #observables] {
-                #observed
-            }
-        }
+    Items {
+        name: model.header.name,
+        sizes: Sizes {
+            states: model.states.len(),
+            parameters: model.parameters.len(),
+            contacts: model.contacts().count(),
+            observables: model.lets().count(),
+        },
+        info: info::of_model(model),
+        kinematic: kinematic(model),
+        sparsity: sparsity(model),
+        values: quote!([#(self.#fields),*]),
+        from_values: quote!(Self { #(#fields: __values[#places]),* }),
+        rhs: rhs(model),
+        observables: observables(model),
     }
-}
-
-/// The numbers of states, parameters, contacts and observables.
-fn sizes(model: &Model) -> [Literal; 4] {
-    let (contacts, lets) = (model.contacts().count(), model.lets().count());
-    [model.states.len(), model.parameters.len(), contacts, lets].map(Literal::usize_unsuffixed)
 }
 
 fn kinematic(model: &Model) -> TokenStream {
@@ -131,7 +94,7 @@ fn rhs(model: &Model) -> TokenStream {
 }
 
 /// The body of `observables`.
-fn observed(model: &Model) -> TokenStream {
+fn observables(model: &Model) -> TokenStream {
     if model.lets().next().is_none() {
         return quote!([]);
     }

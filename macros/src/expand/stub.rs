@@ -2,9 +2,10 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::items::{Items, Sizes};
 use super::law::generics;
 use super::shell::{Field, Shell};
 use super::{allowed, builder, info};
@@ -13,62 +14,42 @@ use crate::syntax::{Declaration, Line};
 
 /// A model that cannot be asked anything.
 pub(super) fn model(written: &Declaration) -> TokenStream {
-    let (shell, name, allowed) = (shell(written).tokens(), &written.name, allowed());
-    let count = |keyword: &str| Literal::usize_unsuffixed(declared(written, keyword).len());
-    let states = count("state");
-    let (parameters, contacts, observables) = (count("param"), count("friction"), count("let"));
-    let lanes = Literal::usize_unsuffixed(declared(written, "state").len() + 1);
-    let (text, command) = (name.to_string(), info::command(name));
+    let (shell, name) = (shell(written).tokens(), &written.name);
     let laws = builder::builders(name, written.frictions().map(Into::into));
+    let count = |keyword| declared(written, keyword).len();
+    let states = count("state");
+    let unreachable = || quote!(::core::unreachable!());
+    let items = Items {
+        name,
+        sizes: Sizes {
+            states,
+            parameters: count("param"),
+            contacts: count("friction"),
+            observables: count("let"),
+        },
+        info: info(name),
+        kinematic: quote!([::core::option::Option::None; #states]),
+        sparsity: quote!([[false; #states]; #states]),
+        values: unreachable(),
+        from_values: unreachable(),
+        rhs: unreachable(),
+        observables: unreachable(),
+    };
+    let items = items.tokens();
+    quote!(#shell #laws #items)
+}
+
+fn info(name: &Ident) -> TokenStream {
+    let (text, command) = (name.to_string(), info::command(name));
     quote! {
-        #shell
-        #laws
-
-        #allowed
-        #[automatically_derived]
-        impl ::stickslip::model::Model<#states> for #name {
-            type Params<D: ::stickslip::scalar::Scalar> = [D; #parameters];
-            type PerContact<T: ::core::marker::Copy + ::core::marker::Send + ::core::marker::Sync> =
-                [T; #contacts];
-            type Observables = [f64; #observables];
-            type Lanes = ::stickslip::DualSVec64<#lanes>;
-
-            const INFO: &'static ::stickslip::model::ModelInfo = &::stickslip::model::ModelInfo {
-                name: #text,
-                command: #command,
-                doc: "",
-                states: &[],
-                parameters: &[],
-                observables: &[],
-                contacts: &[],
-            };
-            const KINEMATIC: [::core::option::Option<usize>; #states] =
-                [::core::option::Option::None; #states];
-            const SPARSITY: [[bool; #states]; #states] = [[false; #states]; #states];
-
-            fn values(&self) -> [f64; #parameters] {
-                ::core::unreachable!()
-            }
-
-            fn from_values(_: [f64; #parameters]) -> Self {
-                ::core::unreachable!()
-            }
-
-            fn rhs<D: ::stickslip::scalar::Scalar>(
-                _: &[D; #parameters],
-                _: [D; #states],
-                _: &mut impl ::stickslip::friction::ContactRule<D>,
-            ) -> [D; #states] {
-                ::core::unreachable!()
-            }
-
-            fn observables(
-                _: &[f64; #parameters],
-                _: [f64; #states],
-                _: &mut impl ::stickslip::friction::ContactRule<f64>,
-            ) -> [f64; #observables] {
-                ::core::unreachable!()
-            }
+        ::stickslip::model::ModelInfo {
+            name: #text,
+            command: #command,
+            doc: "",
+            states: &[],
+            parameters: &[],
+            observables: &[],
+            contacts: &[],
         }
     }
 }

@@ -1,3 +1,4 @@
+use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use crate::arithmetic;
@@ -101,4 +102,46 @@ fn a_stub_stands_beside_errors() {
     assert_eq!(begins("struct Belt"), 1);
     assert_eq!(begins("const k :"), 1);
     assert_eq!(begins("Model < 1 > for Belt"), 1);
+}
+
+/// The tokens with one of them left out, or struck twice, at any depth.
+fn mutilated(tokens: &TokenStream) -> Vec<TokenStream> {
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    let with = |i: usize, between: &[TokenTree]| {
+        let parts = [&tokens[..i], between, &tokens[i + 1..]];
+        parts.concat().into_iter().collect::<TokenStream>()
+    };
+    let mut found = Vec::new();
+    for (i, token) in tokens.iter().enumerate() {
+        found.push(with(i, &[]));
+        found.push(with(i, &[token.clone(), token.clone()]));
+        if let TokenTree::Group(group) = token {
+            for inner in mutilated(&group.stream()) {
+                let group = Group::new(group.delimiter(), inner);
+                found.push(with(i, &[group.into()]));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn no_mutilated_declaration_is_lost() {
+    let belt = format!("pub struct M {{ {} }}", super::BELT);
+    let law = "pub struct L { param a: N where 0 <= a < 1e3; stick = a; slip(s) = a / (1.0 + s); }";
+    let cases = [
+        (
+            belt.as_str(),
+            crate::expand::model as fn(TokenStream) -> TokenStream,
+        ),
+        (law, crate::expand::law),
+    ];
+    for (declaration, expand) in cases {
+        let tokens: TokenStream = declaration.parse().expect("the test is made of tokens");
+        for tokens in mutilated(&tokens) {
+            let expanded = expand(tokens.clone());
+            assert!(!expanded.is_empty(), "{tokens}");
+            assert!(syn::parse2::<syn::File>(expanded).is_ok(), "{tokens}");
+        }
+    }
 }
