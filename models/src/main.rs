@@ -1,2 +1,5 @@
 //! The program `stickslip`.
-fn main() {}
+
+use stickslip_models::{BeltOscillator, BeltPair, DrillString, VanDerPol};
+
+stickslip::app!(VanDerPol, BeltOscillator, BeltPair, DrillString);

@@ -16,6 +16,7 @@ pub mod math;
 pub mod model;
 pub mod scalar;
 pub mod shooting;
+pub mod study;
 pub mod suggest;
 
 #[cfg(test)]

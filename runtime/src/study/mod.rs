@@ -1,0 +1,27 @@
+//! Whole studies of declared models: what is asked, how it is answered, and what the answer holds.
+//!
+//! A [`Case`] says what is asked, an [`Entry`] is a model that answers, whatever its number of states; records are the
+//! answers, free of type parameters, for programs, tables and figures.
+
+#[cfg(feature = "app")]
+pub mod app;
+mod branch;
+mod case;
+mod entry;
+mod orbit;
+mod trajectory;
+
+pub use branch::{BranchRecord, Ended, Special};
+pub use case::{Along, Case, Dynamics};
+pub use entry::{Entry, StudyError, entry};
+pub use orbit::OrbitRecord;
+pub use trajectory::Trajectory;
+
+/// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
+#[cfg(not(feature = "app"))]
+#[macro_export]
+macro_rules! app {
+    ($($model:ty),+ $(,)?) => {
+        compile_error!("`app!` needs the feature `app`: write `stickslip = { version = \"...\", features = [\"app\"] }`");
+    };
+}
