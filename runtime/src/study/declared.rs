@@ -79,7 +79,10 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         }
         let mut seeds = match case.dynamics {
             Dynamics::Exact => on_the_belt(&Self::model(case), start),
-            Dynamics::Smoothed(_) => Self::exact_orbit(case).into_iter().collect(),
+            Dynamics::Smoothed(_) => Self::exact_orbit(case).map_or_else(Vec::new, |seed| {
+                // A copy may be out of reach of Newton and yet settle from there.
+                vec![seed, Seed::at(seed.start)]
+            }),
             Dynamics::Smooth => Vec::new(),
         };
         seeds.push(declared);
