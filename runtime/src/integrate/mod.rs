@@ -5,6 +5,7 @@ mod carried;
 mod control;
 mod dense;
 mod dop853;
+mod estimate;
 pub mod event;
 pub mod explicit;
 mod stepper;
