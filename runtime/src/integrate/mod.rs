@@ -6,6 +6,7 @@ mod collocation;
 mod control;
 mod dense;
 mod dop853;
+mod estimate;
 pub mod event;
 pub mod explicit;
 mod look;
