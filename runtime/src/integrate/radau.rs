@@ -216,6 +216,10 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 );
                 continue;
             }
+            if self.field.leaps(&trial.start, &trial.end()) {
+                self.reject(0.3 * step);
+                continue;
+            }
             let mut collocation = Collocation::new(self.tableau, &trial.increments);
             if let Some(shorter) = self.stop_at_kink(&trial, &collocation) {
                 trial = shorter;
