@@ -7,8 +7,10 @@
 pub mod app;
 mod branch;
 mod case;
+mod declared;
 mod entry;
 mod orbit;
+mod seed;
 mod trajectory;
 
 pub use branch::{BranchRecord, Ended, Special};
