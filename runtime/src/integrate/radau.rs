@@ -227,6 +227,10 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 );
                 continue;
             }
+            if self.field.leaps(&trial.start, &trial.end()) {
+                self.reject(0.3 * step);
+                continue;
+            }
             let mut collocation = Collocation::new(self.tableau, &trial.increments);
             match self.stop_at_kink(&trial, &collocation) {
                 Kink::None => {}
