@@ -4,6 +4,8 @@ pub mod belt_oscillator;
 pub mod belt_pair;
 pub mod drill_string;
 pub mod friction;
+#[cfg(feature = "app")]
+pub mod reproduce;
 pub mod van_der_pol;
 
 pub use belt_oscillator::BeltOscillator;

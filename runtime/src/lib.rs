@@ -16,6 +16,8 @@ pub mod math;
 pub mod model;
 pub mod scalar;
 pub mod shooting;
+#[cfg(feature = "app")]
+pub mod study;
 pub mod suggest;
 
 #[cfg(test)]
