@@ -1,26 +1,29 @@
 //! The declaration language of `stickslip`: [`model!`] and [`friction_law!`].
 //!
-//! A declaration passes through three representations that never mix: as written ([`syntax`]),
-//! known good ([`check`]) and tokens ([`expand`]). Whatever is wrong is collected on the way.
+//! A declaration passes through three representations that never mix: as written (`syntax`),
+//! known good (`check`) and tokens (`expand`). Whatever is wrong is collected on the way.
 
 mod arithmetic;
 mod check;
 mod errors;
 mod expand;
+mod formula;
 mod parse;
 mod suggest;
 mod syntax;
-mod text;
+
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 
-/// Declares a model: its states, parameters, friction and equations.
+/// Expands a model, as `stickslip::model!` describes.
 #[proc_macro]
 pub fn model(declaration: TokenStream) -> TokenStream {
     expand::model(declaration.into()).into()
 }
 
-/// Declares a friction law: the largest force at rest and the force at a sliding speed.
+/// Expands a friction law, as `stickslip::friction_law!` describes.
 #[proc_macro]
 pub fn friction_law(declaration: TokenStream) -> TokenStream {
     expand::law(declaration.into()).into()

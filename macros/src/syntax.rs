@@ -1,8 +1,12 @@
 //! Declarations as they are written.
 
+use std::fmt::{Display, Formatter, Result};
+
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
-use syn::{Attribute, Path, Visibility};
+use syn::{Attribute, Path, Token, Visibility};
+
+use crate::formula::{Formula, Number, tight};
 
 /// The words that join the parts of a line.
 pub(crate) mod word {
@@ -13,8 +17,29 @@ pub(crate) mod word {
 pub(crate) struct Declaration {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) visibility: Visibility,
+    pub(crate) keyword: Token![struct],
     pub(crate) name: Ident,
     pub(crate) lines: Vec<Line>,
+}
+
+/// What stands before the braces.
+#[derive(Clone, Copy)]
+pub(crate) struct Header<'a> {
+    pub(crate) docs: &'a [Attribute],
+    pub(crate) visibility: &'a Visibility,
+    pub(crate) keyword: Token![struct],
+    pub(crate) name: &'a Ident,
+}
+
+impl Declaration {
+    pub(crate) fn header(&self) -> Header<'_> {
+        Header {
+            docs: &self.docs,
+            visibility: &self.visibility,
+            keyword: self.keyword,
+            name: &self.name,
+        }
+    }
 }
 
 pub(crate) enum Line {
@@ -89,16 +114,10 @@ pub(crate) struct Slip {
 }
 
 /// What is left of a line that could not be read.
+#[derive(Default)]
 pub(crate) struct Broken {
-    pub(crate) keyword: String,
+    pub(crate) keyword: Option<&'static str>,
     pub(crate) name: Option<Ident>,
-}
-
-/// A literal with its sign.
-#[derive(Clone)]
-pub(crate) struct Number {
-    pub(crate) value: f64,
-    pub(crate) source: TokenStream,
 }
 
 /// `low < name <= high`, either end absent.
@@ -126,82 +145,10 @@ pub(crate) struct UnitFactor {
     pub(crate) divides: bool,
 }
 
-/// A formula with the tokens it was read from.
-#[derive(Clone)]
-pub(crate) struct Formula {
-    pub(crate) kind: Kind,
-    pub(crate) source: TokenStream,
-}
-
-#[derive(Clone)]
-pub(crate) enum Kind {
-    Number(Number),
-    /// `std::f64::consts::PI`
-    Constant(Path),
-    Name(Ident),
-    Group(Box<Formula>),
-    Minus(Box<Formula>),
-    Binary(Box<Formula>, Operator, Box<Formula>),
-    /// A function of one argument.
-    Call(Ident, Box<Formula>),
-    /// `powi(base, exponent)`
-    Power(Box<Formula>, i32),
-    /// `powf(base, exponent)`
-    RealPower(Ident, Box<Formula>, Box<Formula>),
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-}
-
-impl Formula {
-    /// The formula that is only a name.
-    pub(crate) fn name(name: &Ident) -> Self {
-        Self {
-            kind: Kind::Name(name.clone()),
-            source: name.to_token_stream(),
-        }
-    }
-
-    /// The formula without the parentheses around it.
-    pub(crate) fn bare(&self) -> &Self {
-        match &self.kind {
-            Kind::Group(inner) => inner.bare(),
-            _ => self,
-        }
-    }
-
-    /// The formulas of which this one is made.
-    pub(crate) fn parts(&self) -> Vec<&Self> {
-        match &self.kind {
-            Kind::Number(_) | Kind::Constant(_) | Kind::Name(_) => Vec::new(),
-            Kind::Group(x) | Kind::Minus(x) | Kind::Call(_, x) | Kind::Power(x, _) => vec![x],
-            Kind::Binary(x, _, y) | Kind::RealPower(_, x, y) => vec![x, y],
-        }
-    }
-
-    /// Every name that occurs, from left to right.
-    pub(crate) fn names(&self) -> Vec<&Ident> {
-        match &self.kind {
-            Kind::Name(name) => vec![name],
-            _ => self.parts().into_iter().flat_map(Self::names).collect(),
-        }
-    }
-}
-
-impl ToTokens for Formula {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
-
-impl ToTokens for Number {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
+/// As written, without spaces.
+impl Display for Unit {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str(&tight(&self.source))
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub mod belt_oscillator;
 pub mod belt_pair;
+pub mod closed_form;
 pub mod drill_string;
 pub mod friction;
 #[cfg(feature = "app")]

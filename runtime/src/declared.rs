@@ -11,3 +11,132 @@ pub const fn info_of<L: FrictionLaw<f64>, const FIELDS: usize>(
 ) -> &'static LawInfo {
     L::INFO
 }
+
+/// Exponents of m, kg, s, A, K, mol, cd.
+type Dimension = [i8; 7];
+
+/// The dimensions of a contact, each where it is known.
+///
+/// They are what N, m and s stand for in the units of a law: m is the dimension of speed times time.
+pub struct Contact {
+    /// Dimension of the friction force.
+    pub force: Option<Dimension>,
+    /// Dimension of the relative speed.
+    pub speed: Option<Dimension>,
+    /// Dimension of time.
+    pub time: Dimension,
+}
+
+impl Contact {
+    /// Whether a law's field may hold a quantity of this dimension; yes where nothing is stated.
+    #[must_use]
+    pub const fn accepts(&self, law: &LawInfo, field: &str, found: Dimension) -> bool {
+        let mut i = 0;
+        while i < law.parameters.len() {
+            let parameter = &law.parameters[i];
+            if same(parameter.name, field) {
+                return match &parameter.unit {
+                    Some(unit) => self.agrees(unit.dimension, found),
+                    None => true,
+                };
+            }
+            i += 1;
+        }
+        true
+    }
+
+    /// Whether a dimension of a law, written with N, m and s, is the one found in the model.
+    const fn agrees(&self, stated: Dimension, found: Dimension) -> bool {
+        let forces = stated[1];
+        let lengths = stated[0] - forces;
+        let times = stated[2] + 2 * forces;
+        let mut wanted = [0, 0, 0, stated[3], stated[4], stated[5], stated[6]];
+        match &self.force {
+            Some(force) => wanted = times_power(wanted, force, forces),
+            None if forces != 0 => return true,
+            None => {}
+        }
+        match &self.speed {
+            Some(speed) => wanted = times_power(wanted, speed, lengths),
+            None if lengths != 0 => return true,
+            None => {}
+        }
+        wanted = times_power(wanted, &self.time, lengths + times);
+        let mut i = 0;
+        while i < wanted.len() {
+            if wanted[i] != found[i] {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+}
+
+const fn times_power(mut product: Dimension, factor: &Dimension, power: i8) -> Dimension {
+    let mut i = 0;
+    while i < product.len() {
+        product[i] += power * factor[i];
+        i += 1;
+    }
+    product
+}
+
+const fn same(left: &str, right: &str) -> bool {
+    let (left, right) = (left.as_bytes(), right.as_bytes());
+    let mut i = 0;
+    while i < left.len() && i < right.len() && left[i] == right[i] {
+        i += 1;
+    }
+    i == left.len() && i == right.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Contact;
+
+    const NEWTON: [i8; 7] = [1, 1, -2, 0, 0, 0, 0];
+    const TORQUE: [i8; 7] = [2, 1, -2, 0, 0, 0, 0];
+    const NEWTON_SECOND_PER_METRE: [i8; 7] = [0, 1, -1, 0, 0, 0, 0];
+    const PER_SECOND: [i8; 7] = [0, 0, -1, 0, 0, 0, 0];
+    const SECOND: [i8; 7] = [0, 0, 1, 0, 0, 0, 0];
+    const SECOND_PER_METRE: [i8; 7] = [-1, 0, 1, 0, 0, 0, 0];
+    const ONE: [i8; 7] = [0; 7];
+
+    #[test]
+    fn a_law_in_newtons_serves_torques() {
+        let bit = Contact {
+            force: Some(TORQUE),
+            speed: Some(PER_SECOND),
+            time: SECOND,
+        };
+        assert!(bit.agrees(NEWTON, TORQUE));
+        assert!(!bit.agrees(NEWTON, NEWTON));
+        assert!(bit.agrees(SECOND_PER_METRE, SECOND));
+        assert!(bit.agrees(NEWTON_SECOND_PER_METRE, [2, 1, -1, 0, 0, 0, 0]));
+    }
+
+    #[test]
+    fn a_law_in_newtons_serves_nondimensional_models() {
+        let contact = Contact {
+            force: Some(ONE),
+            speed: Some(ONE),
+            time: ONE,
+        };
+        assert!(contact.agrees(NEWTON, ONE));
+        assert!(contact.agrees(SECOND_PER_METRE, ONE));
+        assert!(!contact.agrees(SECOND_PER_METRE, SECOND));
+    }
+
+    #[test]
+    fn what_is_not_stated_is_not_compared() {
+        let contact = Contact {
+            force: None,
+            speed: Some([1, 0, -1, 0, 0, 0, 0]),
+            time: SECOND,
+        };
+        assert!(contact.agrees(NEWTON, SECOND));
+        assert!(contact.agrees(SECOND_PER_METRE, SECOND_PER_METRE));
+        assert!(!contact.agrees(SECOND_PER_METRE, SECOND));
+    }
+}

@@ -1,185 +1,116 @@
-//! Small models for the unit tests of this crate, written out by hand.
+//! Small systems for the unit tests of this crate, each the simplest with the trait that is tested.
 
-use num_dual::DualSVec64;
+use stickslip::{friction_law, model};
 
-use crate::friction::{ContactRule, FrictionLaw, LawInfo};
-use crate::model::{Contact, Model, ModelInfo, Parameter, State};
-use crate::scalar::Scalar;
+friction_law! {
+    /// Weakening with speed, from a level that may lie below the limit at rest.
+    pub(crate) struct Weakening {
+        /// Largest static force.
+        param peak: N where peak >= 0.0;
+        /// Force at the beginning of sliding.
+        param limit: N where limit >= 0.0;
+        /// Rate of weakening.
+        param decay: s/m where decay >= 0.0;
 
-/// stick = peak, slip(s) = limit/(1 + decay s).
-pub(crate) struct Weakening<D> {
-    pub(crate) peak: D,
-    pub(crate) limit: D,
-    pub(crate) decay: D,
-}
-
-impl<D: Scalar> FrictionLaw<D> for Weakening<D> {
-    const INFO: &'static LawInfo = &LAW;
-
-    fn stick(&self) -> D {
-        self.peak
-    }
-
-    fn slip(&self, speed: D) -> D {
-        self.limit / (self.decay * speed + 1.0)
+        stick = peak;
+        slip(s) = limit / (1.0 + decay * s);
     }
 }
 
-const LAW: LawInfo = LawInfo {
-    name: "Weakening",
-    doc: "",
-    parameters: &[],
-    stick: "peak",
-    slip: "limit / (1.0 + decay * s)",
-};
-
-const fn state(start: f64) -> State {
-    State {
-        name: "",
-        doc: "",
-        unit: None,
-        start,
-        equation: "",
+model! {
+    /// One mass on a belt, with a limit at rest of its own.
+    pub(crate) struct Belt {
+        state x = 1.0;
+        state v = 0.0;
+        param m = 1.0 where m > 0.0;
+        param k = 1.0 where k > 0.0;
+        param v_dr = 0.2;
+        param limit = 1.0 where limit >= 0.0;
+        param decay = 3.0 where decay >= 0.0;
+        param peak = 1.0 where peak >= 0.0;
+        friction F = Weakening { peak: peak, limit: limit, decay: decay } opposing v - v_dr;
+        der(x) = v;
+        der(v) = (F - k * x) / m;
     }
 }
 
-const CONTACT: Contact = Contact {
-    name: "F",
-    doc: "",
-    unit: None,
-    law: &LAW,
-    fields: "",
-    speed: "",
-};
-
-macro_rules! by_hand {
-    ($(#[doc = $doc:literal])* $name:ident, $n:literal states, $lanes:literal lanes, $p:literal parameters,
-     $c:literal contacts, $defaults:expr, |$params:ident, $y:ident, $contacts:ident| $body:block) => {
-        $(#[doc = $doc])*
-        #[derive(Debug, Clone, Copy)]
-        pub(crate) struct $name(pub(crate) [f64; $p]);
-
-        impl Default for $name {
-            fn default() -> Self {
-                Self($defaults)
-            }
-        }
-
-        impl Model<$n> for $name {
-            type Params<D: Scalar> = [D; $p];
-            type PerContact<T: Copy + Send + Sync> = [T; $c];
-            type Observables = [f64; 0];
-            type Lanes = DualSVec64<$lanes>;
-
-            const INFO: &'static ModelInfo = &ModelInfo {
-                name: stringify!($name),
-                command: stringify!($name),
-                doc: "",
-                states: &[const { state(0.0) }; $n],
-                parameters: &[] as &[Parameter],
-                observables: &[],
-                contacts: &[CONTACT; $c],
-            };
-            const KINEMATIC: [Option<usize>; $n] = [None; $n];
-            const SPARSITY: [[bool; $n]; $n] = [[true; $n]; $n];
-
-            fn values(&self) -> [f64; $p] {
-                self.0
-            }
-
-            fn from_values(values: [f64; $p]) -> Self {
-                Self(values)
-            }
-
-            fn rhs<D: Scalar>(
-                $params: &[D; $p],
-                $y: [D; $n],
-                $contacts: &mut impl ContactRule<D>,
-            ) -> [D; $n] $body
-
-            fn observables(
-                _: &[f64; $p],
-                _: [f64; $n],
-                _: &mut impl ContactRule<f64>,
-            ) -> [f64; 0] {
-                []
-            }
-        }
-    };
-}
-
-by_hand! {
-    /// One mass on a belt: m, k, v_dr, limit, decay, peak.
-    Belt, 2 states, 3 lanes, 6 parameters, 1 contacts, [1.0, 1.0, 0.2, 1.0, 3.0, 1.0],
-    |p, y, contacts| {
-        let [m, k, belt, limit, decay, peak] = *p;
-        let [x, v] = y;
-        let force = contacts.force(0, &Weakening { peak, limit, decay }, v - belt);
-        [v, (force - k * x) / m]
-    }
-}
-
-by_hand! {
-    /// Two masses on a belt: α, β, γ, v_dr, peak over limit.
-    Pair, 4 states, 5 lanes, 5 parameters, 2 contacts, [1.2, 1.3, 3.0, 0.14, 1.0],
-    |p, y, contacts| {
-        let [alpha, beta, decay, belt, peak] = *p;
-        let [x1, v1, x2, v2] = y;
-        let one = D::from(1.0);
-        let first = contacts.force(0, &Weakening { peak, limit: one, decay }, v1 - belt);
-        let second = contacts.force(1, &Weakening { peak: peak * beta, limit: beta, decay }, v2 - belt);
+model! {
+    /// Two masses on a belt.
+    pub(crate) struct Pair {
+        state x1 = -0.5976;
+        state v1 = 0.0;
+        state x2 = -0.4604;
+        state v2 = -0.1607;
+        param v_dr = 0.14;
+        param alpha = 1.2 where alpha >= 0.0;
+        param beta = 1.3 where beta > 0.0;
+        param peak = 1.0 where peak >= 0.0;
+        friction f1 = Weakening { peak: peak, limit: 1.0, decay: 3.0 } opposing v1 - v_dr;
+        friction f2 = Weakening { peak: beta * peak, limit: beta, decay: 3.0 } opposing v2 - v_dr;
         let coupling = alpha * (x1 - x2);
-        [v1, first - x1 - coupling, v2, second - x2 + coupling]
+        der(x1) = v1;
+        der(v1) = f1 - x1 - coupling;
+        der(x2) = v2;
+        der(v2) = f2 - x2 + coupling;
     }
 }
 
-by_hand! {
-    /// A sledge on a belt that carries another: the upper contact rubs between them, G is full, the lower
-    /// mass grows with its place, the upper spring hardens. v_dr, upper mass, peak over limit, growth.
-    Sledges, 4 states, 5 lanes, 4 parameters, 2 contacts, [0.3, 0.7, 1.2, 0.2],
-    |p, y, contacts| {
-        let [belt, upper, peak, growth] = *p;
-        let [x1, v1, x2, v2] = y;
-        let (one, half, decay) = (D::from(1.0), D::from(0.5), D::from(2.0));
-        let lower = growth * x1 * x1 + 1.0;
-        let ground = contacts.force(0, &Weakening { peak, limit: one, decay }, v1 - belt);
-        let between = contacts.force(1, &Weakening { peak: peak * half, limit: half, decay }, v2 - v1);
-        let pull = -x2 - x2 * x2 * x2 * 0.3;
-        [v1, (ground - between - x1) / lower, v2, (between + pull) / upper]
+model! {
+    /// A sledge on a belt that carries another: the upper contact rubs between them, so G is full, and the
+    /// lower mass grows with its place, so G is not constant.
+    pub(crate) struct Sledges {
+        state x1 = 0.0;
+        state v1 = 0.0;
+        state x2 = 0.0;
+        state v2 = 0.0;
+        param v_dr = 0.3;
+        param upper = 0.7 where upper > 0.0;
+        param peak = 1.2 where peak >= 1.0;
+        param growth = 0.2 where growth >= 0.0;
+        friction ground = Weakening { peak: peak, limit: 1.0, decay: 2.0 } opposing v1 - v_dr;
+        friction between = Weakening { peak: 0.5 * peak, limit: 0.5, decay: 2.0 } opposing v2 - v1;
+        der(x1) = v1;
+        der(v1) = (ground - between - x1) / (1.0 + growth * x1 * x1);
+        der(x2) = v2;
+        der(v2) = (between - x2 - 0.3 * x2 * x2 * x2) / upper;
     }
 }
 
-by_hand! {
-    /// A bead in a groove whose floor moves with the square of the place: w is not affine. v_dr, peak, curvature.
-    Groove, 2 states, 3 lanes, 3 parameters, 1 contacts, [0.3, 1.1, 0.2],
-    |p, y, contacts| {
-        let [belt, peak, curvature] = *p;
-        let [x, v] = y;
-        let (limit, decay) = (D::from(1.0), D::from(2.0));
-        let speed = v - belt * (curvature * x * x + 1.0);
-        let force = contacts.force(0, &Weakening { peak, limit, decay }, speed);
-        [v, force - x]
+model! {
+    /// A bead on a belt whose speed depends on the place: w is not affine.
+    pub(crate) struct Groove {
+        state x = 1.0;
+        state v = 0.0;
+        param v_dr = 0.3;
+        param peak = 1.1 where peak >= 1.0;
+        param curvature = 0.2;
+        friction F = Weakening { peak: peak, limit: 1.0, decay: 2.0 } opposing v - v_dr * (1.0 + curvature * x * x);
+        der(x) = v;
+        der(v) = F - x;
     }
 }
 
-by_hand! {
+model! {
     /// A force whose sign is wrong: it pushes the way the contact slides.
-    Wrong, 2 states, 3 lanes, 1 parameters, 1 contacts, [1.0],
-    |p, y, contacts| {
-        let [limit] = *p;
-        let law = Weakening { peak: limit, limit, decay: D::from(0.0) };
-        let force = contacts.force(0, &law, y[1]);
-        [y[1], -force - y[0]]
+    pub(crate) struct Wrong {
+        state x = 0.0;
+        state v = 0.0;
+        param limit = 1.0 where limit >= 0.0;
+        friction F = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v;
+        der(x) = v;
+        der(v) = -F - x;
     }
 }
 
-by_hand! {
+model! {
     /// Two friction elements in parallel: their forces at rest are not unique.
-    Parallel, 2 states, 3 lanes, 1 parameters, 2 contacts, [1.0],
-    |p, y, contacts| {
-        let [limit] = *p;
-        let law = Weakening { peak: limit, limit, decay: D::from(0.0) };
-        let force = contacts.force(0, &law, y[1]) + contacts.force(1, &law, y[1]);
-        [y[1], force - y[0]]
+    pub(crate) struct Parallel {
+        state x = 0.0;
+        state v = 0.0;
+        param limit = 1.0 where limit >= 0.0;
+        friction F = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v;
+        friction H = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v;
+        der(x) = v;
+        der(v) = F + H - x;
     }
 }

@@ -7,6 +7,10 @@ use crate::scalar::Scalar;
 ///
 /// With w the relative speed of the contact and λ its force: λ = −slip(|w|) sgn w while it slides,
 /// |λ| ≤ stick while it rests. Declared with `friction_law!`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a friction law",
+    label = "not declared with `friction_law!`"
+)]
 pub trait FrictionLaw<D: Scalar> {
     /// What is known about the law without its parameters.
     const INFO: &'static LawInfo;

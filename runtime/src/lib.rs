@@ -16,7 +16,6 @@ pub mod math;
 pub mod model;
 pub mod scalar;
 pub mod shooting;
-#[cfg(feature = "app")]
 pub mod study;
 pub mod suggest;
 
@@ -24,4 +23,7 @@ pub mod suggest;
 mod examples;
 
 pub use num_dual::DualSVec64;
-pub use stickslip_macros::{friction_law, model};
+#[doc = include_str!("../docs/friction_law.md")]
+pub use stickslip_macros::friction_law;
+#[doc = include_str!("../docs/model.md")]
+pub use stickslip_macros::model;

@@ -4,7 +4,7 @@ use crate::errors::Errors;
 use crate::syntax::{Bound, Bounds, Declaration, Param};
 
 /// The bounds of a parameter are about that parameter.
-pub(super) fn check_names(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_bound_names(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
         let (own, other) = (&param.name, &bounds.name);
         if own != other {
@@ -17,13 +17,9 @@ pub(super) fn check_names(written: &Declaration, errors: &mut Errors) {
 }
 
 /// Some value is left between the bounds.
-pub(super) fn check_intervals(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_bounds_not_empty(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
-        let (Some(lower), Some(upper)) = (&bounds.lower, &bounds.upper) else {
-            continue;
-        };
-        let (low, high) = (lower.number.value, upper.number.value);
-        if low > high || (low == high && !(lower.inclusive && upper.inclusive)) {
+        if is_empty(bounds) {
             let (name, described) = (&param.name, describe(bounds));
             errors.at(
                 bounds,
@@ -34,12 +30,12 @@ pub(super) fn check_intervals(written: &Declaration, errors: &mut Errors) {
 }
 
 /// The default keeps its own bounds.
-pub(super) fn check_defaults(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_defaults_in_bounds(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
         let Some(default) = &param.default else {
             continue;
         };
-        if !contains(bounds, default.value) {
+        if !is_empty(bounds) && !contains(bounds, default.value) {
             let (name, described) = (&param.name, describe(bounds));
             errors.at(
                 default,
@@ -53,6 +49,14 @@ fn bounded(written: &Declaration) -> impl Iterator<Item = (&Param, &Bounds)> {
     written
         .params()
         .filter_map(|param| Some((param, param.bounds.as_ref()?)))
+}
+
+fn is_empty(bounds: &Bounds) -> bool {
+    let (Some(lower), Some(upper)) = (&bounds.lower, &bounds.upper) else {
+        return false;
+    };
+    let (low, high) = (lower.number.value, upper.number.value);
+    low > high || (low == high && !(lower.inclusive && upper.inclusive))
 }
 
 fn contains(bounds: &Bounds, value: f64) -> bool {

@@ -4,13 +4,15 @@ use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
+use super::names::Names;
 use crate::errors::Errors;
+use crate::formula::{Formula, Kind, Operator};
 use crate::suggest::nearest;
-use crate::syntax::{Broken, Declaration, Formula, Kind, Line, Operator};
+use crate::syntax::{Broken, Declaration, Line};
 
 /// A model has at least one state.
 pub(super) fn check_a_state(written: &Declaration, errors: &mut Errors) {
-    let broken = written.broken().any(|line| line.keyword != "param");
+    let broken = written.broken().any(|line| line.keyword != Some("param"));
     if written.states().next().is_none() && !broken {
         errors.at(
             &written.name,
@@ -23,21 +25,24 @@ pub(super) fn check_a_state(written: &Declaration, errors: &mut Errors) {
 }
 
 /// `der(..)` is of a state.
-pub(super) fn check_left_sides(written: &Declaration, errors: &mut Errors) {
+pub(super) fn check_left_sides(written: &Declaration, names: &Names, errors: &mut Errors) {
     let states: Vec<String> = states(written).map(ToString::to_string).collect();
     for derivative in written.derivatives() {
         let name = derivative.state.to_string();
-        if states.contains(&name) {
-            continue;
+        if !states.contains(&name) {
+            let advice = not_a_state(&derivative.state, names, &states);
+            errors.at(&derivative.state, format!("`{name}` is {advice}"));
         }
-        let advice = match nearest(&name, states.iter().map(String::as_str)) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("declare it with `state {name} = 0.0;`"),
-        };
-        errors.at(
-            &derivative.state,
-            format!("`{name}` is not a state; {advice}"),
-        );
+    }
+}
+
+fn not_a_state(name: &Ident, names: &Names, states: &[String]) -> String {
+    if let Some(noun) = names.noun_of(name) {
+        return format!("a {noun}, not a state; only states have equations");
+    }
+    match nearest(&name.to_string(), states.iter().map(String::as_str)) {
+        Some(near) => format!("not a state; did you mean `{near}`?"),
+        None => format!("not a state; declare it with `state {name} = 0.0;`"),
     }
 }
 
@@ -45,7 +50,7 @@ pub(super) fn check_left_sides(written: &Declaration, errors: &mut Errors) {
 pub(super) fn check_one_equation_each(written: &Declaration, errors: &mut Errors) {
     let lost = written
         .broken()
-        .any(|line| line.keyword == "der" && line.name.is_none());
+        .any(|line| line.keyword == Some("der") && line.name.is_none());
     for state in written.states() {
         let name = &state.name;
         let equations: Vec<&Ident> = left_sides(written).filter(|left| *left == name).collect();
@@ -75,7 +80,7 @@ fn left_sides(written: &Declaration) -> impl Iterator<Item = &Ident> {
 }
 
 fn broken_names<'a>(written: &'a Declaration, keyword: &'a str) -> impl Iterator<Item = &'a Ident> {
-    let of_kind = move |line: &&Broken| line.keyword == keyword;
+    let of_kind = move |line: &&Broken| line.keyword == Some(keyword);
     written
         .broken()
         .filter(of_kind)
@@ -84,7 +89,7 @@ fn broken_names<'a>(written: &'a Declaration, keyword: &'a str) -> impl Iterator
 
 /// A law has one line for rest and one for sliding.
 pub(super) fn check_stick_and_slip(written: &Declaration, errors: &mut Errors) {
-    let broken = |keyword: &str| written.broken().any(|line| line.keyword == keyword);
+    let broken = |keyword: &str| written.broken().any(|line| line.keyword == Some(keyword));
     let name = &written.name;
     if written.sticks().next().is_none() && !broken("stick") {
         errors.at(

@@ -1,17 +1,16 @@
 //! Declarations that are known to be good: nothing can go wrong any more.
 
 use proc_macro2::Ident;
-use syn::{Attribute, Path, Visibility};
+use syn::{Attribute, Path};
 
 use super::bounds;
 use super::dimension::Dimension;
 use super::units::Units;
-use crate::syntax::{self, Declaration, Field, Formula, Line};
+use crate::formula::Formula;
+use crate::syntax::{self, Declaration, Header, Line};
 
 pub(crate) struct Model<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
-    pub(crate) name: &'a Ident,
+    pub(crate) header: Header<'a>,
     pub(crate) states: Vec<State<'a>>,
     pub(crate) parameters: Vec<Parameter<'a>>,
     /// `let` and friction lines in the order in which they are computed.
@@ -35,6 +34,8 @@ pub(crate) struct Parameter<'a> {
     pub(crate) unit: Option<Unit>,
     pub(crate) default: Option<f64>,
     pub(crate) bounds: Bounds,
+    /// The parameter as named in its bounds.
+    pub(crate) bounded: Option<&'a Ident>,
 }
 
 pub(crate) struct Unit {
@@ -66,14 +67,27 @@ pub(crate) struct Contact<'a> {
     pub(crate) name: &'a Ident,
     pub(crate) unit: Option<Unit>,
     pub(crate) law: &'a Path,
-    pub(crate) fields: &'a [Field],
+    pub(crate) fields: Vec<Field<'a>>,
     pub(crate) speed: &'a Formula,
+    pub(crate) measures: Measures,
+}
+
+/// `name: formula` in the braces of a law, and its dimension where it is known.
+pub(crate) struct Field<'a> {
+    pub(crate) name: &'a Ident,
+    pub(crate) formula: &'a Formula,
+    pub(crate) dimension: Option<Dimension>,
+}
+
+/// The dimensions against which a contact measures the fields of its law.
+pub(crate) struct Measures {
+    pub(crate) force: Option<Dimension>,
+    pub(crate) speed: Option<Dimension>,
+    pub(crate) time: Dimension,
 }
 
 pub(crate) struct Law<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
-    pub(crate) name: &'a Ident,
+    pub(crate) header: Header<'a>,
     pub(crate) parameters: Vec<Parameter<'a>>,
     pub(crate) speed: &'a Ident,
     pub(crate) stick: &'a Formula,
@@ -87,9 +101,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
         .map(|line| state(line, written, units))
         .collect();
     Some(Model {
-        docs: &written.docs,
-        visibility: &written.visibility,
-        name: &written.name,
+        header: written.header(),
         states: states?,
         parameters: parameters(written, units),
         steps: written
@@ -104,9 +116,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
 pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>> {
     let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
     Some(Law {
-        docs: &written.docs,
-        visibility: &written.visibility,
-        name: &written.name,
+        header: written.header(),
         parameters: parameters(written, units),
         speed: &slip.speed,
         stick: &stick.formula,
@@ -139,6 +149,7 @@ fn parameters<'a>(written: &'a Declaration, units: &Units) -> Vec<Parameter<'a>>
         unit: unit(&line.name, line.unit.as_ref(), units),
         default: line.default.as_ref().map(|number| number.value),
         bounds: line.bounds.as_ref().map(known_bounds).unwrap_or_default(),
+        bounded: line.bounds.as_ref().map(|bounds| &bounds.name),
     };
     written.params().map(parameter).collect()
 }
@@ -163,15 +174,29 @@ fn step<'a>(line: &'a Line, units: &Units) -> Option<Step<'a>> {
             name: &line.name,
             formula: &line.formula,
         })),
-        Line::Friction(line) => Some(Step::Contact(Contact {
-            docs: &line.docs,
-            name: &line.name,
-            unit: unit(&line.name, line.unit.as_ref(), units),
-            law: &line.law,
-            fields: &line.fields,
-            speed: &line.speed,
-        })),
+        Line::Friction(line) => Some(Step::Contact(contact(line, units))),
         _ => None,
+    }
+}
+
+fn contact<'a>(line: &'a syntax::Friction, units: &Units) -> Contact<'a> {
+    let field = |field: &'a syntax::Field| Field {
+        name: &field.name,
+        formula: &field.formula,
+        dimension: units.of_formula(&field.formula),
+    };
+    Contact {
+        docs: &line.docs,
+        name: &line.name,
+        unit: unit(&line.name, line.unit.as_ref(), units),
+        law: &line.law,
+        fields: line.fields.iter().map(field).collect(),
+        speed: &line.speed,
+        measures: Measures {
+            force: units.of_name(&line.name),
+            speed: units.of_formula(&line.speed),
+            time: units.time(),
+        },
     }
 }
 
@@ -218,7 +243,7 @@ impl<'a> Step<'a> {
         match self {
             Self::Let(quantity) => vec![quantity.formula],
             Self::Contact(contact) => {
-                let fields = contact.fields.iter().map(|field| &field.formula);
+                let fields = contact.fields.iter().map(|field| field.formula);
                 fields.chain([contact.speed]).collect()
             }
         }

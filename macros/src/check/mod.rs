@@ -5,11 +5,15 @@ mod dimension;
 mod equations;
 mod known;
 mod names;
+mod reserved;
 mod units;
 
-pub(crate) use self::known::{Bounds, Contact, Law, Let, Model, Parameter, State, Step, Unit};
+pub(crate) use self::dimension::Dimension;
+pub(crate) use self::known::{
+    Bounds, Contact, Field, Law, Let, Model, Parameter, State, Step, Unit,
+};
 use self::names::Names;
-pub(crate) use self::names::is_field;
+pub(crate) use self::reserved::is_field;
 use self::units::Units;
 use crate::errors::Errors;
 use crate::syntax::Declaration;
@@ -17,19 +21,20 @@ use crate::syntax::Declaration;
 /// Asks everything that a model must answer.
 pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Model<'a>> {
     let names = Names::of_model(written);
-    names::check_reserved(written, &names, errors);
+    reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     names::check_known(written, &names, errors);
     names::check_declared_above(written, errors);
     equations::check_a_state(written, errors);
-    equations::check_left_sides(written, errors);
+    equations::check_left_sides(written, &names, errors);
     equations::check_one_equation_each(written, errors);
     equations::check_laws_read_no_force(written, errors);
     equations::check_forces_linear(written, errors);
-    bounds::check_names(written, errors);
-    bounds::check_intervals(written, errors);
-    bounds::check_defaults(written, errors);
+    bounds::check_bound_names(written, errors);
+    bounds::check_bounds_not_empty(written, errors);
+    bounds::check_defaults_in_bounds(written, errors);
     let units = Units::of(written, errors);
+    units::check_contacts(written, &units, errors);
     units::check_equations(written, &units, errors);
     names::check_used(written, &names, errors);
     if errors.is_empty() {
@@ -42,13 +47,13 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
 /// Asks everything that a friction law must answer.
 pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Law<'a>> {
     let names = Names::of_law(written);
-    names::check_reserved(written, &names, errors);
+    reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     names::check_known(written, &names, errors);
     names::check_rest_has_no_speed(written, errors);
     equations::check_stick_and_slip(written, errors);
-    bounds::check_names(written, errors);
-    bounds::check_intervals(written, errors);
+    bounds::check_bound_names(written, errors);
+    bounds::check_bounds_not_empty(written, errors);
     let units = Units::of(written, errors);
     units::check_law(written, &units, errors);
     names::check_used(written, &names, errors);

@@ -6,8 +6,9 @@ use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
 use crate::errors::Errors;
+use crate::formula::Formula;
 use crate::suggest::nearest;
-use crate::syntax::{Declaration, Formula, Line};
+use crate::syntax::{Declaration, Line};
 
 /// What a name stands for, as a reader would say it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -33,37 +34,43 @@ impl Role {
 
 /// Every declared name with its role, in the order of declaration.
 pub(super) struct Names {
-    declared: Vec<(Ident, Role)>,
-    in_model: bool,
+    pub(super) declared: Vec<(Ident, Role)>,
+    /// Names of broken lines of which not even the kind is known.
+    doubtful: Vec<Ident>,
+    pub(super) in_model: bool,
 }
 
 impl Names {
     pub(super) fn of_model(written: &Declaration) -> Self {
-        let declared = written.lines.iter().filter_map(declared_by).collect();
-        Self {
-            declared,
-            in_model: true,
-        }
+        Self::of(written, true)
     }
 
     pub(super) fn of_law(written: &Declaration) -> Self {
-        let declared = written.lines.iter().filter_map(declared_by).collect();
+        Self::of(written, false)
+    }
+
+    fn of(written: &Declaration, in_model: bool) -> Self {
+        let unknown = written.broken().filter(|line| line.keyword.is_none());
         Self {
-            declared,
-            in_model: false,
+            declared: written.lines.iter().filter_map(declared_by).collect(),
+            doubtful: unknown.filter_map(|line| line.name.clone()).collect(),
+            in_model,
         }
     }
 
-    fn role_of(&self, name: &Ident) -> Option<Role> {
+    /// What a name stands for, if it is declared.
+    pub(super) fn noun_of(&self, name: &Ident) -> Option<&'static str> {
         let found = self.declared.iter().find(|(known, _)| known == name);
-        found.map(|(_, role)| *role)
+        found.map(|(_, role)| role.noun())
+    }
+
+    fn know(&self, name: &Ident) -> bool {
+        self.noun_of(name).is_some() || self.doubtful.contains(name)
     }
 
     fn texts(&self) -> Vec<String> {
-        self.declared
-            .iter()
-            .map(|(name, _)| name.unraw().to_string())
-            .collect()
+        let names = self.declared.iter().map(|(name, _)| name);
+        names.map(|name| name.unraw().to_string()).collect()
     }
 }
 
@@ -74,79 +81,20 @@ fn declared_by(line: &Line) -> Option<(Ident, Role)> {
         Line::Let(line) => Some((line.name.clone(), Role::Let)),
         Line::Friction(line) => Some((line.name.clone(), Role::Friction)),
         Line::Slip(line) => Some((line.speed.clone(), Role::Speed)),
-        Line::Broken(line) => {
-            let role = match line.keyword.as_str() {
-                "state" => Role::State,
-                "param" => Role::Parameter,
-                "let" => Role::Let,
-                "friction" => Role::Friction,
-                "slip" => Role::Speed,
-                _ => return None,
-            };
-            line.name.clone().map(|name| (name, role))
-        }
+        Line::Broken(line) => Some((line.name.clone()?, role_after(line.keyword?)?)),
         Line::Derivative(_) | Line::Stick(_) => None,
     }
 }
 
-/// The words of the language itself.
-const WORDS: [&str; 7] = [
-    "der", "friction", "opposing", "param", "slip", "state", "stick",
-];
-
-/// What the generated code or the program calls by these names.
-const TAKEN: [(&str, &str); 9] = [
-    ("clone", "every model has a method of this name"),
-    ("default", "every model has a method of this name"),
-    ("eq", "every model has a method of this name"),
-    ("fmt", "every model has a method of this name"),
-    ("from_values", "every model has a method of this name"),
-    ("observables", "every model has a method of this name"),
-    ("rhs", "every model has a method of this name"),
-    (
-        "smooth",
-        "the program uses it for the size of the smoothing",
-    ),
-    ("values", "every model has a method of this name"),
-];
-
-/// A name must not shadow what the generated code or the language calls by it.
-pub(super) fn check_reserved(written: &Declaration, names: &Names, errors: &mut Errors) {
-    for (name, _) in &names.declared {
-        if let Some(reason) = reserved(name, names.in_model) {
-            errors.at(
-                name,
-                format!("`{name}` cannot be a name here: {reason}; choose another"),
-            );
-        }
+fn role_after(keyword: &str) -> Option<Role> {
+    match keyword {
+        "state" => Some(Role::State),
+        "param" => Some(Role::Parameter),
+        "let" => Some(Role::Let),
+        "friction" => Some(Role::Friction),
+        "slip" => Some(Role::Speed),
+        _ => None,
     }
-    let types = written
-        .frictions()
-        .filter_map(|friction| friction.law.get_ident());
-    for name in types.chain([&written.name]).filter(|name| *name == "D") {
-        errors.at(name, "`D` cannot be the name of a type here: formulas use it for their numbers; choose another");
-    }
-}
-
-fn reserved(name: &Ident, in_model: bool) -> Option<String> {
-    let text = name.to_string();
-    let taken = TAKEN.iter().find(|(word, _)| in_model && *word == text);
-    if let Some((_, reason)) = taken {
-        Some((*reason).to_owned())
-    } else if !is_field(name) {
-        Some("it is a word of Rust".to_owned())
-    } else if WORDS.contains(&text.as_str()) {
-        Some("it is a word of this language".to_owned())
-    } else if text.starts_with("__") {
-        Some("names with two leading underscores are the generated code's".to_owned())
-    } else {
-        None
-    }
-}
-
-/// Whether Rust accepts this as the name of a field.
-pub(crate) fn is_field(name: &Ident) -> bool {
-    syn::parse2::<Ident>(quote::quote!(#name)).is_ok()
 }
 
 /// Nothing is declared twice.
@@ -170,7 +118,7 @@ pub(super) fn check_declared_once(names: &Names, errors: &mut Errors) {
 pub(super) fn check_known(written: &Declaration, names: &Names, errors: &mut Errors) {
     let formulas = written.lines.iter().flat_map(Line::formulas);
     for name in formulas.flat_map(Formula::names) {
-        if names.role_of(name).is_none() {
+        if !names.know(name) {
             errors.at(name, unknown(name, names));
         }
     }
@@ -225,7 +173,9 @@ pub(super) fn check_declared_above(written: &Declaration, errors: &mut Errors) {
 
 /// At rest there is no sliding speed.
 pub(super) fn check_rest_has_no_speed(written: &Declaration, errors: &mut Errors) {
-    let speeds: Vec<&Ident> = written.slips().map(|slip| &slip.speed).collect();
+    let is_parameter = |name: &Ident| written.params().any(|param| param.name == *name);
+    let speeds = written.slips().map(|slip| &slip.speed);
+    let speeds: Vec<&Ident> = speeds.filter(|speed| !is_parameter(speed)).collect();
     for name in written.sticks().flat_map(|stick| stick.formula.names()) {
         if speeds.contains(&name) {
             errors.at(name, format!(

@@ -6,7 +6,8 @@ use proc_macro2::Ident;
 
 use super::dimension::Dimension;
 use crate::errors::Errors;
-use crate::syntax::{Declaration, Formula, Kind, Line, Operator, Unit};
+use crate::formula::{Formula, Kind, Operator};
+use crate::syntax::{Declaration, Line, Unit};
 
 /// The dimension of each name that has one, and of time.
 pub(super) struct Units {
@@ -17,7 +18,8 @@ pub(super) struct Units {
 impl Units {
     /// Reads the stated units and follows the `let` lines from top to bottom.
     ///
-    /// Where all that is stated is `1`, the model is nondimensional and so is its time.
+    /// Where all that is stated is `1`, the declaration is nondimensional and so is its time. Otherwise the
+    /// sliding speed of a law is in m/s.
     pub(super) fn of(written: &Declaration, errors: &mut Errors) -> Self {
         let stated: Vec<(&Ident, Dimension)> = stated(written)
             .filter_map(|(name, unit)| Some((name, dimension_of(unit, errors)?)))
@@ -35,6 +37,12 @@ impl Units {
             .map(|(name, dimension)| (name.clone(), dimension))
             .collect();
         let mut units = Self { known, time };
+        if !plain {
+            for slip in written.slips() {
+                let speed = units.known.entry(slip.speed.clone());
+                speed.or_insert(Dimension::SPEED);
+            }
+        }
         for line in &written.lines {
             if let Line::Let(quantity) = line
                 && let Some(dimension) = units.measure(&quantity.formula, errors)
@@ -48,6 +56,18 @@ impl Units {
     /// The dimension of a name, if one is known.
     pub(super) fn of_name(&self, name: &Ident) -> Option<Dimension> {
         self.known.get(name).copied()
+    }
+
+    /// The dimension of time.
+    pub(super) fn time(&self) -> Dimension {
+        self.time
+    }
+
+    /// The dimension of a formula in which everything agrees, if it is known.
+    pub(super) fn of_formula(&self, formula: &Formula) -> Option<Dimension> {
+        let mut found = Errors::new();
+        let dimension = self.measure(formula, &mut found);
+        found.finish().ok().and(dimension)
     }
 
     /// The dimension of a formula, if it is known; reports what does not agree inside it.
@@ -133,7 +153,7 @@ impl Units {
     }
 }
 
-/// Every name with a stated unit; the sliding speed of a law is in m/s.
+/// Every name with a stated unit.
 fn stated(written: &Declaration) -> impl Iterator<Item = (&Ident, &Unit)> {
     written.lines.iter().filter_map(|line| match line {
         Line::State(line) => Some((&line.name, line.unit.as_ref()?)),
@@ -168,48 +188,57 @@ fn dimension_of(unit: &Unit, errors: &mut Errors) -> Option<Dimension> {
 
 /// The unit of each equation is that of its state over time.
 pub(super) fn check_equations(written: &Declaration, units: &Units, errors: &mut Errors) {
-    for line in &written.lines {
-        match line {
-            Line::Derivative(line) => {
-                let found = units.measure(&line.formula, errors);
-                let state = units
-                    .of_name(&line.state)
-                    .map(|state| state.over(units.time));
-                if let (Some(wanted), Some(found)) = (state, found)
-                    && wanted != found
-                {
-                    let name = &line.state;
-                    errors.at(
-                        &line.formula,
-                        format!(
-                            "unit mismatch: `der({name})` is in {wanted}, but this is in {found}"
-                        ),
-                    );
-                }
-            }
-            Line::Friction(line) => {
-                for field in &line.fields {
-                    units.measure(&field.formula, errors);
-                }
-                units.measure(&line.speed, errors);
-            }
-            _ => {}
+    for derivative in written.derivatives() {
+        let found = units.measure(&derivative.formula, errors);
+        let state = written
+            .states()
+            .find(|state| state.name == derivative.state);
+        let wanted = state.and_then(|state| units.of_name(&state.name));
+        if let (Some(wanted), Some(found)) = (wanted.map(|state| state.over(units.time)), found)
+            && wanted != found
+        {
+            let name = &derivative.state;
+            errors.at(
+                &derivative.formula,
+                format!("unit mismatch: `der({name})` is in {wanted}, but this is in {found}"),
+            );
         }
+    }
+}
+
+/// The fields and the speed of a contact agree in themselves.
+pub(super) fn check_contacts(written: &Declaration, units: &Units, errors: &mut Errors) {
+    for friction in written.frictions() {
+        for field in &friction.fields {
+            units.measure(&field.formula, errors);
+        }
+        units.measure(&friction.speed, errors);
     }
 }
 
 /// Both lines of a law are forces.
 pub(super) fn check_law(written: &Declaration, units: &Units, errors: &mut Errors) {
+    let plain = units.time == Dimension::NONE;
+    let force = if plain {
+        Dimension::NONE
+    } else {
+        Dimension::FORCE
+    };
+    let reads_speed = |formula: &Formula| {
+        let names = formula.names();
+        written.slips().any(|slip| names.contains(&&slip.speed))
+    };
     let sticks = written.sticks().map(|stick| ("stick", &stick.formula));
+    let sticks = sticks.filter(|(_, formula)| !reads_speed(formula));
     let slips = written.slips().map(|slip| ("slip", &slip.formula));
     for (line, formula) in sticks.chain(slips) {
         if let Some(found) = units.measure(formula, errors)
-            && found != Dimension::FORCE
+            && found != force
         {
             errors.at(
                 formula,
                 format!(
-                    "unit mismatch: `{line}` is the contact's force, in N, but this is in {found}"
+                    "unit mismatch: `{line}` is the contact's force, in {force}, but this is in {found}"
                 ),
             );
         }

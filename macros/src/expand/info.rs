@@ -9,8 +9,8 @@ use crate::check::{Bounds, Contact, Law, Let, Model, Parameter, State, Unit};
 
 /// The `ModelInfo` of a model.
 pub(super) fn of_model(model: &Model) -> TokenStream {
-    let (name, command) = (text(model.name), command(model.name));
-    let doc = doc(model.docs);
+    let (name, command) = (text(model.header.name), command(model.header.name));
+    let doc = doc(model.header.docs);
     let states = model.states.iter().map(state);
     let parameters = model.parameters.iter().map(parameter);
     let observables = model.lets().map(observable);
@@ -33,7 +33,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
 
 /// The `LawInfo` of a law.
 pub(super) fn of_law(law: &Law) -> TokenStream {
-    let (name, doc) = (text(law.name), doc(law.docs));
+    let (name, doc) = (text(law.header.name), doc(law.header.docs));
     let parameters = law.parameters.iter().map(law_parameter);
     let (stick, slip) = (law.stick.to_string(), law.slip.to_string());
     quote! {
@@ -101,11 +101,11 @@ fn contact(index: usize, contact: &Contact) -> TokenStream {
         doc(contact.docs),
         unit(contact.unit.as_ref()),
     );
-    let law = super::model::law_of(index);
+    let law = super::builder::name(index);
     let fields = contact
         .fields
         .iter()
-        .map(|field| format!("{}: {}", text(&field.name), field.formula));
+        .map(|field| format!("{}: {}", text(field.name), field.formula));
     let (fields, speed) = (
         fields.collect::<Vec<_>>().join(", "),
         contact.speed.to_string(),

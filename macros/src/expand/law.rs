@@ -1,7 +1,7 @@
 //! A friction law: its struct and its two formulas over any scalar.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
 
 use super::lift::Lift;
 use super::shell::Shell;
@@ -10,8 +10,8 @@ use crate::check::Law;
 
 pub(super) fn tokens(law: &Law) -> TokenStream {
     let structure = structure(law);
-    let (name, speed, allowed, info) = (law.name, law.speed, allowed(), info::of_law(law));
-    let generics = generics(law.parameters.is_empty());
+    let (name, speed, allowed, info) = (law.header.name, law.speed, allowed(), info::of_law(law));
+    let generics = generics(law.header.name, law.parameters.is_empty());
     let quantity = |name: &Ident| {
         if name == speed {
             quote!(__sliding.#name)
@@ -48,16 +48,28 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
 }
 
 /// A law without parameters has nothing to be generic over.
-pub(super) fn generics(no_parameters: bool) -> TokenStream {
-    if no_parameters { quote!() } else { quote!(<D>) }
+pub(super) fn generics(law: &Ident, no_parameters: bool) -> TokenStream {
+    if no_parameters {
+        quote!()
+    } else {
+        quote_spanned!(law.span()=> <D>)
+    }
 }
 
 fn structure(law: &Law) -> TokenStream {
     let shell = Shell {
-        docs: law.docs,
-        visibility: law.visibility,
-        name: law.name,
+        header: law.header,
         fields: law.parameters.iter().map(Into::into).collect(),
+        bounded: law
+            .parameters
+            .iter()
+            .filter_map(|parameter| parameter.bounded)
+            .collect(),
     };
-    shell.structure(&generics(law.parameters.is_empty()), &quote!(D))
+    let generics = generics(law.header.name, law.parameters.is_empty());
+    let (structure, uses) = (
+        shell.structure(&generics, &quote!(D)),
+        shell.uses(&generics),
+    );
+    quote!(#structure #uses)
 }

@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::arithmetic::whole;
-use crate::syntax::{Formula, Kind, Number, Operator};
+use crate::formula::{Formula, Kind, Number, Operator};
 
 /// How tightly an expression binds; parentheses are written only where needed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -218,4 +218,13 @@ fn product_of_squares(base: &TokenStream, exponent: u32) -> TokenStream {
         }
     }
     quote!({ #lines #product })
+}
+
+#[cfg(test)]
+pub(crate) fn lifted(formula: &Formula) -> TokenStream {
+    let lift = Lift {
+        scalar: quote!(D),
+        quantity: &|name| quote!(#name),
+    };
+    lift.formula(formula)
 }

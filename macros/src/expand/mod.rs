@@ -1,12 +1,18 @@
 //! From declarations that are known to be good to tokens; beside errors, stubs.
 
+mod agreement;
+mod builder;
 mod info;
+mod items;
 mod law;
 mod lift;
 mod model;
 mod pattern;
 mod shell;
 mod stub;
+
+#[cfg(test)]
+pub(crate) use self::lift::lifted;
 
 use proc_macro2::TokenStream;
 use quote::quote;

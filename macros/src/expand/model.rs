@@ -3,120 +3,57 @@
 use std::collections::HashSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
+use super::items::{Items, Sizes};
 use super::lift::Lift;
 use super::shell::Shell;
-use super::{allowed, info, pattern};
-use crate::check::{Contact, Model, Step};
+use super::{agreement, builder, info, pattern};
+use crate::check::{Model, Step};
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
     let shell = Shell {
-        docs: model.docs,
-        visibility: model.visibility,
-        name: model.name,
+        header: model.header,
         fields: model.parameters.iter().map(Into::into).collect(),
+        bounded: model
+            .parameters
+            .iter()
+            .filter_map(|parameter| parameter.bounded)
+            .collect(),
     };
-    let (shell, laws, implementation) = (shell.tokens(), laws(model), implementation(model));
-    quote!(#shell #laws #implementation)
+    let contacts = model.contacts().map(builder::Named::from);
+    let (shell, laws) = (
+        shell.tokens(),
+        builder::builders(model.header.name, contacts),
+    );
+    let items = items(model).tokens();
+    let agreements = agreement::assertions(model);
+    quote!(#shell #laws #items #agreements)
 }
 
-/// The function that builds the law of a contact; only there is the law named.
-pub(super) fn law_of(contact: usize) -> Ident {
-    format_ident!("__law_{contact}")
-}
-
-fn laws(model: &Model) -> TokenStream {
-    if model.contacts().next().is_none() {
-        return quote!();
-    }
-    let (name, allowed) = (model.name, allowed());
-    let laws = model
-        .contacts()
-        .enumerate()
-        .map(|(index, contact)| law(index, contact));
-    quote! {
-        #allowed
-        impl #name { #(#laws)* }
-    }
-}
-
-fn law(index: usize, contact: &Contact) -> TokenStream {
-    let (function, law) = (law_of(index), contact.law);
-    let names = contact.fields.iter().map(|field| &field.name);
-    let places = (0..contact.fields.len()).map(Literal::usize_unsuffixed);
-    let count = Literal::usize_unsuffixed(contact.fields.len());
-    quote! {
-        #[inline]
-        fn #function<D: ::stickslip::scalar::Scalar>(
-            __fields: [D; #count],
-        ) -> impl ::stickslip::friction::FrictionLaw<D> {
-            #law { #(#names: __fields[#places]),* }
-        }
-    }
-}
-
-fn implementation(model: &Model) -> TokenStream {
-    let (name, allowed, info) = (model.name, allowed(), info::of_model(model));
-    let [states, parameters, contacts, observables] = sizes(model);
-    let lanes = Literal::usize_unsuffixed(model.states.len() + 1);
-    let (kinematic, sparsity) = (kinematic(model), sparsity(model));
+fn items<'a>(model: &Model<'a>) -> Items<'a> {
     let fields: Vec<&Ident> = model
         .parameters
         .iter()
         .map(|parameter| parameter.name)
         .collect();
     let places = (0..fields.len()).map(Literal::usize_unsuffixed);
-    let (rhs, observed) = (rhs(model), observed(model));
-    quote! {
-        #allowed
-        #[automatically_derived]
-        impl ::stickslip::model::Model<#states> for #name {
-            type Params<D: ::stickslip::scalar::Scalar> = [D; #parameters];
-            type PerContact<T: ::core::marker::Copy + ::core::marker::Send + ::core::marker::Sync> =
-                [T; #contacts];
-            type Observables = [f64; #observables];
-            type Lanes = ::stickslip::DualSVec64<#lanes>;
-
-            const INFO: &'static ::stickslip::model::ModelInfo = &#info;
-            const KINEMATIC: [::core::option::Option<usize>; #states] = #kinematic;
-            const SPARSITY: [[bool; #states]; #states] = #sparsity;
-
-            #[inline]
-            fn values(&self) -> [f64; #parameters] {
-                [#(self.#fields),*]
-            }
-
-            #[inline]
-            fn from_values(__values: [f64; #parameters]) -> Self {
-                Self { #(#fields: __values[#places]),* }
-            }
-
-            #[inline]
-            fn rhs<D: ::stickslip::scalar::Scalar>(
-                __params: &[D; #parameters],
-                __state: [D; #states],
-                __contacts: &mut impl ::stickslip::friction::ContactRule<D>,
-            ) -> [D; #states] {
-                #rhs
-            }
-
-            #[inline]
-            fn observables(
-                __params: &[f64; #parameters],
-                __state: [f64; #states],
-                __contacts: &mut impl ::stickslip::friction::ContactRule<f64>,
-            ) -> [f64; #observables] {
-                #observed
-            }
-        }
+    Items {
+        name: model.header.name,
+        sizes: Sizes {
+            states: model.states.len(),
+            parameters: model.parameters.len(),
+            contacts: model.contacts().count(),
+            observables: model.lets().count(),
+        },
+        info: info::of_model(model),
+        kinematic: kinematic(model),
+        sparsity: sparsity(model),
+        values: quote!([#(self.#fields),*]),
+        from_values: quote!(Self { #(#fields: __values[#places]),* }),
+        rhs: rhs(model),
+        observables: observables(model),
     }
-}
-
-/// The numbers of states, parameters, contacts and observables.
-fn sizes(model: &Model) -> [Literal; 4] {
-    let (contacts, lets) = (model.contacts().count(), model.lets().count());
-    [model.states.len(), model.parameters.len(), contacts, lets].map(Literal::usize_unsuffixed)
 }
 
 fn kinematic(model: &Model) -> TokenStream {
@@ -157,7 +94,7 @@ fn rhs(model: &Model) -> TokenStream {
 }
 
 /// The body of `observables`.
-fn observed(model: &Model) -> TokenStream {
+fn observables(model: &Model) -> TokenStream {
     if model.lets().next().is_none() {
         return quote!([]);
     }
@@ -232,11 +169,11 @@ fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
                 .iter()
                 .position(|other| *other == name)
                 .unwrap_or_default();
-            let (law, index) = (law_of(index), Literal::usize_unsuffixed(index));
+            let (law, index) = (builder::name(index), Literal::usize_unsuffixed(index));
             let fields = contact
                 .fields
                 .iter()
-                .map(|field| lift.formula(&field.formula));
+                .map(|field| lift.formula(field.formula));
             let speed = lift.formula(contact.speed);
             quote! {
                 __quantities.#name = __contacts.force(

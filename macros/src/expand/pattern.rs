@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::check::Model;
-use crate::syntax::{Formula, Kind};
+use crate::formula::{Formula, Kind};
 
 /// In place i the index j where the equation is `der(i) = j`, plainly another state.
 pub(super) fn kinematic(model: &Model) -> Vec<Option<usize>> {

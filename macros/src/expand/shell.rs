@@ -1,17 +1,16 @@
 //! What is emitted even beside errors: the struct of the parameters, its defaults and the handles.
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
-use syn::{Attribute, Visibility};
-
 use super::{allowed, info};
 use crate::check::Parameter;
+use crate::syntax::Header;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
 
 pub(super) struct Shell<'a> {
-    pub(super) docs: &'a [Attribute],
-    pub(super) visibility: &'a Visibility,
-    pub(super) name: &'a Ident,
+    pub(super) header: Header<'a>,
     pub(super) fields: Vec<Field<'a>>,
+    /// The fields as named in bounds: used nowhere, but an editor should find them.
+    pub(super) bounded: Vec<&'a Ident>,
 }
 
 /// A parameter: its name, its docs with unit, default and bounds, and its default.
@@ -25,17 +24,19 @@ impl Shell<'_> {
     pub(super) fn tokens(&self) -> TokenStream {
         let structure = self.structure(&quote!(), &quote!(f64));
         let (default, handles) = (self.default(), self.handles());
-        quote!(#structure #default #handles)
+        let uses = self.uses(&quote!());
+        quote!(#structure #default #handles #uses)
     }
 
     /// The plain struct.
     pub(super) fn structure(&self, generics: &TokenStream, scalar: &TokenStream) -> TokenStream {
-        let Self {
+        let Header {
             docs,
             visibility,
+            keyword,
             name,
-            fields,
-        } = self;
+        } = self.header;
+        let fields = &self.fields;
         let names = fields.iter().map(|field| field.name);
         let field_docs = fields.iter().map(|field| &field.docs);
         quote! {
@@ -47,14 +48,30 @@ impl Shell<'_> {
                 ::core::cmp::PartialEq,
             )]
             #[allow(non_snake_case)]
-            #visibility struct #name #generics {
+            #visibility #keyword #name #generics {
                 #(#field_docs #visibility #names: #scalar,)*
             }
         }
     }
 
+    /// A function that uses every field that has bounds.
+    pub(super) fn uses(&self, generics: &TokenStream) -> TokenStream {
+        if self.bounded.is_empty() {
+            return quote!();
+        }
+        let (name, fields, allowed) = (self.header.name, &self.bounded, allowed());
+        quote! {
+            #allowed
+            impl #generics #name #generics {
+                fn __bounded(&self) {
+                    #(let _ = &self.#fields;)*
+                }
+            }
+        }
+    }
+
     fn default(&self) -> TokenStream {
-        let (name, allowed) = (self.name, allowed());
+        let (name, allowed) = (self.header.name, allowed());
         let names = self.fields.iter().map(|field| field.name);
         let values = self.fields.iter().map(|field| info::number(field.default));
         quote! {
@@ -69,7 +86,8 @@ impl Shell<'_> {
     }
 
     fn handles(&self) -> TokenStream {
-        let (name, visibility, allowed) = (self.name, self.visibility, allowed());
+        let (name, allowed) = (self.header.name, allowed());
+        let visibility = self.header.visibility;
         let names = self.fields.iter().map(|field| field.name);
         let docs = self.fields.iter().map(|field| &field.docs);
         let places = (0..self.fields.len()).map(Literal::usize_unsuffixed);
@@ -103,7 +121,7 @@ fn documented(parameter: &Parameter) -> TokenStream {
         parameter
             .unit
             .as_ref()
-            .map(|unit| format!("in `{}`", unit.text)),
+            .map(|unit| format!("In `{}`", unit.text)),
     );
     facts.extend(
         parameter

@@ -2,71 +2,54 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::items::{Items, Sizes};
 use super::law::generics;
 use super::shell::{Field, Shell};
-use super::{allowed, info};
+use super::{allowed, builder, info};
 use crate::check::is_field;
 use crate::syntax::{Declaration, Line};
 
 /// A model that cannot be asked anything.
 pub(super) fn model(written: &Declaration) -> TokenStream {
-    let (shell, name, allowed) = (shell(written).tokens(), &written.name, allowed());
-    let count = |keyword: &str| Literal::usize_unsuffixed(declared(written, keyword).len());
+    let (shell, name) = (shell(written).tokens(), &written.name);
+    let laws = builder::builders(name, written.frictions().map(Into::into));
+    let count = |keyword| declared(written, keyword).len();
     let states = count("state");
-    let (parameters, contacts, observables) = (count("param"), count("friction"), count("let"));
-    let lanes = Literal::usize_unsuffixed(declared(written, "state").len() + 1);
+    let unreachable = || quote!(::core::unreachable!());
+    let items = Items {
+        name,
+        sizes: Sizes {
+            states,
+            parameters: count("param"),
+            contacts: count("friction"),
+            observables: count("let"),
+        },
+        info: info(name),
+        kinematic: quote!([::core::option::Option::None; #states]),
+        sparsity: quote!([[false; #states]; #states]),
+        values: unreachable(),
+        from_values: unreachable(),
+        rhs: unreachable(),
+        observables: unreachable(),
+    };
+    let items = items.tokens();
+    quote!(#shell #laws #items)
+}
+
+fn info(name: &Ident) -> TokenStream {
     let (text, command) = (name.to_string(), info::command(name));
     quote! {
-        #shell
-
-        #allowed
-        #[automatically_derived]
-        impl ::stickslip::model::Model<#states> for #name {
-            type Params<D: ::stickslip::scalar::Scalar> = [D; #parameters];
-            type PerContact<T: ::core::marker::Copy + ::core::marker::Send + ::core::marker::Sync> =
-                [T; #contacts];
-            type Observables = [f64; #observables];
-            type Lanes = ::stickslip::DualSVec64<#lanes>;
-
-            const INFO: &'static ::stickslip::model::ModelInfo = &::stickslip::model::ModelInfo {
-                name: #text,
-                command: #command,
-                doc: "",
-                states: &[],
-                parameters: &[],
-                observables: &[],
-                contacts: &[],
-            };
-            const KINEMATIC: [::core::option::Option<usize>; #states] =
-                [::core::option::Option::None; #states];
-            const SPARSITY: [[bool; #states]; #states] = [[false; #states]; #states];
-
-            fn values(&self) -> [f64; #parameters] {
-                ::core::unreachable!()
-            }
-
-            fn from_values(_: [f64; #parameters]) -> Self {
-                ::core::unreachable!()
-            }
-
-            fn rhs<D: ::stickslip::scalar::Scalar>(
-                _: &[D; #parameters],
-                _: [D; #states],
-                _: &mut impl ::stickslip::friction::ContactRule<D>,
-            ) -> [D; #states] {
-                ::core::unreachable!()
-            }
-
-            fn observables(
-                _: &[f64; #parameters],
-                _: [f64; #states],
-                _: &mut impl ::stickslip::friction::ContactRule<f64>,
-            ) -> [f64; #observables] {
-                ::core::unreachable!()
-            }
+        ::stickslip::model::ModelInfo {
+            name: #text,
+            command: #command,
+            doc: "",
+            states: &[],
+            parameters: &[],
+            observables: &[],
+            contacts: &[],
         }
     }
 }
@@ -74,7 +57,7 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
 /// A law that cannot be asked anything.
 pub(super) fn law(written: &Declaration) -> TokenStream {
     let (shell, name, allowed) = (shell(written), &written.name, allowed());
-    let generics = generics(shell.fields.is_empty());
+    let generics = generics(name, shell.fields.is_empty());
     let structure = shell.structure(&generics, &quote!(D));
     let text = name.to_string();
     quote! {
@@ -109,10 +92,9 @@ fn shell(written: &Declaration) -> Shell<'_> {
         default: 0.0,
     };
     Shell {
-        docs: &written.docs,
-        visibility: &written.visibility,
-        name: &written.name,
+        header: written.header(),
         fields: declared(written, "param").into_iter().map(field).collect(),
+        bounded: Vec::new(),
     }
 }
 
@@ -124,7 +106,7 @@ fn declared<'a>(written: &'a Declaration, keyword: &str) -> Vec<&'a Ident> {
         Line::Param(line) => Some(&line.name).filter(|_| keyword == "param"),
         Line::Let(line) => Some(&line.name).filter(|_| keyword == "let"),
         Line::Friction(line) => Some(&line.name).filter(|_| keyword == "friction"),
-        Line::Broken(line) => line.name.as_ref().filter(|_| keyword == line.keyword),
+        Line::Broken(line) => line.name.as_ref().filter(|_| line.keyword == Some(keyword)),
         Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) => None,
     });
     names

@@ -1,15 +1,16 @@
 //! From tokens to a declaration as written.
 
 mod line;
+mod shape;
 mod value;
 
-use proc_macro2::{Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Token, Visibility, braced};
+use syn::{Token, braced};
 
 use self::line::Reader;
 use crate::errors::Errors;
-use crate::syntax::{Broken, Declaration, Line};
+use crate::syntax::{Declaration, Line};
 
 /// Which of the two grammars a declaration follows.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -25,12 +26,10 @@ pub(crate) fn declaration(
     errors: &mut Errors,
 ) -> Option<Declaration> {
     match header.parse2(tokens) {
-        Ok((docs, visibility, name, body)) => Some(Declaration {
-            docs,
-            visibility,
-            name,
-            lines: lines(body, grammar, errors),
-        }),
+        Ok((mut declaration, body)) => {
+            declaration.lines = lines(body, grammar, errors);
+            Some(declaration)
+        }
         Err(error) => {
             errors.add(error);
             None
@@ -38,18 +37,21 @@ pub(crate) fn declaration(
     }
 }
 
-fn header(input: ParseStream) -> syn::Result<(Vec<Attribute>, Visibility, Ident, TokenStream)> {
-    let docs = line::docs(input)?;
-    let visibility = input.parse()?;
-    input.parse::<Token![struct]>()?;
-    let name = input.parse()?;
+fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
+    let declaration = Declaration {
+        docs: line::docs(input)?,
+        visibility: input.parse()?,
+        keyword: input.parse()?,
+        name: input.parse()?,
+        lines: Vec::new(),
+    };
     let body;
     braced!(body in input);
     let body = body.parse()?;
     if !input.is_empty() {
         return Err(input.error("one declaration each: nothing may follow the closing brace"));
     }
-    Ok((docs, visibility, name, body))
+    Ok((declaration, body))
 }
 
 /// Cuts the body at its semicolons first, so that a broken line cannot hide the others.
@@ -92,7 +94,7 @@ fn read(tokens: TokenStream, grammar: Grammar, errors: &mut Errors, lines: &mut 
     match reader.parse2(tokens) {
         Ok((line, rest)) => {
             lines.push(line);
-            if let Some(keyword) = line::keyword_of(&rest) {
+            if let Some(keyword) = shape::keyword_of(&rest) {
                 errors.at(
                     &keyword,
                     format!("missing `;` at the end of the line before `{keyword}`"),
@@ -102,18 +104,7 @@ fn read(tokens: TokenStream, grammar: Grammar, errors: &mut Errors, lines: &mut 
         }
         Err(error) => {
             errors.add(error);
-            lines.push(Line::Broken(broken(&whole)));
+            lines.push(Line::Broken(shape::broken(&whole, grammar)));
         }
-    }
-}
-
-fn broken(tokens: &TokenStream) -> Broken {
-    let mut words = line::words(tokens);
-    Broken {
-        keyword: words
-            .next()
-            .map(|word| word.to_string())
-            .unwrap_or_default(),
-        name: words.next(),
     }
 }

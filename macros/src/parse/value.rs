@@ -7,7 +7,8 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Lit, LitInt, Token};
 
 use crate::arithmetic;
-use crate::syntax::{Bound, Bounds, Number, Unit, UnitFactor};
+use crate::formula::Number;
+use crate::syntax::{Bound, Bounds, Unit, UnitFactor};
 
 /// `["-"] literal`
 pub(super) fn number(input: ParseStream) -> syn::Result<Number> {

@@ -179,7 +179,7 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
 }
 
 /// A cycle this small against the first one is about to vanish.
-const SMALL: f64 = 0.02;
+const SMALL: f64 = 1e-4;
 
 /// Whether the cycle shrinks to an equilibrium, and where: the square of its extent is linear in r there.
 fn vanishes<const N: usize>(orbits: &[Orbit<N, ()>]) -> Option<End> {

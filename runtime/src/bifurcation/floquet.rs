@@ -2,6 +2,9 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
+use super::exponents::exponents;
+use crate::flow::Factor;
+
 /// Moduli below this share of the largest entry of the section map are not resolved by it.
 const RESOLVED: f64 = 1e-9;
 
@@ -45,13 +48,15 @@ pub struct Floquet {
 
 /// Judges an orbit from its monodromy matrix `monodromy`, the velocity `velocity` at its start,
 /// ∫ tr J dt where det Φ follows from it (`trace`), the number of multipliers that are zero
-/// because contacts stick, and the relative accuracy of Φ.
+/// because contacts stick, and the relative accuracy of Φ. `factors` of Φ, where given, tell apart what
+/// underflows in their product.
 #[must_use]
 pub fn floquet<const N: usize>(
     monodromy: &[[f64; N]; N],
     velocity: &[f64; N],
     trace: Option<f64>,
     zeros: usize,
+    factors: &[Factor<N>],
     accuracy: f64,
 ) -> Floquet {
     let phi = DMatrix::from_fn(N, N, |i, j| monodromy[i][j]);
@@ -72,7 +77,7 @@ pub fn floquet<const N: usize>(
     if zeros == 0
         && let Some(trace) = trace
     {
-        supplement(&mut found, &mut logs, trace);
+        supplement(&mut found, &mut logs, trace, factors);
     }
     let uncertainty = accuracy.max(trivial_error) * size.max(1.0);
     let (stability, unstable) = judge(&found, uncertainty);
@@ -109,25 +114,42 @@ fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
 }
 
 /// Liouville: the logarithms of all moduli add up to ∫ tr J. What the product of Φ cannot resolve
-/// follows from the rest where only one is missing.
-fn supplement(found: &mut [Complex<f64>], logs: &mut [Option<f64>], trace: f64) {
-    let missing: Vec<usize> = (0..logs.len()).filter(|&i| logs[i].is_none()).collect();
-    let single = found.len() == 1;
-    match (missing.as_slice(), single) {
+/// is told apart by the factors, and their sum made to agree.
+fn supplement<const N: usize>(
+    found: &mut [Complex<f64>],
+    logs: &mut [Option<f64>],
+    trace: f64,
+    factors: &[Factor<N>],
+) {
+    if found.len() == 1 {
         // One multiplier besides the trivial one: Liouville is exact and never worse.
-        (_, true) => {
-            logs[0] = Some(trace);
-            found[0] = Complex::new(trace.exp(), 0.0);
+        logs[0] = Some(trace);
+        found[0] = Complex::new(trace.exp(), 0.0);
+        return;
+    }
+    let known = logs.iter().take_while(|log| log.is_some()).count();
+    let missing = logs.len() - known;
+    let rest = trace - logs.iter().flatten().sum::<f64>();
+    let shares = match missing {
+        0 => return,
+        1 => vec![rest],
+        _ if factors.is_empty() => Vec::new(),
+        _ => {
+            let all = exponents(factors);
+            let small = &all[all.len() - missing..];
+            let sum: f64 = small.iter().sum();
+            small.iter().map(|log| log * rest / sum).collect()
         }
-        (&[last], false) => {
-            let rest = trace - logs.iter().flatten().sum::<f64>();
-            logs[last] = Some(rest);
-            let sign = if found[last].re < 0.0 { -1.0 } else { 1.0 };
-            found[last] = Complex::new(sign * rest.exp(), 0.0);
-        }
-        (several, _) => several
-            .iter()
-            .for_each(|&i| found[i] = Complex::new(0.0, 0.0)),
+    };
+    for (i, multiplier) in found.iter_mut().enumerate().skip(known) {
+        logs[i] = shares.get(i - known).copied();
+        let size = logs[i].map_or(0.0, f64::exp);
+        let signed = if size > 0.0 {
+            size.copysign(multiplier.re)
+        } else {
+            0.0
+        };
+        *multiplier = Complex::new(signed, 0.0);
     }
 }
 
@@ -165,7 +187,7 @@ mod tests {
         let phi = &change * diagonal * change.clone().try_inverse().unwrap();
         let monodromy = std::array::from_fn(|i| std::array::from_fn(|j| phi[(i, j)]));
         let velocity = std::array::from_fn(|i| change[(i, 0)]);
-        let verdict = floquet::<3>(&monodromy, &velocity, None, 0, 1e-12);
+        let verdict = floquet::<3>(&monodromy, &velocity, None, 0, &[], 1e-12);
         assert!((verdict.multipliers[0].re - 2.0).abs() < 1e-13);
         assert!((verdict.multipliers[1].re + 0.5).abs() < 1e-13);
         assert!(verdict.trivial_error < 1e-14);
@@ -182,6 +204,7 @@ mod tests {
             &[1.0, 0.0],
             Some(-29_000.0),
             0,
+            &[],
             1e-12,
         );
         assert_eq!(verdict.multipliers[0].norm(), 0.0);
@@ -191,7 +214,14 @@ mod tests {
 
     #[test]
     fn too_close_to_the_circle_is_undecided() {
-        let verdict = floquet::<2>(&[[1.0, 0.0], [0.0, 1.0 + 1e-9]], &[1.0, 0.0], None, 0, 1e-8);
+        let verdict = floquet::<2>(
+            &[[1.0, 0.0], [0.0, 1.0 + 1e-9]],
+            &[1.0, 0.0],
+            None,
+            0,
+            &[],
+            1e-8,
+        );
         assert_eq!(verdict.stability, Stability::Undecided);
     }
 }

@@ -1,5 +1,6 @@
 //! Stability of periodic motions, and where it changes.
 
+mod exponents;
 mod floquet;
 
 pub use floquet::{Floquet, Stability, floquet};

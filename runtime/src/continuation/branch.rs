@@ -2,10 +2,10 @@
 
 use nalgebra::DVector;
 
+use super::ZeroProblem;
 use super::corrector::{Corrected, Failure, correct};
 use super::predictor::tangent;
 use super::step::{angles, growth};
-use super::{Linearisation, ZeroProblem};
 
 /// How a branch is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,6 +93,20 @@ pub struct Branch<P: ZeroProblem> {
     ending: Option<Ending<P::Error>>,
 }
 
+/// Why a step was not made.
+enum Stop<E> {
+    /// A smaller one may succeed.
+    Retry(Failure<E>),
+    /// The problem ends the branch here.
+    Refused(E),
+}
+
+impl<E> From<Failure<E>> for Stop<E> {
+    fn from(failure: Failure<E>) -> Self {
+        Self::Retry(failure)
+    }
+}
+
 /// The point from which the next step is made, in unscaled coordinates.
 #[derive(Debug, Clone)]
 struct Base {
@@ -133,7 +147,12 @@ impl<P: ZeroProblem> Branch<P> {
             count: 0,
             ending: (span == 0.0).then_some(Ending::ReachedEnd),
         };
-        let point = branch.accept(corrected, &normal)?;
+        let point = branch
+            .accept(corrected, &normal)
+            .map_err(|stop| match stop {
+                Stop::Retry(failure) => failure,
+                Stop::Refused(error) => Failure::Evaluation(error),
+            })?;
         Ok((branch, point))
     }
 
@@ -147,22 +166,36 @@ impl<P: ZeroProblem> Branch<P> {
         &mut self,
         corrected: Corrected<P::Extra>,
         direction: &DVector<f64>,
-    ) -> Result<Point<P::Extra>, Failure<P::Error>> {
+    ) -> Result<Point<P::Extra>, Stop<P::Error>> {
+        let mut corrected = corrected;
+        let mut newton = corrected.corrections.len();
+        let before = self.problem.scale();
+        let tangent = self.tangent(&corrected, direction)?;
+        let moved = self
+            .problem
+            .accept(&corrected.z, corrected.r, &corrected.linearisation.extra)
+            .map_err(Stop::Refused)?;
+        let mut tangent = rescaled(tangent, &before.component_div(&self.problem.scale()));
+        if let Some(z) = moved {
+            let (r, n) = (corrected.r, z.len());
+            corrected = correct(
+                &mut self.problem,
+                z,
+                r,
+                &unit(n),
+                self.r_scale,
+                self.settings.accuracy,
+            )?;
+            newton += corrected.corrections.len();
+            tangent = self.tangent(&corrected, &self.problem.lasting(&tangent))?;
+        }
         let Corrected {
             z,
             r,
             linearisation,
             residual,
-            corrections,
+            ..
         } = corrected;
-        let scale = self.problem.scale();
-        let tangent = tangent(&linearisation, &scale, self.r_scale, direction)
-            .ok_or(Failure::Singular { r })?;
-        let Linearisation { extra, .. } = linearisation;
-        let z = self
-            .problem
-            .accept(z, r, &extra)
-            .map_err(Failure::Evaluation)?;
         let tangent_r = tangent[z.len()];
         self.point = Some(Base {
             z: z.clone(),
@@ -173,15 +206,29 @@ impl<P: ZeroProblem> Branch<P> {
         Ok(Point {
             z,
             r,
-            extra,
+            extra: linearisation.extra,
             residual,
             tangent_r,
-            newton: corrections.len() as u64,
+            newton: newton as u64,
         })
     }
 
+    fn tangent(
+        &self,
+        corrected: &Corrected<P::Extra>,
+        direction: &DVector<f64>,
+    ) -> Result<DVector<f64>, Failure<P::Error>> {
+        tangent(
+            &corrected.linearisation,
+            &self.problem.scale(),
+            self.r_scale,
+            direction,
+        )
+        .ok_or(Failure::Singular { r: corrected.r })
+    }
+
     /// One prediction and correction with the present step.
-    fn attempt(&mut self, base: &Base) -> Result<Point<P::Extra>, Failure<P::Error>> {
+    fn attempt(&mut self, base: &Base) -> Result<Point<P::Extra>, Stop<P::Error>> {
         let Settings {
             to, from, accuracy, ..
         } = self.settings;
@@ -246,6 +293,12 @@ impl<P: ZeroProblem> Branch<P> {
     }
 }
 
+/// A tangent in coordinates that are stretched by `ratio`, r left as it is.
+fn rescaled(mut tangent: DVector<f64>, ratio: &DVector<f64>) -> DVector<f64> {
+    tangent.rows_mut(0, ratio.len()).component_mul_assign(ratio);
+    tangent.normalize()
+}
+
 fn unit(n: usize) -> DVector<f64> {
     let mut normal = DVector::zeros(n + 1);
     normal[n] = 1.0;
@@ -272,7 +325,11 @@ impl<P: ZeroProblem> Iterator for Branch<P> {
         loop {
             match self.attempt(&base) {
                 Ok(point) => return Some(point),
-                Err(failure) => {
+                Err(Stop::Refused(error)) => {
+                    self.ending = Some(Ending::Refused(error));
+                    return None;
+                }
+                Err(Stop::Retry(failure)) => {
                     self.step *= 0.4;
                     if self.step < self.settings.smallest_step {
                         self.ending = Some(Ending::StepTooSmall(failure));
@@ -287,6 +344,7 @@ impl<P: ZeroProblem> Iterator for Branch<P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::continuation::Linearisation;
     use nalgebra::DMatrix;
 
     /// z² + r² = 1: two folds.

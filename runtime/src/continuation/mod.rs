@@ -33,17 +33,23 @@ pub trait ZeroProblem {
     fn scale(&self) -> DVector<f64>;
 
     /// Told of each accepted point, so that the problem can follow the branch with what it fixes
-    /// (a phase condition, say). It may return other unknowns for the same solution.
+    /// (a phase condition, say). It may return other unknowns for the same solution, and is then
+    /// evaluated anew.
     ///
     /// # Errors
     /// The point is no solution of the kind sought; the branch ends there.
     fn accept(
         &mut self,
-        z: DVector<f64>,
+        _z: &DVector<f64>,
         _r: f64,
         _extra: &Self::Extra,
-    ) -> Result<DVector<f64>, Self::Error> {
-        Ok(z)
+    ) -> Result<Option<DVector<f64>>, Self::Error> {
+        Ok(None)
+    }
+
+    /// The part of a tangent (scaled, r last) that keeps its meaning when the unknowns are changed for others.
+    fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
+        tangent.clone()
     }
 }
 

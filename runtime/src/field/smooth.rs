@@ -1,5 +1,7 @@
 //! The smooth vector field of a declared model: without friction, or with every contact smoothed.
 
+mod readout;
+
 use super::smoothing::{Smoothed, Smoothing, SmoothingError};
 use super::{Field, Linear};
 use crate::friction::{ContactRule, FrictionLaw};

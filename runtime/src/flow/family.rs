@@ -1,9 +1,10 @@
 //! Flows that depend on a design variable.
 
+use super::exact::ExactFlow;
 use super::{Flow, FlowError, SmoothFlow};
-use crate::field::{Design, SmoothField, Smoothing, SmoothingError};
+use crate::field::{Design, SmoothField, Smoothing};
 use crate::integrate::Tolerance;
-use crate::model::{Model, ParameterError};
+use crate::model::{Model, ParamId};
 
 /// One flow for each value of a design variable r.
 pub trait Family<const N: usize> {
@@ -66,14 +67,30 @@ impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
     }
 }
 
-impl From<ParameterError> for FlowError {
-    fn from(error: ParameterError) -> Self {
-        Self::Parameter(error)
-    }
+/// A model with its declared friction, along one design variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExactFamily<M, const N: usize> {
+    /// The model at the values of all parameters but the design variable.
+    pub model: M,
+    /// Which parameter r stands for, if any.
+    pub design: Option<usize>,
+    /// Local tolerance of the integration.
+    pub tolerance: Tolerance,
 }
 
-impl From<SmoothingError> for FlowError {
-    fn from(error: SmoothingError) -> Self {
-        Self::Smoothing(error)
+impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
+    type Flow = ExactFlow<M, N>;
+
+    fn at(&self, r: f64) -> Result<ExactFlow<M, N>, FlowError> {
+        let mut values = self.model.values();
+        if let Some(value) = self.design.and_then(|index| values.as_mut().get_mut(index)) {
+            *value = r;
+        }
+        let design = self.design.map(ParamId::new);
+        ExactFlow::new(&M::from_values(values), design, self.tolerance.explicit())
+    }
+
+    fn with_tolerance(&self, tolerance: Tolerance) -> Self {
+        Self { tolerance, ..*self }
     }
 }

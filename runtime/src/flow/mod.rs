@@ -1,14 +1,21 @@
 //! Where a motion is after a time, and how that depends on where it began.
 
+pub mod event;
+pub mod exact;
 mod extrema;
 mod family;
+mod saltation;
 mod smooth;
+mod word;
 
-pub use family::{Family, SmoothFamily};
+pub use event::{Event, EventKind};
+pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
+pub use word::word;
 
 use crate::field::SmoothingError;
 use crate::field::Work;
+use crate::field::exact::{ContactError, Mode};
 use crate::integrate::IntegrationError;
 use crate::model::ParameterError;
 
@@ -90,10 +97,43 @@ pub struct Passage<const N: usize, Mode> {
     pub extrema: Vec<Extremum<N>>,
     /// Stretches in constant mode, in the order of time; one for a smooth system.
     pub segments: Vec<Segment<Mode>>,
+    /// What happened at the contacts, in the order of time; nothing for a smooth system.
+    pub events: Vec<Event<N>>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample<N>>,
+    /// The end of the longest step: where the motion is calmest, a good place to begin an orbit.
+    pub calm: Calm<N, Mode>,
     /// What it cost.
     pub work: Work,
+}
+
+/// The end of the longest step of a passage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Calm<const N: usize, Mode> {
+    /// When, from the beginning of the passage.
+    pub time: f64,
+    /// Length of the step.
+    pub step: f64,
+    /// Where.
+    pub place: Place<N, Mode>,
+}
+
+impl<const N: usize, Mode> Calm<N, Mode> {
+    /// Nothing known yet: the beginning itself.
+    pub(crate) fn at(place: Place<N, Mode>) -> Self {
+        Self {
+            time: 0.0,
+            step: 0.0,
+            place,
+        }
+    }
+
+    /// Takes the end of a longer step instead.
+    pub(crate) fn offer(&mut self, time: f64, step: f64, place: Place<N, Mode>) {
+        if step > self.step {
+            *self = Self { time, step, place };
+        }
+    }
 }
 
 /// How the end of a passage depends on its beginning, on the design variable and on its duration.
@@ -108,7 +148,16 @@ pub struct Derivatives<const N: usize> {
     /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
     pub trace: f64,
     /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
-    pub factors: Vec<[[f64; N]; N]>,
+    pub factors: Vec<Factor<N>>,
+}
+
+/// A factor of Φ over one stretch of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factor<const N: usize> {
+    /// ∂(end)/∂(beginning) of the stretch.
+    pub state: [[f64; N]; N],
+    /// ∫ J dt over the stretch, where an implicit step damps what decays fast far less than the motion does.
+    pub growth: Option<[[f64; N]; N]>,
 }
 
 /// A local extremum of one state along a motion.
@@ -161,16 +210,92 @@ pub enum FlowError {
         /// Relative speed, signed.
         speed: f64,
     },
-    /// A parameter is outside what the model declares.
+    /// A parameter that the model does not accept.
     #[error(transparent)]
-    Parameter(ParameterError),
+    Parameter(#[from] ParameterError),
+    /// Forces at rest that are not determined.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// A contact that can neither stick nor slide the way it should.
+    #[error(
+        "contact {contact} is to be in mode {mode} at t = {time}, but its relative speed is {speed:e}, \
+         with rates {rate:e} and {second_rate:e}"
+    )]
+    InconsistentMode {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// The mode it should be in.
+        mode: Mode,
+        /// Relative speed w.
+        speed: f64,
+        /// ẇ.
+        rate: f64,
+        /// ẅ.
+        second_rate: f64,
+    },
+    /// Event upon event in next to no time.
+    #[error("{events} events in no time at contact {contact}, up to t = {time}")]
+    Chattering {
+        /// Number of the contact that was last.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// How many.
+        events: u64,
+    },
+    /// An event at which the motion has no derivative.
+    #[error(transparent)]
+    SensitivityUndefined(#[from] SensitivityUndefined),
     /// The smoothing would falsify a law.
     #[error(transparent)]
-    Smoothing(SmoothingError),
+    Smoothing(#[from] SmoothingError),
+    /// A periodic orbit has shrunk to a point.
+    #[error("the orbit has shrunk to an equilibrium at {state:?}")]
+    Vanished {
+        /// Where.
+        state: Vec<f64>,
+    },
+    /// A motion that should close comes back in another mode.
+    #[error("the motion comes back in mode {found}, but began in mode {wanted}")]
+    OtherMode {
+        /// Modes of the contacts at the end.
+        found: String,
+        /// Modes of the contacts at the start.
+        wanted: String,
+    },
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]
     BadTime {
         /// The duration.
+        time: f64,
+    },
+}
+
+/// Why a motion has no derivative at an event; the motion itself goes on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SensitivityUndefined {
+    /// The event surface is touched, not crossed.
+    #[error(
+        "no derivative: contact {contact} grazes at t = {time}, where its guard falls at the rate {rate:e} only"
+    )]
+    Grazing {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// Rate of the guard along the motion.
+        rate: f64,
+    },
+    /// Events at one time whose order matters.
+    #[error(
+        "no derivative: contacts {contacts:?} switch together at t = {time}, and their order matters"
+    )]
+    Simultaneous {
+        /// Numbers of the contacts.
+        contacts: Vec<usize>,
+        /// When.
         time: f64,
     },
 }

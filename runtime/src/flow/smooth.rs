@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::extrema::extrema;
-use super::{Derivatives, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want};
+use super::{
+    Calm, Derivatives, Factor, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want,
+};
 use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, Stepper, integrate};
 use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
@@ -75,6 +77,12 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
             })
         };
         record.work += work;
+        if record.want.factors {
+            record.factors.push(Factor {
+                state: record.motion.tangent,
+                growth: None,
+            });
+        }
         backwards?;
         match outcome {
             Ok(_) => record.time = time,
@@ -174,8 +182,9 @@ struct Record<const N: usize> {
     time: f64,
     motion: Motion<N>,
     extrema: Vec<super::Extremum<N>>,
-    factors: Vec<[[f64; N]; N]>,
+    factors: Vec<Factor<N>>,
     path: Vec<Sample<N>>,
+    calm: Calm<N, ()>,
     work: Work,
 }
 
@@ -193,6 +202,7 @@ impl<const N: usize> Record<N> {
             extrema: Vec::new(),
             factors: Vec::new(),
             path,
+            calm: Calm::at(Place { state, mode: () }),
             work: Work::default(),
         }
     }
@@ -203,6 +213,7 @@ impl<const N: usize> Record<N> {
     {
         let (time, length) = (step.time(), step.length());
         self.time = time + length;
+        self.stay(length);
         if !(self.want.extrema || self.want.path) {
             return;
         }
@@ -235,11 +246,16 @@ impl<const N: usize> Record<N> {
     ) {
         self.time = offset + radau.time();
         self.motion.state = step.end;
+        self.stay(step.step);
         if self.want.derivatives {
             let propagator = radau.propagator();
             self.motion = self.motion.through(&propagator);
             if self.want.factors {
-                self.factors.push(propagator.state);
+                let growth = Some(radau.growth());
+                self.factors.push(Factor {
+                    state: propagator.state,
+                    growth,
+                });
             }
         }
         if self.want.extrema {
@@ -256,6 +272,14 @@ impl<const N: usize> Record<N> {
             let increment = step.collocation.at(theta);
             std::array::from_fn(|j| step.start[j] + increment[j])
         });
+    }
+
+    fn stay(&mut self, length: f64) {
+        let place = Place {
+            state: self.motion.state,
+            mode: (),
+        };
+        self.calm.offer(self.time, length, place);
     }
 
     fn draw(&mut self, time: f64, length: f64, at: impl Fn(f64) -> [f64; N]) {
@@ -303,6 +327,8 @@ impl<const N: usize> Record<N> {
                 duration: time,
             }],
             path: self.path,
+            calm: self.calm,
+            events: Vec::new(),
             work: self.work,
         })
     }

@@ -1,5 +1,7 @@
 //! Polynomials inside a step, in Bernstein form.
 
+use std::sync::LazyLock;
+
 /// Highest degree: that of the dense output.
 pub(super) const DEGREE: usize = 7;
 
@@ -39,11 +41,9 @@ impl Bernstein {
     /// From the nested form of the dense output, whose term k multiplies θ^(k/2+1) (1−θ)^((k+1)/2).
     pub(super) fn from_nested(value: f64, terms: [f64; DEGREE]) -> Self {
         let mut coefficients = [value; DEGREE + 1];
-        for (k, term) in terms.iter().enumerate() {
-            let (a, b) = (k / 2 + 1, k.div_ceil(2));
-            let spare = DEGREE - a - b;
-            for (i, c) in coefficients[a..=a + spare].iter_mut().enumerate() {
-                *c += term * binomial(spare, i) / binomial(DEGREE, a + i);
+        for (term, nested) in terms.iter().zip(&NESTED) {
+            for (c, weight) in coefficients.iter_mut().zip(nested) {
+                *c += term * weight;
             }
         }
         Self {
@@ -55,25 +55,32 @@ impl Bernstein {
     /// The polynomial of degree 7 with these values at [`Bernstein::nodes`].
     #[must_use]
     pub fn interpolate(values: &[f64; DEGREE + 1]) -> Self {
-        let nodes = Self::nodes();
-        let mut differences = *values;
-        for order in 1..=DEGREE {
-            for i in (order..=DEGREE).rev() {
-                let run = nodes[i] - nodes[i - order];
-                differences[i] = (differences[i] - differences[i - 1]) / run;
+        let mut coefficients = [0.0; DEGREE + 1];
+        for (value, cardinal) in values.iter().zip(&*CARDINAL) {
+            for (c, weight) in coefficients.iter_mut().zip(cardinal) {
+                *c += value * weight;
             }
         }
-        let mut sum = Self::new(&[differences[DEGREE]]);
-        for i in (0..DEGREE).rev() {
-            sum = sum.times_linear(nodes[i], differences[i]);
+        Self {
+            coefficients,
+            degree: DEGREE,
         }
-        sum
     }
 
-    /// p (θ − root) + rest: the step of Horner's scheme in Newton's form.
-    fn times_linear(&self, root: f64, rest: f64) -> Self {
+    /// The polynomial that is 1 at the node of this index and 0 at the others.
+    fn cardinal(index: usize) -> Self {
+        let nodes = Self::nodes();
+        let others = || (0..=DEGREE).filter(|&k| k != index).map(|k| nodes[k]);
+        let scale: f64 = others().map(|node| nodes[index] - node).product();
+        others().fold(Self::new(&[1.0 / scale]), |product, node| {
+            product.times_linear(node)
+        })
+    }
+
+    /// p (θ − root).
+    fn times_linear(&self, root: f64) -> Self {
         let degree = self.degree + 1;
-        let mut coefficients = [rest; DEGREE + 1];
+        let mut coefficients = [0.0; DEGREE + 1];
         for j in 0..=self.degree {
             let (up, down) = ((j + 1) as f64, (degree - j) as f64);
             let c = self.coefficients[j] / degree as f64;
@@ -149,6 +156,18 @@ impl Bernstein {
         }
     }
 
+    /// The polynomial with coefficients of at most this size, which are rounding errors, set to zero.
+    #[must_use]
+    pub fn without_noise(&self, size: f64) -> Self {
+        let coefficients = self
+            .coefficients
+            .map(|c| if c.abs() <= size { 0.0 } else { c });
+        Self {
+            coefficients,
+            degree: self.degree,
+        }
+    }
+
     /// A lower bound of the polynomial on [0, 1].
     #[must_use]
     pub fn lower_bound(&self) -> f64 {
@@ -167,7 +186,35 @@ impl Bernstein {
     }
 }
 
+/// Bernstein coefficients of the basis of the dense output.
+const NESTED: [[f64; DEGREE + 1]; DEGREE] = nested();
+
+/// Bernstein coefficients of the polynomials that are 1 at one node and 0 at the others.
+static CARDINAL: LazyLock<[[f64; DEGREE + 1]; DEGREE + 1]> =
+    LazyLock::new(|| std::array::from_fn(|i| Bernstein::cardinal(i).coefficients));
+
+const fn nested() -> [[f64; DEGREE + 1]; DEGREE] {
+    let mut all = [[0.0; DEGREE + 1]; DEGREE];
+    let mut k = 0;
+    while k < DEGREE {
+        let (a, b) = (k / 2 + 1, k.div_ceil(2));
+        let spare = DEGREE - a - b;
+        let mut j = 0;
+        while j <= spare {
+            all[k][a + j] = binomial(spare, j) / binomial(DEGREE, a + j);
+            j += 1;
+        }
+        k += 1;
+    }
+    all
+}
+
 /// C(n, k) for the small n at hand.
-fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
+const fn binomial(n: usize, k: usize) -> f64 {
+    let (mut c, mut i) = (1.0, 0);
+    while i < k {
+        c *= (n - i) as f64 / (i + 1) as f64;
+        i += 1;
+    }
+    c
 }

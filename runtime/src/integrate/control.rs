@@ -17,6 +17,7 @@ pub(super) struct Control {
     /// What to try next, once known.
     pub(super) proposal: Option<f64>,
     span: f64,
+    /// Logarithm of the last accepted error.
     last_error: f64,
     rejected: bool,
     stiff: u32,
@@ -28,7 +29,7 @@ impl Control {
         Self {
             proposal: None,
             span,
-            last_error: 1e-4,
+            last_error: 1e-4_f64.ln(),
             rejected: false,
             stiff: 0,
             not_stiff: 0,
@@ -58,10 +59,11 @@ impl Control {
 
     /// Proposes the length after an accepted step.
     pub(super) fn accept(&mut self, length: f64, error: f64) {
-        let growth = SAFETY * self.last_error.powf(INTEGRAL) / error.max(1e-14).powf(PROPORTIONAL);
+        let error = error.max(1e-14).ln();
+        let growth = SAFETY * (INTEGRAL * self.last_error - PROPORTIONAL * error).exp();
         let most = if self.rejected { 1.0 } else { MOST_GROWTH };
         self.proposal = Some(length * growth.clamp(MOST_SHRINK, most));
-        self.last_error = error.max(1e-4);
+        self.last_error = error.max(1e-4_f64.ln());
         self.rejected = false;
     }
 

@@ -30,16 +30,24 @@ pub struct SignChanges {
 }
 
 impl Bernstein {
-    /// Where a polynomial that is known to be positive just after 0 first becomes negative.
+    /// Where a polynomial that is known to be positive just after 0 first becomes negative, and a place
+    /// after that, or 1, up to which it stays so.
     #[must_use]
-    pub fn first_fall(&self) -> Option<f64> {
+    pub fn first_fall(&self) -> Option<(f64, f64)> {
         if self.lower_bound() >= 0.0 {
             return None;
         }
-        self.changes(1.0)
-            .iter()
-            .find(|change| !change.rising)
-            .map(|change| change.theta)
+        let changes = self.changes(1.0);
+        let fall = changes.iter().find(|change| !change.rising)?.theta;
+        let rise = changes.iter().find(|change| change.rising);
+        let until = rise.map_or(1.0, |change| 0.5 * (fall + change.theta));
+        Some((fall, until))
+    }
+
+    /// Its signs just after 0 and just before 1; `None` if it vanishes.
+    #[must_use]
+    pub fn end_signs(&self) -> Option<(f64, f64)> {
+        self.signs().map(|(first, last, _)| (first, last))
     }
 
     /// All sign changes in [0, 1]; a double root is none.

@@ -599,6 +599,18 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         propagator
     }
 
+    /// ∫ J dt over the last accepted step.
+    #[must_use]
+    pub fn growth(&self) -> [[f64; N]; N] {
+        let weights = &self.tableau.matrix[S - 1];
+        let entry = |row: usize, column: usize| -> f64 {
+            (0..S)
+                .map(|i| weights[i] * self.last.linear[i].jacobian[row][column])
+                .sum()
+        };
+        std::array::from_fn(|row| std::array::from_fn(|column| self.last.step * entry(row, column)))
+    }
+
     /// Differentiates the stage equations along (δy₀, δr, δh) and returns δy₁.
     fn transport(&self, start: &[f64; N], design: f64, length: f64) -> [f64; N] {
         let (trial, solved, a) = (&self.last, Layout::<F, N>::solved(), &self.tableau.matrix);

@@ -134,13 +134,15 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
     /// The state to which a step of this length would lead: the step map on which events are located.
     pub fn step_map(&mut self, length: f64) -> [f64; N] {
         let from = *self.from.state();
-        let mut slopes = [[0.0; N]; 12];
+        let mut slopes = [[0.0; N]; 13];
         slopes[0] = *self.slopes[0].state();
-        for (stage, weights) in STAGES.iter().enumerate() {
-            let look = combine(&from, length, weights, &slopes);
-            slopes[stage + 1] = look.slope(self.field, &mut self.work);
-        }
+        stages(self.field, &from, length, &mut slopes, &mut self.work);
         combine(&from, length, END, &slopes)
+    }
+
+    /// f at any state, counted.
+    pub fn slope_at(&mut self, state: &[f64; N]) -> [f64; N] {
+        state.slope(self.field, &mut self.work)
     }
 
     /// The polynomial of degree 7 through the step.
@@ -175,11 +177,8 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
 
     fn trial(&mut self, length: f64) {
         self.length = length;
-        for (stage, weights) in STAGES.iter().enumerate() {
-            let look = combine(&self.from, length, weights, &self.slopes);
-            self.slopes[stage + 1] = look.slope(self.field, &mut self.work);
-            self.last_look = *look.state();
-        }
+        let (slopes, work) = (&mut self.slopes, &mut self.work);
+        self.last_look = *stages(self.field, &self.from, length, slopes, work).state();
         self.end = combine(&self.from, length, END, &self.slopes);
     }
 
@@ -285,8 +284,38 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
     }
 }
 
-/// from + h Σ wⱼ kⱼ: the increments are summed before the state is touched, to round once.
+/// Evaluates the slopes of stages 2 to 12 from that of the first; where the last looked.
 #[inline]
+fn stages<F: Field<N>, V: Carried<N>, const N: usize>(
+    field: &F,
+    from: &V,
+    length: f64,
+    slopes: &mut [V; 13],
+    work: &mut Work,
+) -> V {
+    // Each stage on its own, so that its weights are constants to the compiler.
+    macro_rules! stage {
+        ($number:literal) => {{
+            let look = combine(from, length, STAGES[$number], slopes);
+            slopes[$number + 1] = look.slope(field, work);
+            look
+        }};
+    }
+    stage!(0);
+    stage!(1);
+    stage!(2);
+    stage!(3);
+    stage!(4);
+    stage!(5);
+    stage!(6);
+    stage!(7);
+    stage!(8);
+    stage!(9);
+    stage!(10)
+}
+
+/// from + h Σ wⱼ kⱼ: the increments are summed before the state is touched, to round once.
+#[inline(always)]
 fn combine<V: Carried<N>, const N: usize>(
     from: &V,
     length: f64,

@@ -1,7 +1,7 @@
 //! A branch of periodic orbits along the design variable.
 
 use super::guess::Guess;
-use super::orbit::Orbit;
+use super::orbit::{Orbit, Solution};
 use super::problem::{OrbitProblem, Shot};
 use super::search::{Search, problem};
 use crate::continuation::{Branch, Ending, Failure, Point, Settings};
@@ -37,8 +37,11 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
             period: orbit.period,
             magnitude,
         };
-        let (problem, z) =
+        let (mut problem, z) =
             problem(family, settings.from, &guess, search.segments).map_err(Failure::Evaluation)?;
+        problem
+            .float(&orbit.place, settings.from)
+            .map_err(Failure::Evaluation)?;
         let (branch, first) = Branch::start(problem, z, settings)?;
         let mut orbits = Self {
             branch,
@@ -61,8 +64,14 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         let total = self.branch.problem.work;
         let work = total.since(&self.counted);
         self.counted = total;
-        Orbit::read::<F::Flow>(&point.extra, point.r, point.residual, self.accuracy, work)
-            .at(&point.z)
+        let family = &self.branch.problem.family;
+        let solution = Solution {
+            shot: &point.extra,
+            z: &point.z,
+            r: point.r,
+            residual: point.residual,
+        };
+        Orbit::read(family, solution, self.accuracy, work)
     }
 }
 

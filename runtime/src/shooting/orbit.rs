@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::problem::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
-use crate::flow::{Flow, Place, Segment};
+use crate::flow::{Factor, Family, Flow, Place, Segment};
 
 /// A periodic orbit.
 #[derive(Debug, Clone)]
@@ -34,52 +34,82 @@ pub struct Orbit<const N: usize, Mode> {
     pub work: Work,
 }
 
+/// A converged solution of the shooting equations.
+pub(crate) struct Solution<'a, const N: usize, Mode> {
+    pub(crate) shot: &'a Shot<N, Mode>,
+    pub(crate) z: &'a DVector<f64>,
+    pub(crate) r: f64,
+    pub(crate) residual: f64,
+}
+
+/// The start of the orbit if it lies on the default section; else the lowest of its minima of the first state.
+fn section_place<F: Family<N>, const N: usize>(
+    family: &F,
+    solution: &Solution<'_, N, <F::Flow as Flow<N>>::Mode>,
+) -> Place<N, <F::Flow as Flow<N>>::Mode> {
+    let (shot, z) = (solution.shot, solution.z);
+    let start = Place {
+        state: std::array::from_fn(|j| z[j]),
+        mode: shot.start.mode,
+    };
+    if shot.starts_on_section() {
+        return start;
+    }
+    let lowest = shot.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+    let place = lowest.and_then(|(_, state)| family.at(solution.r).ok()?.place(state).ok());
+    place.unwrap_or(start)
+}
+
 /// Whether two times are the same instant of a period.
 const INSTANT: f64 = 1e-6;
 
 impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
     /// Reads an orbit off its converged shot.
-    pub(crate) fn read<F: Flow<N, Mode = Mode>>(
-        shot: &Shot<N, Mode>,
-        r: f64,
-        residual: f64,
+    pub(crate) fn read<F>(
+        family: &F,
+        solution: Solution<'_, N, Mode>,
         accuracy: f64,
         work: Work,
-    ) -> Self {
+    ) -> Self
+    where
+        F: Family<N>,
+        F::Flow: Flow<N, Mode = Mode>,
+    {
+        let Solution {
+            shot,
+            z,
+            r,
+            residual,
+        } = solution;
         let (min, max) = shot.extent();
-        let segments: Vec<Segment<Mode>> = shot
-            .passages
-            .iter()
-            .flat_map(|p| p.segments.clone())
+        let passages = shot.passages.iter();
+        let segments: Vec<Segment<Mode>> = passages
+            .flat_map(|passage| passage.segments.clone())
             .collect();
-        let zeros = segments
-            .iter()
-            .map(|segment| F::sticking(&segment.mode))
-            .max()
-            .unwrap_or(0);
+        let sticking = |segment: &Segment<Mode>| F::Flow::sticking(&segment.mode);
+        let zeros = segments.iter().map(sticking).max().unwrap_or(0);
         let (monodromy, trace) = shot.monodromy();
         let trace = (segments.len() == shot.passages.len()).then_some(trace);
-        let floquet = floquet(&monodromy, &shot.velocity.f, trace, zeros, accuracy);
         Self {
             r,
-            place: shot.start,
-            period: shot.period,
+            place: section_place(family, &solution),
+            period: z[z.len() - 1],
             max,
             min,
             period_count: shot.minima().count().max(1),
-            floquet,
+            floquet: floquet(
+                &monodromy,
+                &shot.velocity.f,
+                trace,
+                zeros,
+                &shot.factors(),
+                accuracy,
+            ),
             residual,
             error_estimate: accuracy.max(residual),
             segments,
             work,
         }
-    }
-
-    /// The same orbit, its start and period moved by Newton's last, negligible correction.
-    pub(crate) fn at(mut self, z: &DVector<f64>) -> Self {
-        self.place.state = std::array::from_fn(|j| z[j]);
-        self.period = z[z.len() - 1];
-        self
     }
 
     /// Largest magnitude of each state.
@@ -90,6 +120,17 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
 }
 
 impl<const N: usize, Mode: Copy> Shot<N, Mode> {
+    /// The factors of Φ once around, if they were wanted.
+    fn factors(&self) -> Vec<Factor<N>> {
+        let derivatives = self
+            .passages
+            .iter()
+            .filter_map(|passage| passage.derivatives.as_ref());
+        derivatives
+            .flat_map(|derivatives| derivatives.factors.iter().copied())
+            .collect()
+    }
+
     /// Φ once around, and ∫ tr J.
     pub(crate) fn monodromy(&self) -> ([[f64; N]; N], f64) {
         let mut phi: [[f64; N]; N] =
@@ -125,15 +166,16 @@ impl<const N: usize, Mode: Copy> Shot<N, Mode> {
                 minima.map(move |e| (i as f64 * share + e.time, e.state))
             });
         let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
-        let slope = self.velocity.f[0] * self.period;
-        let size = (0..N)
-            .map(|j| (self.velocity.jacobian[0][j] * self.velocity.f[j]).abs())
-            .sum::<f64>();
-        let on_section = slope.abs() <= near * size * self.period;
-        let bend: f64 = (0..N)
-            .map(|j| self.velocity.jacobian[0][j] * self.velocity.f[j])
-            .sum();
-        let start = (on_section && bend > 0.0).then_some((0.0, self.start.state));
+        let start = self.starts_on_section().then_some((0.0, self.start.state));
         start.into_iter().chain(inside)
+    }
+
+    /// Whether the first state is least at the start.
+    fn starts_on_section(&self) -> bool {
+        let terms = (0..N).map(|j| self.velocity.jacobian[0][j] * self.velocity.f[j]);
+        let (bend, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| {
+            (sum + term, size + term.abs())
+        });
+        self.velocity.f[0].abs() <= INSTANT * self.period * size && bend > 0.0
     }
 }

@@ -9,6 +9,13 @@ use crate::flow::{Family, Flow, FlowError, Passage, Place, Velocity, Want};
 
 type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
+/// A start is left for a calmer one whose field turns this many times more slowly.
+const HASTE: f64 = 4.0;
+/// Share of the period by which a start keeps away from events.
+const MARGIN: f64 = 0.01;
+/// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
+const VANISHED: f64 = 1e-4;
+
 /// Unknowns are the starts x₁ … xₘ of `m` segments and the period T; the equations are
 /// φ(xᵢ, T/m) − xᵢ₊₁ = 0, cyclically, and a phase condition on x₁.
 #[derive(Debug, Clone)]
@@ -26,6 +33,7 @@ pub struct OrbitProblem<F: Family<N>, const N: usize> {
     /// Work of all evaluations.
     pub work: Work,
     modes: Vec<Mode<F, N>>,
+    largest: [f64; N],
 }
 
 /// One evaluation of the problem: the motion once around.
@@ -62,6 +70,7 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
             },
             work: Work::default(),
             modes: starts.iter().map(|place| place.mode).collect(),
+            largest: magnitude,
         }
     }
 
@@ -70,6 +79,19 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
     pub fn unknowns(starts: &[[f64; N]], period: f64) -> DVector<f64> {
         let states = starts.iter().flatten().copied();
         DVector::from_iterator(starts.len() * N + 1, states.chain(std::iter::once(period)))
+    }
+
+    /// Lets the start float along the orbit, orthogonally to the field, from `place` at r.
+    ///
+    /// # Errors
+    /// The field is not finite there.
+    pub fn float(&mut self, place: &Place<N, Mode<F, N>>, r: f64) -> Result<(), FlowError> {
+        let velocity = self.family.at(r)?.velocity(place)?.f;
+        self.phase = Phase::Orthogonal {
+            at: place.state,
+            velocity,
+        };
+        Ok(())
     }
 
     fn segment(&self, z: &DVector<f64>, i: usize) -> [f64; N] {
@@ -103,6 +125,13 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
             };
             let passage = flow.advance(&from, period / m as f64, self.want)?;
             self.work += passage.work;
+            // A start that is held on a surface hides a motion that does not come back to it.
+            if passage.end.mode != self.modes[(i + 1) % m] {
+                return Err(FlowError::OtherMode {
+                    found: format!("{:?}", passage.end.mode),
+                    wanted: format!("{:?}", self.modes[(i + 1) % m]),
+                });
+            }
             let next = self.segment(z, (i + 1) % m);
             if let Some(derivatives) = &passage.derivatives {
                 for row in 0..N {
@@ -160,17 +189,84 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
 
     fn accept(
         &mut self,
-        z: DVector<f64>,
-        _r: f64,
+        z: &DVector<f64>,
+        r: f64,
         shot: &Self::Extra,
-    ) -> Result<DVector<f64>, FlowError> {
+    ) -> Result<Option<DVector<f64>>, FlowError> {
         self.period = shot.period;
         self.magnitude = shot.magnitude(&self.magnitude);
-        if let Phase::Orthogonal { at, velocity } = &mut self.phase {
-            *at = std::array::from_fn(|j| z[j]);
-            *velocity = shot.velocity.f;
+        let largest = (0..N).fold(0.0_f64, |most, j| {
+            most.max(self.magnitude[j] / self.largest[j])
+        });
+        for j in 0..N {
+            self.largest[j] = self.largest[j].max(self.magnitude[j]);
         }
-        Ok(z)
+        if largest < VANISHED {
+            return Err(FlowError::Vanished {
+                state: shot.start.state.to_vec(),
+            });
+        }
+        if matches!(self.phase, Phase::Section(_)) {
+            return Ok(None);
+        }
+        let calmer = self.calmer(r, shot)?;
+        let start = calmer.unwrap_or(Place {
+            state: self.segment(z, 0),
+            mode: self.modes[0],
+        });
+        let velocity = self.family.at(r)?.velocity(&start)?.f;
+        self.phase = Phase::Orthogonal {
+            at: start.state,
+            velocity,
+        };
+        self.modes[0] = start.mode;
+        Ok(calmer.map(|place| Self::unknowns(&[place.state], shot.period)))
+    }
+
+    /// What depends on where along the orbit it starts is left out: only the period and r stay.
+    fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
+        let mut lasting = tangent.clone();
+        lasting.rows_mut(0, tangent.len() - 2).fill(0.0);
+        lasting
+    }
+}
+
+impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
+    /// A place on the orbit where Newton has it much easier than at the present start, if there is one.
+    ///
+    /// Shooting from a fast stretch makes the end bend strongly with the period; from just before
+    /// an event, the start would leave its mode as r changes.
+    fn calmer(
+        &self,
+        r: f64,
+        shot: &Shot<N, Mode<F, N>>,
+    ) -> Result<Option<Place<N, Mode<F, N>>>, FlowError> {
+        let [passage] = shot.passages.as_slice() else {
+            return Ok(None);
+        };
+        let place = passage.calm.place;
+        let haste = |velocity: &Velocity<N>| {
+            let bend = |i: usize| {
+                (0..N)
+                    .map(|j| velocity.jacobian[i][j] * velocity.f[j])
+                    .sum::<f64>()
+            };
+            let scaled = |v: f64, j: usize| (v / self.magnitude[j]).powi(2);
+            let (bends, speeds) = (0..N).fold((0.0, 0.0), |(bends, speeds), j| {
+                (
+                    bends + scaled(bend(j), j),
+                    speeds + scaled(velocity.f[j], j),
+                )
+            });
+            (bends / speeds).sqrt()
+        };
+        let there = self.family.at(r)?.velocity(&place)?;
+        let near = |event: &crate::flow::Event<N>| {
+            let share = event.time / shot.period;
+            event.is_switch() && !(MARGIN..=1.0 - MARGIN).contains(&share)
+        };
+        let hasty = haste(&shot.velocity) > HASTE * haste(&there).max(1.0 / shot.period);
+        Ok((hasty || passage.events.iter().any(near)).then_some(place))
     }
 }
 

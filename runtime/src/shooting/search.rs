@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::guess::{Guess, Settled, settle};
-use super::orbit::Orbit;
+use super::orbit::{Orbit, Solution};
 use super::phase::Phase;
 use super::problem::{OrbitProblem, Shot};
 use crate::continuation::{Corrected, Failure, correct};
@@ -104,55 +104,73 @@ pub fn converge<F: Family<N> + Clone, const N: usize>(
     guess: &Guess<N, Mode<F, N>>,
     search: &Search<N>,
 ) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-    let rough = newton(
-        family,
-        r,
-        guess,
-        search.segments,
-        search.accuracy.max(1e-7),
-        search.accuracy.max(1e-7),
-    )?;
+    let Search {
+        accuracy, segments, ..
+    } = *search;
+    let rough_accuracy = accuracy.max(1e-7);
+    let effort = Effort {
+        accuracy: rough_accuracy,
+        tolerance: rough_accuracy,
+        factors: false,
+    };
+    let rough = newton(family, r, guess, segments, effort)?;
     let guess = anchored(family, r, &rough.0)?;
-    let loose = newton(
-        family,
-        r,
-        &guess,
-        search.segments,
-        search.accuracy,
-        30.0 * search.accuracy,
-    )?;
-    let (tight, problem) = newton(
-        family,
-        r,
-        &guess.moved(&loose.0),
-        search.segments,
-        search.accuracy,
-        search.accuracy,
-    )?;
+    let effort = Effort {
+        accuracy,
+        tolerance: 30.0 * accuracy,
+        factors: false,
+    };
+    let loose = newton(family, r, &guess, segments, effort)?;
+    let effort = Effort {
+        accuracy,
+        tolerance: accuracy,
+        factors: N > 2,
+    };
+    let (tight, problem) = newton(family, r, &guess.moved(&loose.0), segments, effort)?;
     let mut work = problem.work;
     work += loose.1.work;
     work += rough.1.work;
     let accuracy = difference(&loose.0, &tight);
     let shot = &tight.linearisation.extra;
-    Ok(Orbit::read::<F::Flow>(shot, r, tight.residual, accuracy, work).at(&tight.z))
+    let solution = Solution {
+        shot,
+        z: &tight.z,
+        r,
+        residual: tight.residual,
+    };
+    Ok(Orbit::read(family, solution, accuracy, work))
 }
 
 type Converged<F, const N: usize> = (Found<F, N>, OrbitProblem<F, N>);
 
-/// Shooting with the flow at the tolerance for `accuracy`; refuses an equilibrium.
+/// What one Newton iteration is to reach, and to report.
+#[derive(Debug, Clone, Copy)]
+struct Effort {
+    accuracy: f64,
+    tolerance: f64,
+    factors: bool,
+}
+
+/// Shooting with the flow at the tolerance for `effort.tolerance`; refuses an equilibrium.
 fn newton<F: Family<N> + Clone, const N: usize>(
     family: &F,
     r: f64,
     guess: &Guess<N, Mode<F, N>>,
     segments: usize,
-    accuracy: f64,
-    tolerance: f64,
+    effort: Effort,
 ) -> Result<Converged<F, N>, OrbitError> {
-    let family = family.with_tolerance(Tolerance::for_accuracy(tolerance));
+    let family = family.with_tolerance(Tolerance::for_accuracy(effort.tolerance));
+    if at_rest(&family.at(r)?, guess)? {
+        return Err(OrbitError::Equilibrium {
+            state: guess.place.state.to_vec(),
+        });
+    }
     let (mut problem, z) = problem(family, r, guess, segments)?;
+    problem.want.factors = effort.factors;
     let mut normal = DVector::zeros(z.len() + 1);
     normal[z.len()] = 1.0;
-    let found = correct(&mut problem, z, r, &normal, 1.0, accuracy).map_err(OrbitError::Newton)?;
+    let found =
+        correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
     let (low, high) = shot.extent();
     let flat = (0..N).all(|j| {
@@ -164,6 +182,15 @@ fn newton<F: Family<N> + Clone, const N: usize>(
         });
     }
     Ok((found, problem))
+}
+
+/// Whether a guess hardly moves in its period: there Newton's matrix is singular for any period.
+fn at_rest<F: Flow<N>, const N: usize>(
+    flow: &F,
+    guess: &Guess<N, F::Mode>,
+) -> Result<bool, FlowError> {
+    let velocity = flow.velocity(&guess.place)?.f;
+    Ok((0..N).all(|j| velocity[j].abs() * guess.period <= EXTENT * guess.magnitude[j]))
 }
 
 /// The shooting problem near a guess, and its unknowns.

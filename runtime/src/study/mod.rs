@@ -1,12 +1,45 @@
-//! What comes out of a study: figures and tables, and the report that holds them.
+//! Whole studies of declared models: what is asked, how it is answered, and what the answer holds.
+//!
+//! A [`Case`] says what is asked, an [`Entry`] is a model that answers, whatever its number of states; records are the
+//! answers, free of type parameters, for programs, tables and figures.
 
+#[cfg(feature = "app")]
+pub mod app;
+mod branch;
+mod case;
+#[cfg(feature = "app")]
 mod draw;
+mod entry;
+#[cfg(feature = "app")]
 mod figure;
+mod orbit;
+#[cfg(feature = "app")]
 mod page;
+#[cfg(feature = "app")]
 mod report;
+#[cfg(feature = "app")]
 mod table;
+#[cfg(feature = "app")]
 mod text;
+mod trajectory;
 
+pub use branch::{BranchRecord, Ended, Special};
+pub use case::{Along, Case, Dynamics};
+pub use entry::{Entry, StudyError, entry};
+#[cfg(feature = "app")]
 pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
+pub use orbit::OrbitRecord;
+#[cfg(feature = "app")]
 pub use report::{Block, Report, ReportError, Section, Written};
+#[cfg(feature = "app")]
 pub use table::{Column, Table};
+pub use trajectory::Trajectory;
+
+/// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
+#[cfg(not(feature = "app"))]
+#[macro_export]
+macro_rules! app {
+    ($($model:ty),+ $(,)?) => {
+        compile_error!("`app!` needs the feature `app`: write `stickslip = { version = \"...\", features = [\"app\"] }`");
+    };
+}

@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::scalar::{Inline, Scalar};
 
 /// A matrix with one row and one column for each contact.
-pub(super) type Square<M, D, const N: usize> =
+pub(crate) type Square<M, D, const N: usize> =
     <M as Model<N>>::PerContact<<M as Model<N>>::PerContact<D>>;
 
 /// The equations at one state while some contacts stick, their forces left open.

@@ -9,7 +9,7 @@ const RANK: f64 = 1e-12;
 /// Solves Σ_j G_ij x_j = rhs_i for i, j in `set`; elsewhere x is `rhs`.
 ///
 /// `None` if the matrix is singular or not finite there.
-pub(super) fn solve<M: Model<N>, D: Scalar, const N: usize>(
+pub(crate) fn solve<M: Model<N>, D: Scalar, const N: usize>(
     mut matrix: M::PerContact<M::PerContact<D>>,
     mut rhs: M::PerContact<D>,
     set: impl Fn(usize) -> bool,
@@ -31,8 +31,9 @@ pub(super) fn solve<M: Model<N>, D: Scalar, const N: usize>(
         rows.swap(column, pivot);
         x.swap(column, pivot);
         let head = rows[column].as_ref()[column];
-        // Written so that NaN is refused too.
-        if !(head.re().abs() > RANK * largest) || !head.re().is_finite() {
+        // A comparison that fails for NaN too.
+        let regular = head.re().abs() > RANK * largest && head.re().is_finite();
+        if !regular {
             return None;
         }
         let inverse = head.recip();

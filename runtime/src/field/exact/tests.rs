@@ -16,19 +16,15 @@ fn field_at<M: Model<N>, const N: usize>(model: &M, of: &[Mode], state: [f64; N]
     linear
 }
 
-/// Jacobian and design column against central differences of f, for a model of which r is parameter 0.
-fn differences_agree<M, const N: usize, const P: usize>(
-    make: impl Fn([f64; P]) -> M,
-    params: [f64; P],
-    of: &[Mode],
-    state: [f64; N],
-) where
-    M: Model<N>,
-{
-    let linear = field_at(&make(params), of, state);
+/// Jacobian and design column, r being parameter 0, against central differences of f.
+fn differences_agree<M: Model<N>, const N: usize>(of: &[Mode], state: [f64; N]) {
+    let model = M::default();
+    let linear = field_at(&model, of, state);
     let h = 1e-5;
-    let f = |params: [f64; P], y: &[f64; N]| {
-        let system = ExactSystem::new(&make(params), None);
+    let f = |shift: f64, y: &[f64; N]| {
+        let mut params = model.values();
+        params.as_mut()[0] += shift;
+        let system = ExactSystem::new(&M::from_values(params), None);
         ExactField::new(&system, modes(of), y).unwrap().f(y)
     };
     let close = |up: [f64; N], down: [f64; N], exact: [f64; N]| {
@@ -42,24 +38,21 @@ fn differences_agree<M, const N: usize, const P: usize>(
         up[j] += h;
         down[j] -= h;
         let column = std::array::from_fn(|i| linear.jacobian[i][j]);
-        close(f(params, &up), f(params, &down), column);
+        close(f(0.0, &up), f(0.0, &down), column);
     }
-    let (mut up, mut down) = (params, params);
-    up[0] += h;
-    down[0] -= h;
-    close(f(up, &state), f(down, &state), linear.design);
+    close(f(h, &state), f(-h, &state), linear.design);
 }
 
 #[test]
 fn derivatives_agree_with_differences_in_every_mode() {
     let all = [SlideForward, SlideBackward, Stick];
     for first in all {
-        differences_agree(Belt, Belt::default().0, &[first], [0.6, 0.3]);
-        differences_agree(Groove, Groove::default().0, &[first], [0.6, 0.3]);
+        differences_agree::<Belt, 2>(&[first], [0.6, 0.3]);
+        differences_agree::<Groove, 2>(&[first], [0.6, 0.3]);
         for second in all {
             let state = [0.3, 0.2, -0.4, 0.5];
-            differences_agree(Pair, Pair::default().0, &[first, second], state);
-            differences_agree(Sledges, Sledges::default().0, &[first, second], state);
+            differences_agree::<Pair, 4>(&[first, second], state);
+            differences_agree::<Sledges, 4>(&[first, second], state);
         }
     }
 }
@@ -109,7 +102,7 @@ fn constants_are_recognised() {
         None
     );
     assert!(
-        ExactSystem::new(&Pair::default(), Some(3))
+        ExactSystem::new(&Pair::default(), Some(0))
             .gradients()
             .is_some()
     );

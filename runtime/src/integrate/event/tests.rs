@@ -102,7 +102,8 @@ fn a_double_root_is_no_sign_change_and_a_near_graze_two() {
             )
         };
         assert_eq!(touch(1e-12).first_fall(), None);
-        let fall = touch(-1e-10).first_fall().unwrap();
+        let (fall, until) = touch(-1e-10).first_fall().unwrap();
+        assert!((until - middle).abs() < 1e-7, "{until}");
         assert!((fall - (middle - 1e-5)).abs() < 1e-7, "{fall}");
         assert_eq!(touch(-1e-10).sign_changes().iter().count(), 2);
     }
@@ -113,7 +114,7 @@ fn roots_at_both_ends_and_at_the_seam() {
     let p = Bernstein::new(&[0.0, 1.0, 1.0, 0.0]);
     assert_eq!(p.first_fall(), None);
     let p = Bernstein::new(&[0.0, 1.0, -1.0, 0.0]);
-    assert_eq!(p.first_fall(), Some(0.5));
+    assert_eq!(p.first_fall(), Some((0.5, 1.0)));
     let p = with_roots(&[0.1, 0.5, 0.9], |_| 1.0);
     let found: Vec<f64> = p.sign_changes().iter().map(|c| c.theta).collect();
     assert_eq!(found.len(), 3, "{found:?}");
@@ -127,10 +128,10 @@ fn deflation_removes_the_roots_at_a_departure() {
     p.coefficients[0] = -1e-17;
     p.coefficients[1] = -1e-17;
     assert!(
-        p.first_fall().is_some_and(|theta| theta < 1e-7),
+        p.first_fall().is_some_and(|(theta, _)| theta < 1e-7),
         "noise hides the return"
     );
-    let fall = p.deflated(2).first_fall().unwrap();
+    let (fall, _) = p.deflated(2).first_fall().unwrap();
     assert!((fall - 0.6).abs() < 1e-13, "{fall}");
     assert_eq!(p.deflated(2).coefficients().len(), 6);
 }

@@ -1,0 +1,152 @@
+//! From Rust expressions to formulas: numbers, names, arithmetic and smooth functions.
+
+mod number;
+mod refusal;
+
+use quote::ToTokens;
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprPath, ExprUnary, Lit, UnOp};
+
+pub(crate) use self::number::{number, whole};
+
+use crate::errors::Errors;
+use crate::formula::{Formula, Kind, Operator};
+use crate::parse::Grammar;
+
+/// The functions of one argument.
+const FUNCTIONS: [&str; 15] = [
+    "acos", "acosh", "asin", "asinh", "atan", "atanh", "cos", "cosh", "exp", "ln", "sin", "sinh",
+    "sqrt", "tan", "tanh",
+];
+
+const ONLY: &str =
+    "a formula is made of numbers, names, `+ - * /`, parentheses and functions such as `sin(x)`";
+
+const WHOLE: &str = "the exponent of `powi` is a whole number such as 2; \
+     other powers are written `powf(x, 1.5)`";
+
+/// Reads an expression; where something is wrong, a number stands in its place.
+pub(crate) fn formula(expression: &Expr, grammar: Grammar, errors: &mut Errors) -> Formula {
+    let mut arithmetic = Arithmetic { grammar, errors };
+    arithmetic.read(expression)
+}
+
+struct Arithmetic<'a> {
+    grammar: Grammar,
+    errors: &'a mut Errors,
+}
+
+impl Arithmetic<'_> {
+    fn read(&mut self, expression: &Expr) -> Formula {
+        let kind = self.kind(expression);
+        let source = expression.to_token_stream();
+        Formula { kind, source }
+    }
+
+    fn boxed(&mut self, expression: &Expr) -> Box<Formula> {
+        Box::new(self.read(expression))
+    }
+
+    fn kind(&mut self, expression: &Expr) -> Kind {
+        match expression {
+            Expr::Lit(ExprLit { lit, .. }) => self.literal(lit),
+            Expr::Path(path) => self.path(path),
+            Expr::Paren(inner) => Kind::Group(self.boxed(&inner.expr)),
+            Expr::Group(inner) => self.pasted(&inner.expr),
+            Expr::Unary(unary) => self.unary(unary),
+            Expr::Binary(binary) => self.binary(binary),
+            Expr::Call(call) => self.call(call),
+            Expr::MethodCall(call) => self.method(call),
+            Expr::If(_) | Expr::Match(_) => self.branch(expression),
+            _ => self.refuse(expression, ONLY),
+        }
+    }
+
+    fn literal(&mut self, literal: &Lit) -> Kind {
+        match literal {
+            Lit::Int(_) | Lit::Float(_) => match number(literal) {
+                Ok(number) => Kind::Number(number),
+                Err(error) => self.refuse(literal, error),
+            },
+            _ => self.refuse(literal, ONLY),
+        }
+    }
+
+    /// What another macro has pasted binds as if it stood in parentheses.
+    fn pasted(&mut self, expression: &Expr) -> Kind {
+        match expression {
+            Expr::Binary(_) | Expr::Unary(_) => Kind::Group(self.boxed(expression)),
+            _ => self.kind(expression),
+        }
+    }
+
+    fn path(&mut self, path: &ExprPath) -> Kind {
+        if path.qself.is_some() {
+            return self.refuse(path, ONLY);
+        }
+        match path.path.get_ident() {
+            Some(name) => Kind::Name(name.clone()),
+            None => Kind::Constant(path.path.clone()),
+        }
+    }
+
+    fn unary(&mut self, unary: &ExprUnary) -> Kind {
+        match unary.op {
+            UnOp::Neg(_) => Kind::Minus(self.boxed(&unary.expr)),
+            UnOp::Deref(_) => self.refuse(unary, "write a power as `powi(x, 2)`, not with `**`"),
+            _ => self.branch(unary),
+        }
+    }
+
+    fn binary(&mut self, binary: &ExprBinary) -> Kind {
+        let operator = match binary.op {
+            BinOp::Add(_) => Operator::Add,
+            BinOp::Sub(_) => Operator::Subtract,
+            BinOp::Mul(_) => Operator::Multiply,
+            BinOp::Div(_) => Operator::Divide,
+            BinOp::BitXor(_) => return self.exclusive_or(binary),
+            BinOp::Rem(_) => return self.kink("%", binary.op),
+            BinOp::Lt(_)
+            | BinOp::Le(_)
+            | BinOp::Gt(_)
+            | BinOp::Ge(_)
+            | BinOp::Eq(_)
+            | BinOp::Ne(_)
+            | BinOp::And(_)
+            | BinOp::Or(_) => return self.branch(binary),
+            _ => return self.refuse(binary, ONLY),
+        };
+        let (left, right) = (self.boxed(&binary.left), self.boxed(&binary.right));
+        Kind::Binary(left, operator, right)
+    }
+
+    fn call(&mut self, call: &ExprCall) -> Kind {
+        let Expr::Path(ExprPath {
+            path, qself: None, ..
+        }) = call.func.as_ref()
+        else {
+            return self.refuse(call, "a product is written with `*`");
+        };
+        let Some(function) = path.get_ident() else {
+            return self.path_of_function(path);
+        };
+        let arguments: Vec<Formula> = call.args.iter().map(|given| self.read(given)).collect();
+        match arguments.as_slice() {
+            [x] if FUNCTIONS.iter().any(|known| function == known) => {
+                Kind::Call(function.clone(), Box::new(x.clone()))
+            }
+            [base, exponent] if function == "powi" => self.power(base, exponent),
+            [base, exponent] if function == "powf" => {
+                let (base, exponent) = (Box::new(base.clone()), Box::new(exponent.clone()));
+                Kind::RealPower(function.clone(), base, exponent)
+            }
+            _ => self.wrong_call(call, function),
+        }
+    }
+
+    fn power(&mut self, base: &Formula, exponent: &Formula) -> Kind {
+        match number::whole_number(exponent) {
+            Some(whole) => Kind::Power(Box::new(base.clone()), whole),
+            None => self.refuse(exponent, WHOLE),
+        }
+    }
+}

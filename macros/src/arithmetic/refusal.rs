@@ -1,0 +1,205 @@
+//! What is not a formula, and how to write it instead.
+
+use proc_macro2::Ident;
+use quote::{ToTokens, quote};
+use syn::{Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, Lit, Path};
+
+use super::{Arithmetic, FUNCTIONS};
+use crate::formula::{Kind, Number};
+use crate::parse::Grammar;
+use crate::suggest::nearest;
+
+/// Functions that people write, and that have a corner or a jump.
+pub(super) const KINKS: [&str; 17] = [
+    "abs",
+    "ceil",
+    "clamp",
+    "copysign",
+    "floor",
+    "fract",
+    "heaviside",
+    "max",
+    "min",
+    "rem_euclid",
+    "round",
+    "saturate",
+    "sgn",
+    "sign",
+    "signum",
+    "step",
+    "trunc",
+];
+
+/// What other languages call our functions.
+const SYNONYMS: [(&str, &str); 10] = [
+    ("arccos", "acos(x)"),
+    ("arcsin", "asin(x)"),
+    ("arctan", "atan(x)"),
+    ("cbrt", "powf(x, 1.0 / 3.0)"),
+    ("log", "ln(x)"),
+    ("log10", "ln(x) / ln(10.0)"),
+    ("log2", "ln(x) / ln(2.0)"),
+    ("pow", "powi(x, 2)` or `powf(x, 1.5)"),
+    ("recip", "1.0 / x"),
+    ("square", "powi(x, 2)"),
+];
+
+const DER: &str = "`der` stands only on the left of an equation; \
+     use what stands on the right of that equation, or give it a name with `let`";
+
+impl Arithmetic<'_> {
+    /// Reports a mistake; the number that stands for it is never expanded.
+    pub(super) fn refuse(&mut self, place: impl ToTokens, message: impl std::fmt::Display) -> Kind {
+        self.errors.at(place, message);
+        Kind::Number(Number {
+            value: 0.0,
+            source: quote!(0),
+        })
+    }
+
+    pub(super) fn exclusive_or(&mut self, binary: &ExprBinary) -> Kind {
+        let (base, exponent) = (bare(last_factor(&binary.left)), first_factor(&binary.right));
+        let function = if is_whole(exponent) { "powi" } else { "powf" };
+        let written = format!("{function}({}, {})", tidy(base), tidy(exponent));
+        self.refuse(
+            binary.op,
+            format!("`^` is exclusive-or in Rust; write a power as `{written}`"),
+        )
+    }
+
+    pub(super) fn branch(&mut self, place: impl ToTokens) -> Kind {
+        let way_out = match self.grammar {
+            Grammar::Model => "put the jump in a `friction` line",
+            Grammar::Law => "a law is one formula for all sliding speeds `s > 0`, and one for rest",
+        };
+        self.refuse(
+            place,
+            format!(
+                "equations must be smooth: a branch has a jump that no switch declares; {way_out}"
+            ),
+        )
+    }
+
+    pub(super) fn kink(&mut self, name: &str, place: impl ToTokens) -> Kind {
+        let message = match self.grammar {
+            Grammar::Model => format!(
+                "`{name}` is not smooth, and no switch is declared for its kink; \
+                 write dry friction as `friction F = Law {{ .. }} opposing speed;`"
+            ),
+            Grammar::Law => format!(
+                "`{name}` is not smooth; a law needs neither magnitude nor sign: \
+                 the sliding speed is positive, and the force opposes it"
+            ),
+        };
+        self.refuse(place, message)
+    }
+
+    pub(super) fn path_of_function(&mut self, path: &Path) -> Kind {
+        let last = path.segments.last();
+        let name = last.map(|segment| segment.ident.to_string());
+        let name = name.unwrap_or_default();
+        self.refuse(
+            path,
+            format!("functions have no path in a formula: write `{name}(x)`"),
+        )
+    }
+
+    /// A function with too few or too many arguments, or no function of ours.
+    pub(super) fn wrong_call(&mut self, call: &ExprCall, function: &Ident) -> Kind {
+        let name = function.to_string();
+        match name.as_str() {
+            known if FUNCTIONS.contains(&known) => {
+                self.refuse(call, format!("`{known}` takes one argument: `{known}(x)`"))
+            }
+            "powi" => self.refuse(call, "`powi` takes a base and a whole number: `powi(x, 2)`"),
+            "powf" => self.refuse(call, "`powf` takes a base and an exponent: `powf(x, 1.5)`"),
+            "der" => self.refuse(call, DER),
+            kink if KINKS.contains(&kink) => self.kink(kink, function),
+            _ => self.unknown_function(function),
+        }
+    }
+
+    fn unknown_function(&mut self, function: &Ident) -> Kind {
+        let name = function.to_string();
+        let known = FUNCTIONS.into_iter().chain(["powi", "powf"]);
+        let advice = match SYNONYMS.iter().find(|(other, _)| *other == name) {
+            Some((_, ours)) => format!("write `{ours}`"),
+            None => match nearest(&name, known.clone()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => {
+                    let known: Vec<&str> = known.collect();
+                    let known = known.join(", ");
+                    format!("a product is written with `*`, and the functions are {known}")
+                }
+            },
+        };
+        self.refuse(function, format!("unknown function `{name}`; {advice}"))
+    }
+
+    pub(super) fn method(&mut self, call: &ExprMethodCall) -> Kind {
+        let name = call.method.to_string();
+        if KINKS.contains(&name.as_str()) {
+            return self.kink(&name, &call.method);
+        }
+        let operands = std::iter::once(call.receiver.as_ref()).chain(&call.args);
+        let operands: Vec<String> = operands.map(|operand| tidy(bare(operand))).collect();
+        let (given, arguments) = (tidy(call), operands.join(", "));
+        self.refuse(
+            call,
+            format!("write functions as in a formula: `{name}({arguments})`, not `{given}`"),
+        )
+    }
+}
+
+/// An expression without the parentheses around it.
+fn bare(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => bare(&inner.expr),
+        _ => expression,
+    }
+}
+
+/// What a reader takes `^` to bind to on its left: the last factor.
+fn last_factor(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Binary(binary) => last_factor(&binary.right),
+        Expr::Unary(unary) => last_factor(&unary.expr),
+        _ => expression,
+    }
+}
+
+fn first_factor(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Binary(binary) => first_factor(&binary.left),
+        _ => expression,
+    }
+}
+
+fn is_whole(expression: &Expr) -> bool {
+    matches!(
+        expression,
+        Expr::Lit(ExprLit {
+            lit: Lit::Int(_),
+            ..
+        })
+    )
+}
+
+/// An expression as text, for a message.
+fn tidy(expression: impl ToTokens) -> String {
+    let mut text = expression.to_token_stream().to_string();
+    for (spaced, tight) in [
+        (" . ", "."),
+        (" (", "("),
+        ("( ", "("),
+        (" )", ")"),
+        (" ,", ","),
+        (" :: ", "::"),
+    ] {
+        text = text.replace(spaced, tight);
+    }
+    for operator in ["+", "-", "*", "/", "="] {
+        text = text.replace(&format!("{operator}("), &format!("{operator} ("));
+    }
+    text
+}

@@ -1,0 +1,118 @@
+use super::{NONE, of_belt, of_law, of_model};
+use crate::parse::Grammar;
+
+#[test]
+fn a_line_begins_with_a_keyword() {
+    assert_eq!(
+        of_belt("param k", "parm k"),
+        ["`parm` does not begin a line; did you mean `param`?"]
+    );
+    assert_eq!(
+        of_belt("param k", "constant k"),
+        [
+            "`constant` does not begin a line; a line begins with `state`, `param`, `let`, `friction` or `der`"
+        ]
+    );
+    assert_eq!(
+        of_belt("let stretched", "stretched"),
+        ["`stretched` does not begin a line; \
+          write `der(stretched) = ...;` for an equation, `let stretched = ...;` for an abbreviation"]
+    );
+    assert_eq!(
+        of_law("stick = 1.0; slip(s) = 1.0; (3)"),
+        ["a line begins with `param`, `stick` or `slip`"]
+    );
+}
+
+#[test]
+fn a_missing_semicolon_is_found_where_the_next_line_begins() {
+    let missing = |next| {
+        [format!(
+            "missing `;` at the end of the line before `{next}`"
+        )]
+    };
+    assert_eq!(of_belt("k > 0.0;", "k > 0.0"), missing("param"));
+    assert_eq!(of_belt("der(x) = v;", "der(x) = v"), missing("der"));
+    assert_eq!(of_belt("k * x;", "k * x"), missing("der"));
+    assert_eq!(of_belt("v - v_dr;", "v - v_dr"), missing("let"));
+    assert_eq!(
+        of_belt("v_dr: m/s = 0.2;", "v_dr: m/s = 0.2 /** Limit. */"),
+        missing("param")
+    );
+    assert_eq!(
+        of_belt("/ mass;", "/ mass"),
+        ["missing `;` at the end of this line"]
+    );
+}
+
+#[test]
+fn a_broken_line_shows_the_form_it_should_have() {
+    assert_eq!(
+        of_belt("k: N/m = 1.0", "k: N/m 1.0"),
+        ["expected `=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
+    );
+    assert_eq!(
+        of_belt("opposing v", "against v"),
+        ["expected `opposing`; the line has the form \
+          `friction F: N = Law { field: value } opposing v - v_belt;`"]
+    );
+    assert_eq!(
+        of_belt("der(x) = v;", "der(x, v) = v;"),
+        ["expected one name between the parentheses; the line has the form `der(x) = v;`"]
+    );
+    assert_eq!(
+        of_belt("param v_dr: m/s = 0.2", "param v_dr = 0.2 m/s"),
+        ["expected `;` here; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
+    );
+}
+
+#[test]
+fn what_a_broken_line_declares_is_known() {
+    assert_eq!(of_belt("param k: N/m = 1.0", "param k: N/m = one").len(), 1);
+    assert_eq!(of_belt("friction F: N =", "friction F: N").len(), 1);
+    assert_eq!(of_belt("let stretched =", "let stretched").len(), 1);
+    assert_eq!(of_belt("state v: m/s =", "state v: m/s").len(), 1);
+    assert_eq!(of_belt("der(v) =", "der(v)").len(), 1);
+}
+
+#[test]
+fn only_declarations_are_documented() {
+    assert_eq!(
+        of_belt("der(x)", "/** Rate. */ der(x)"),
+        ["a doc comment describes what a line declares, and this line declares nothing: use `//`"]
+    );
+    assert_eq!(
+        of_belt("let stretched", "/** Force. */ let stretched"),
+        NONE
+    );
+    assert_eq!(
+        of_belt("param k", "#[cfg(test)] param k"),
+        ["only doc comments (`///`) may stand here"]
+    );
+}
+
+#[test]
+fn laws_have_no_defaults_and_models_have() {
+    assert_eq!(
+        of_law("param a: N = 1.0; stick = a; slip(s) = a;"),
+        ["a law's parameter has no default: a model gives `a` its value where it names the law"]
+    );
+    assert_eq!(
+        of_belt("v_dr: m/s = 0.2", "v_dr: m/s"),
+        ["expected `=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
+    );
+}
+
+#[test]
+fn one_macro_declares_one_struct() {
+    let declared = |text| super::messages(text, Grammar::Model);
+    assert_eq!(declared("enum M {}"), ["expected `struct`"]);
+    assert_eq!(
+        declared("struct M { state x = 1.0; der(x) = -x; } struct N {}"),
+        ["one declaration each: nothing may follow the closing brace"]
+    );
+    assert_eq!(
+        of_model(""),
+        ["model `M` has no state: add `state x = 1.0;`"]
+    );
+}

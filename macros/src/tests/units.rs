@@ -1,0 +1,144 @@
+use super::{NONE, of_belt, of_law, of_model};
+
+#[test]
+fn equations_agree_with_their_states() {
+    assert_eq!(
+        of_belt(
+            "(F - stretched) / mass",
+            "F - stretched / 1.0 * mass / mass"
+        ),
+        ["unit mismatch: `der(v)` is in m/s^2, but this is in N"]
+    );
+    assert_eq!(
+        of_belt("der(x) = v", "der(x) = x"),
+        ["unit mismatch: `der(x)` is in m/s, but this is in m"]
+    );
+}
+
+#[test]
+fn sums_agree() {
+    assert_eq!(
+        of_belt("(F - stretched)", "(F - k * v)"),
+        ["unit mismatch: `F` is in N, but `k * v` is in N/s"]
+    );
+    assert_eq!(
+        of_belt("opposing v - v_dr", "opposing x - v_dr"),
+        ["unit mismatch: `x` is in m, but `v_dr` is in m/s"]
+    );
+}
+
+#[test]
+fn arguments_and_exponents_are_plain_numbers() {
+    assert_eq!(
+        of_belt("= k * x;", "= k * x * cos(v);"),
+        ["unit mismatch: the argument of `cos` must be a plain number, but `v` is in m/s"]
+    );
+    assert_eq!(
+        of_belt("= k * x;", "= k * x * powf(2.0, v);"),
+        ["unit mismatch: an exponent must be a plain number, but `v` is in m/s"]
+    );
+    assert_eq!(
+        of_belt("= k * x;", "= k * x * powf(v, x / x);"),
+        ["unit mismatch: what is raised to `x / x` must be a plain number, but `v` is in m/s"]
+    );
+}
+
+#[test]
+fn powers_and_roots_carry_units() {
+    assert_eq!(of_belt("= k * x;", "= k * powi(x, 2) / x;"), NONE);
+    assert_eq!(of_belt("= k * x;", "= k * sqrt(x) * sqrt(x);"), NONE);
+    assert_eq!(
+        of_belt("= k * x;", "= k * powf(x, 1.5) / powf(x, 0.5);"),
+        NONE
+    );
+    assert_eq!(of_belt("= k * x;", "= mass * v * sqrt(k / mass);"), NONE);
+    assert_eq!(
+        of_belt("= k * x;", "= k * sqrt(x);"),
+        ["unit mismatch: `F` is in N, but `stretched` is in m^(6/12)*kg*s^-2"]
+    );
+}
+
+#[test]
+fn what_has_no_unit_is_not_checked() {
+    assert_eq!(of_belt("param k: N/m", "param k"), NONE);
+    assert_eq!(of_belt("= k * x;", "= 3.0 * k / k;"), NONE);
+    assert_eq!(of_belt("= k * x;", "= 9.81 * mass + k * x;"), NONE);
+}
+
+#[test]
+fn a_nondimensional_model_has_a_nondimensional_time() {
+    let lines = "state x: 1 = 1.0; state v: 1 = 0.0; der(x) = v; der(v) = -x;";
+    assert_eq!(of_model(lines), NONE);
+    assert_eq!(
+        of_model(&lines.replace("v: 1", "v: s")),
+        ["unit mismatch: `der(x)` is in 1/s, but this is in s",]
+    );
+}
+
+#[test]
+fn a_law_gives_forces() {
+    assert_eq!(
+        of_law("param a: N; param b: s/m; stick = a; slip(v) = a * b;"),
+        ["unit mismatch: `slip` is the contact's force, in N, but this is in N*s/m"]
+    );
+    assert_eq!(
+        of_law("param a: N; param b: s; stick = a; slip(v) = a / (1.0 + b * v);"),
+        ["unit mismatch: `slip` is the contact's force, in N, but this is in N/m"]
+    );
+    assert_eq!(
+        of_law("param a: N; param b: s; stick = a; slip(v) = a * exp(-b * v);"),
+        ["unit mismatch: the argument of `exp` must be a plain number, but `-b * v` is in m"]
+    );
+    assert_eq!(
+        of_law("param a; param b; stick = a; slip(s) = a * exp(-b * s);"),
+        NONE
+    );
+    assert_eq!(
+        of_law("param a: 1; param b; stick = a; slip(s) = a * exp(-b * s);"),
+        NONE
+    );
+}
+
+#[test]
+fn scaled_units_are_refused() {
+    let told = |unit: &str| of_belt("mass: kg", &format!("mass: {unit}"));
+    let scaled = |scaled, plain| {
+        [format!(
+            "`{scaled}` is a scaled unit, and nothing here is scaled silently; \
+             write `{plain}` and give the values in it"
+        )]
+    };
+    assert_eq!(told("mm"), scaled("mm", "m"));
+    assert_eq!(told("kN"), scaled("kN", "N"));
+    assert_eq!(told("mg"), scaled("mg", "kg"));
+    assert_eq!(told("MPa"), scaled("MPa", "Pa"));
+    assert_eq!(
+        told("rpm"),
+        ["`rpm` is not an SI unit without a factor; write `rad/s` (multiply the values by pi/30)"]
+    );
+    assert_eq!(told("Kg"), ["unknown unit `Kg`; did you mean `kg`?"]);
+}
+
+#[test]
+fn units_have_one_form() {
+    let told = |unit: &str| of_belt("mass: kg", &format!("mass: {unit}"));
+    assert_eq!(told("N*s^2/m"), NONE);
+    assert_eq!(told("J*s^2*m^-2"), NONE);
+    assert_eq!(told("rad*kg"), NONE);
+    assert_eq!(
+        told("N s"),
+        ["join the symbols of a unit with `*` or `/`, as in `N*m`"]
+    );
+    assert_eq!(
+        told("N/(m*s)"),
+        ["units have no parentheses: write `N/m/s` for N/(m s)"]
+    );
+    assert_eq!(
+        told("1000*kg"),
+        ["a unit is `1`, or symbols such as `kg*m/s^2`; its factor is not part of it"]
+    );
+    assert_eq!(
+        told("m^100*m^100"),
+        ["the exponents of this unit are too large"]
+    );
+}

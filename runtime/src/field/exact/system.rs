@@ -1,0 +1,235 @@
+//! A model at given parameters, asked for everything that its contacts do at one state.
+
+use num_dual::Dual64;
+
+use super::affine::{Affine, Snapshot, speed_rates};
+use super::columns::Columns;
+use super::constants::Constants;
+use super::mode::{Mode, Modes};
+use super::rule::Branches;
+use crate::friction::{ContactRule, FrictionLaw};
+use crate::model::Model;
+use crate::scalar::{Inline, Lanes};
+
+/// Why the forces at rest are not determined.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ContactError {
+    /// Several contacts resist the same motion, or a force does not act on any speed.
+    #[error(
+        "the sticking forces of contacts {contacts:?} are not unique: their compliance matrix is singular"
+    )]
+    Singular {
+        /// Numbers of the contacts that would stick together.
+        contacts: Vec<usize>,
+    },
+    /// G_ii ≤ 0: a sign error in the model.
+    #[error(
+        "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {compliance:e}"
+    )]
+    NotOpposing {
+        /// Number of the contact.
+        contact: usize,
+        /// G_ii, which should be positive.
+        compliance: f64,
+    },
+}
+
+/// What one contact does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactState {
+    /// Relative speed w.
+    pub speed: f64,
+    /// Friction force λ as it stands in the equations.
+    pub force: f64,
+    /// Largest force at rest.
+    pub stick: f64,
+}
+
+/// A model at given parameters, its parameters lifted once to every scalar in use.
+pub struct ExactSystem<M: Model<N>, const N: usize> {
+    pub(super) plain: M::Params<f64>,
+    pub(super) directional: M::Params<Dual64>,
+    /// The parameters moving with the design variable.
+    pub(super) turned: M::Params<Dual64>,
+    pub(super) columns: Columns<N>,
+    pub(super) lanes: M::Params<M::Lanes>,
+    pub(super) constants: Option<Constants<M, N>>,
+}
+
+impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
+    /// The model with the parameter of index `design`, if any, as design variable.
+    #[must_use]
+    pub fn new(model: &M, design: Option<usize>) -> Self {
+        let plain = model.values();
+        let values = plain.as_ref();
+        let lanes = Inline::from_fn(|i| M::Lanes::design(values[i], f64::from(design == Some(i))));
+        Self {
+            plain,
+            directional: Inline::from_fn(|i| Dual64::from(values[i])),
+            turned: Inline::from_fn(|i| Dual64::new(values[i], f64::from(design == Some(i)))),
+            columns: Columns::of::<M>(design.is_some()),
+            constants: Constants::find(&lanes),
+            lanes,
+        }
+    }
+
+    /// Number of contacts.
+    #[must_use]
+    pub fn contacts(&self) -> usize {
+        M::INFO.contacts.len()
+    }
+
+    /// Checks what does not depend on the state.
+    ///
+    /// # Errors
+    /// A force that never opposes its speed.
+    pub fn check(&self) -> Result<(), ContactError> {
+        let Some(constants) = &self.constants else {
+            return Ok(());
+        };
+        for (contact, row) in constants.compliance.as_ref().iter().enumerate() {
+            let compliance = row.as_ref()[contact];
+            if compliance <= 0.0 {
+                return Err(ContactError::NotOpposing {
+                    contact,
+                    compliance,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// w_y of each contact, if none depends on the state.
+    pub(crate) fn gradients(&self) -> Option<&[[f64; N]]> {
+        self.constants.as_ref().map(|c| c.gradient.as_ref())
+    }
+
+    /// The equations with the sticking forces left open.
+    pub(crate) fn affine(&self, state: &[f64; N], modes: &Modes<M, N>) -> Affine<M, f64, N> {
+        Affine::new(self.constants.as_ref(), &self.plain, state, modes)
+    }
+
+    /// All that is known at a state.
+    ///
+    /// # Errors
+    /// The sticking forces are not unique, or push the wrong way.
+    pub(crate) fn snapshot(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+    ) -> Result<Snapshot<M, f64, N>, ContactError> {
+        let affine = self.affine(state, modes);
+        for contact in modes.sticking() {
+            let compliance = affine.compliance.as_ref()[contact].as_ref()[contact];
+            if compliance <= 0.0 {
+                return Err(ContactError::NotOpposing {
+                    contact,
+                    compliance,
+                });
+            }
+        }
+        affine.resolve(modes).ok_or_else(|| singular(modes))
+    }
+
+    /// What every contact does at a state.
+    ///
+    /// # Errors
+    /// The sticking forces are not unique, or push the wrong way.
+    pub fn contact_states(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+    ) -> Result<M::PerContact<ContactState>, ContactError> {
+        let at = self.snapshot(state, modes)?;
+        Ok(Inline::from_fn(|i| ContactState {
+            speed: at.speed.as_ref()[i],
+            force: at.force.as_ref()[i],
+            stick: at.stick.as_ref()[i],
+        }))
+    }
+
+    /// All that is known at a state, each number with its rate along the motion.
+    ///
+    /// # Errors
+    /// As [`ExactSystem::snapshot`].
+    pub(crate) fn moving(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+    ) -> Result<Snapshot<M, Dual64, N>, ContactError> {
+        let field = self.snapshot(state, modes)?.field;
+        let state = std::array::from_fn(|i| Dual64::new(state[i], field[i]));
+        Affine::new(self.constants.as_ref(), &self.directional, &state, modes)
+            .resolve(modes)
+            .ok_or_else(|| singular(modes))
+    }
+
+    /// The same, each number with its derivatives by the states and the design variable.
+    ///
+    /// # Errors
+    /// As [`ExactSystem::snapshot`].
+    pub(crate) fn linear(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+    ) -> Result<Snapshot<M, M::Lanes, N>, ContactError> {
+        let state = std::array::from_fn(|i| M::Lanes::state(state[i], i));
+        Affine::new(self.constants.as_ref(), &self.lanes, &state, modes)
+            .resolve(modes)
+            .ok_or_else(|| singular(modes))
+    }
+
+    /// ẅ of every contact, from f and its rate along the motion.
+    pub(crate) fn second_rates(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+        field: &[Dual64; N],
+    ) -> M::PerContact<f64> {
+        let state = std::array::from_fn(|i| Dual64::new(state[i], field[i].re));
+        let rates = speed_rates::<M, Dual64, N>(&self.directional, &state, modes, field);
+        Inline::from_fn(|i| rates.as_ref()[i].eps)
+    }
+
+    /// The relative speed of every contact, without its friction.
+    pub(crate) fn speeds(&self, state: &[f64; N]) -> M::PerContact<f64> {
+        let modes = Modes::<M, N>::from_fn(|_| Mode::Stick);
+        let mut rule = Branches::<M, f64, N>::free(modes.as_slice());
+        let _ = M::rhs(&self.plain, *state, &mut rule);
+        rule.speed
+    }
+
+    /// The relative speed of every contact, with its derivatives.
+    pub(crate) fn linear_speeds(&self, state: &[f64; N]) -> M::PerContact<M::Lanes> {
+        let modes = Modes::<M, N>::from_fn(|_| Mode::Stick);
+        let lanes = std::array::from_fn(|i| M::Lanes::state(state[i], i));
+        let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
+        let _ = M::rhs(&self.lanes, lanes, &mut rule);
+        rule.speed
+    }
+
+    /// stick and slip(0⁺) of every contact.
+    pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
+        let mut rule = AtRest::<M, N>(Inline::from_fn(|_| (0.0, 0.0)));
+        let _ = M::rhs(&self.plain, *state, &mut rule);
+        rule.0
+    }
+}
+
+/// Notes the largest force at rest and the limit of the sliding force at speed 0.
+struct AtRest<M: Model<N>, const N: usize>(M::PerContact<(f64, f64)>);
+
+impl<M: Model<N>, const N: usize> ContactRule<f64> for AtRest<M, N> {
+    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _: f64) -> f64 {
+        if let Some(place) = self.0.as_mut().get_mut(contact) {
+            *place = (law.stick(), law.slip(0.0));
+        }
+        0.0
+    }
+}
+
+pub(super) fn singular<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> ContactError {
+    ContactError::Singular {
+        contacts: modes.sticking().collect(),
+    }
+}

@@ -1,0 +1,55 @@
+//! What happens at the contacts of an exact system.
+
+use crate::field::exact::Mode;
+
+/// Something that happened at a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event<const N: usize> {
+    /// What.
+    pub kind: EventKind,
+    /// Number of the contact.
+    pub contact: usize,
+    /// Mode of the contact afterwards.
+    pub mode: Mode,
+    /// When, from the beginning of the passage.
+    pub time: f64,
+    /// The whole state there.
+    pub state: [f64; N],
+}
+
+impl<const N: usize> Event<N> {
+    /// Whether the mode of the contact changed.
+    #[must_use]
+    pub fn is_switch(&self) -> bool {
+        !matches!(self.kind, EventKind::Nearest { .. })
+    }
+}
+
+/// What can happen at a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EventKind {
+    /// It came to rest and sticks.
+    Landing {
+        /// How far the sticking force is from the limit: stick − |λ|.
+        margin: f64,
+        /// It might also have crossed: slip(0⁺) < |λ| against the old motion.
+        ambiguous: bool,
+    },
+    /// It stopped and went on in the other direction.
+    Crossing {
+        /// How far the force that could have held it lies beyond the limit: |λ| − stick.
+        margin: f64,
+        /// It might also have stuck.
+        ambiguous: bool,
+    },
+    /// It broke loose.
+    Release {
+        /// Others were as near to their limits: the lowest number was chosen.
+        tied: bool,
+    },
+    /// It came nearest to an event that did not happen: a local minimum of |w| or of stick − |λ|.
+    Nearest {
+        /// That minimum.
+        margin: f64,
+    },
+}

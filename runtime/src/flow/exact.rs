@@ -1,0 +1,148 @@
+//! The exact flow: friction is set-valued, switching instants are located, derivatives jump through them.
+
+mod box_qp;
+mod depart;
+mod extrema;
+mod guard;
+mod observe;
+mod passing;
+mod run;
+mod settle;
+mod switch;
+
+use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
+use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
+use crate::integrate::explicit::Settings;
+use crate::integrate::{Motion, Tolerance};
+use crate::model::{Model, ParamId};
+use crate::scalar::{Inline, Lanes};
+use run::Run;
+pub use settle::Arrival;
+use settle::Rest;
+
+/// Rounding error of a relative speed in units of its terms, below which it is none.
+const NO_SPEED: f64 = 4.0 * f64::EPSILON;
+
+/// The motion of a model with its declared friction laws as they are.
+///
+/// A place at which a contact sticks is put on the surface w = 0 of that contact before the motion
+/// begins, and derivatives count that as part of the motion: its start then follows the surface.
+pub struct ExactFlow<M: Model<N>, const N: usize> {
+    system: ExactSystem<M, N>,
+    settings: Settings,
+    arrival: Arrival,
+}
+
+impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
+    /// The flow of `model`, with `design` as design variable, to this tolerance.
+    ///
+    /// # Errors
+    /// A parameter outside its bounds, or a friction force that does not oppose its speed.
+    pub fn new(
+        model: &M,
+        design: Option<ParamId<M>>,
+        tolerance: Tolerance,
+    ) -> Result<Self, FlowError> {
+        M::INFO.check(model.values().as_ref())?;
+        let system = ExactSystem::new(model, design.map(|parameter| parameter.index));
+        system.check()?;
+        let settings = Settings {
+            steps: 1_000_000,
+            stiff_steps: 1000,
+            ..Settings::new(tolerance)
+        };
+        Ok(Self {
+            system,
+            settings,
+            arrival: Arrival::default(),
+        })
+    }
+
+    /// The same with another rule for contacts that may both stick and cross.
+    #[must_use]
+    pub fn with_arrival(mut self, arrival: Arrival) -> Self {
+        self.arrival = arrival;
+        self
+    }
+
+    /// A contact without relative speed sticks if it can, the others slide.
+    fn settle_at(&self, state: [f64; N]) -> Result<Place<N, Modes<M, N>>, FlowError> {
+        let speeds = self.system.speeds(&state);
+        let scales = self.speed_scales(&state);
+        let speed = |i: usize| speeds.as_ref()[i];
+        let resting: M::PerContact<bool> =
+            Inline::from_fn(|i| speed(i).abs() <= NO_SPEED * scales.as_ref()[i]);
+        let before = Modes::from_fn(|i| {
+            if resting.as_ref()[i] {
+                Mode::Stick
+            } else {
+                Mode::sliding(speed(i))
+            }
+        });
+        let verdict = Rest {
+            system: &self.system,
+            arrival: self.arrival,
+            state,
+            time: 0.0,
+            before,
+            resting,
+            let_go: Inline::from_fn(|_| 0.0),
+        }
+        .settle()?;
+        Ok(Place {
+            state,
+            mode: verdict.modes,
+        })
+    }
+
+    /// The magnitude of the terms of each relative speed: what its rounding error is measured against.
+    fn speed_scales(&self, state: &[f64; N]) -> M::PerContact<f64> {
+        let (speeds, lanes) = (self.system.speeds(state), self.system.linear_speeds(state));
+        Inline::from_fn(|i| {
+            let (gradient, _): ([f64; N], f64) = lanes.as_ref()[i].slopes();
+            let terms = || gradient.iter().zip(state).map(|(g, y)| g * y);
+            let rest = speeds.as_ref()[i] - terms().sum::<f64>();
+            terms().map(f64::abs).sum::<f64>() + rest.abs()
+        })
+    }
+}
+
+impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
+    type Mode = Modes<M, N>;
+
+    fn place(&self, state: [f64; N]) -> Result<Place<N, Self::Mode>, FlowError> {
+        self.settle_at(state)
+    }
+
+    fn sticking(mode: &Self::Mode) -> usize {
+        mode.sticking().count()
+    }
+
+    fn advance(
+        &self,
+        from: &Place<N, Self::Mode>,
+        time: f64,
+        want: Want,
+    ) -> Result<Passage<N, Self::Mode>, FlowError> {
+        if !(time.is_finite() && time >= 0.0) {
+            return Err(FlowError::BadTime { time });
+        }
+        if want.derivatives {
+            Run::<M, Motion<N>, N>::new(self, from, time, want).finish()
+        } else {
+            Run::<M, [f64; N], N>::new(self, from, time, want).finish()
+        }
+    }
+
+    fn velocity(&self, at: &Place<N, Self::Mode>) -> Result<Velocity<N>, FlowError> {
+        let linear = linear_of(&self.system.linear(&at.state, &at.mode)?.field);
+        Ok(Velocity {
+            f: linear.f,
+            jacobian: linear.jacobian,
+            design: linear.design,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

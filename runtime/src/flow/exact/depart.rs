@@ -1,0 +1,60 @@
+//! How a motion begins: on surfaces or off them, sticking or departing.
+
+use super::run::Run;
+use super::settle::Rest;
+use super::switch::ROUNDING;
+use crate::field::exact::{Mode, Modes};
+use crate::flow::FlowError;
+use crate::flow::saltation::Tracked;
+use crate::model::Model;
+use crate::scalar::Inline;
+
+/// Distance on the wrong side of its surface, relative to its scale, from which a motion may still depart.
+const WRONG_SIDE: f64 = 1e-6;
+
+impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+    /// Decides how the motion begins: on surfaces or off them, sticking or departing.
+    pub(super) fn depart(&mut self) -> Result<(), FlowError> {
+        let before = self.modes;
+        self.put_on_surface()?;
+        let state = *self.carried.state();
+        let speeds = self.flow.system.speeds(&state);
+        let scales = self.flow.speed_scales(&state);
+        let mut resting: M::PerContact<bool> = Inline::from_fn(|_| false);
+        for (i, mode) in before.as_slice().iter().enumerate() {
+            let (speed, scale) = (speeds.as_ref()[i], scales.as_ref()[i]);
+            if *mode != Mode::Stick && mode.sign() * speed < -WRONG_SIDE * scale {
+                return Err(FlowError::InconsistentMode {
+                    contact: i,
+                    time: self.time,
+                    mode: *mode,
+                    speed,
+                    rate: 0.0,
+                    second_rate: 0.0,
+                });
+            }
+            resting.as_mut()[i] = mode.sign() * speed <= ROUNDING * scale;
+        }
+        let let_go = Inline::from_fn(|i| {
+            if resting.as_ref()[i] {
+                before.as_slice()[i].sign()
+            } else {
+                0.0
+            }
+        });
+        let verdict = Rest {
+            system: &self.flow.system,
+            arrival: self.flow.arrival,
+            state,
+            time: self.time,
+            before: Modes::from_fn(|i| match before.as_slice()[i] {
+                _ if resting.as_ref()[i] => Mode::Stick,
+                mode => mode,
+            }),
+            resting,
+            let_go,
+        }
+        .settle()?;
+        self.take(&verdict)
+    }
+}

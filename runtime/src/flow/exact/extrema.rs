@@ -1,0 +1,111 @@
+//! Local extrema of every state: located like events, not read off stored samples.
+
+use crate::field::Field;
+use crate::flow::Extremum;
+use crate::integrate::event::Bernstein;
+use crate::integrate::explicit::Stepper;
+use crate::integrate::{Carried, Dense};
+
+/// Relative change over a step below which a state is at rest.
+const FLAT: f64 = 1e-13;
+/// Relative length of a Newton step after which the extremum is sharp.
+const SHARP: f64 = 1e-9;
+
+/// Follows the sign of every rate; where it changes, there is an extremum, be it smooth, a corner or a plateau.
+#[derive(Debug, Clone)]
+pub(super) struct Extrema<const N: usize> {
+    /// Last sign of the rate that was not zero; 0 as long as nothing moved.
+    sign: [f64; N],
+    /// Where the state came to rest, if it is at rest.
+    plateau: [Option<(f64, [f64; N])>; N],
+    found: Vec<Extremum<N>>,
+}
+
+impl<const N: usize> Extrema<N> {
+    pub(super) fn new() -> Self {
+        Self {
+            sign: [0.0; N],
+            plateau: [None; N],
+            found: Vec::new(),
+        }
+    }
+
+    /// Looks for extrema in the step just made.
+    pub(super) fn look<F: Field<N>, V: Carried<N>>(
+        &mut self,
+        stepper: &mut Stepper<'_, F, V, N>,
+        dense: &Dense<N>,
+    ) {
+        for index in 0..N {
+            let path = dense.component(index);
+            let slope = path.derivative().without_noise(FLAT * path.magnitude());
+            let start = (stepper.time(), *stepper.from().state());
+            let Some((first, last)) = slope.end_signs() else {
+                self.plateau[index].get_or_insert(start);
+                continue;
+            };
+            self.meet(index, first, start);
+            for change in slope.sign_changes().iter() {
+                let (time, state) = sharpen(stepper, &slope, index, change.theta);
+                self.record(index, !change.rising, time, state);
+            }
+            self.sign[index] = last;
+        }
+    }
+
+    /// All extrema in the order of time; a plateau that the passage begins or ends with is one too.
+    pub(super) fn finish(mut self) -> Vec<Extremum<N>> {
+        for index in 0..N {
+            if let (Some((time, state)), true) = (self.plateau[index], self.sign[index] != 0.0) {
+                self.record(index, self.sign[index] > 0.0, time, state);
+            }
+        }
+        self.found.sort_by(|a, b| a.time.total_cmp(&b.time));
+        self.found
+    }
+
+    /// Compares the sign with which a step begins with that with which the motion went on before.
+    fn meet(&mut self, index: usize, first: f64, start: (f64, [f64; N])) {
+        let before = self.sign[index];
+        let rested = self.plateau[index].take();
+        let (time, state) = rested.unwrap_or(start);
+        if before * first < 0.0 || (before == 0.0 && rested.is_some()) {
+            self.record(index, first < 0.0, time, state);
+        }
+    }
+
+    fn record(&mut self, index: usize, maximum: bool, time: f64, state: [f64; N]) {
+        self.found.push(Extremum {
+            index,
+            maximum,
+            time,
+            state,
+        });
+    }
+}
+
+/// Newton's method for a vanishing rate on the step map, with the curvature of the dense output.
+fn sharpen<F: Field<N>, V: Carried<N>, const N: usize>(
+    stepper: &mut Stepper<'_, F, V, N>,
+    slope: &Bernstein,
+    index: usize,
+    theta: f64,
+) -> (f64, [f64; N]) {
+    let length = stepper.length();
+    let mut at = theta;
+    let mut state = stepper.step_map(at * length);
+    for _ in 0..3 {
+        let rate = stepper.slope_at(&state);
+        let step = -rate[index] * length / slope.derivative().value(at);
+        if step.abs() <= SHARP || !step.is_finite() {
+            break;
+        }
+        let next = (at + step).clamp(0.0, 1.0);
+        if next == at {
+            break;
+        }
+        at = next;
+        state = stepper.step_map(at * length);
+    }
+    (stepper.time() + at * length, state)
+}

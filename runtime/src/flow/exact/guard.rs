@@ -1,0 +1,222 @@
+//! Guards: functions of the state that are positive while a contact keeps its mode, watched along a step.
+
+use crate::field::exact::{ContactError, ExactSystem, Mode, Modes, Snapshot};
+use crate::integrate::Dense;
+use crate::integrate::event::Bernstein;
+use crate::model::Model;
+use crate::scalar::{Inline, Scalar};
+
+/// Relative difference between a guard and its interpolant above which the interval is halved.
+const RESOLVED: f64 = 1e-6;
+/// Halvings after which the interpolant is taken as it is.
+const HALVINGS: u32 = 10;
+/// Rounding error of a guard's coefficients relative to the terms of the guard, of its interpolant more.
+const NOISE: f64 = 16.0 * f64::EPSILON;
+const SAMPLED_NOISE: f64 = 128.0 * f64::EPSILON;
+/// Places where the interpolant is checked, away from its nodes.
+const CHECKS: [f64; 2] = [0.27, 0.62];
+
+/// What ends the mode of a contact when it falls through zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Guard {
+    /// Number of the contact.
+    pub(super) contact: usize,
+    /// The force limit that a sticking contact meets: stick − side·λ; 0 for the speed of a sliding one.
+    pub(super) side: f64,
+}
+
+impl Guard {
+    /// The guards of a contact in this mode.
+    pub(super) fn of(contact: usize, mode: Mode) -> impl Iterator<Item = Self> {
+        let sides: &[f64] = if mode == Mode::Stick {
+            &[1.0, -1.0]
+        } else {
+            &[0.0]
+        };
+        sides.iter().map(move |&side| Self { contact, side })
+    }
+
+    /// Its value over any scalar.
+    pub(super) fn value<M: Model<N>, D: Scalar, const N: usize>(
+        &self,
+        modes: &Modes<M, N>,
+        at: &Snapshot<M, D, N>,
+    ) -> D {
+        let i = self.contact;
+        if self.side == 0.0 {
+            at.speed.as_ref()[i] * modes.as_slice()[i].sign()
+        } else {
+            at.stick.as_ref()[i] - at.force.as_ref()[i] * self.side
+        }
+    }
+}
+
+/// Where a guard falls, or comes nearest to falling, on the dense output of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sighting {
+    pub(super) guard: Guard,
+    /// Where on the step, in [0, 1].
+    pub(super) theta: f64,
+    /// Up to where it has not risen again.
+    pub(super) until: f64,
+}
+
+/// The guards of each contact, at most two, as polynomials.
+type Models<M, const N: usize> = <M as Model<N>>::PerContact<[Bernstein; 2]>;
+
+/// Watches all guards along one step.
+pub(super) struct Watch<'a, M: Model<N>, const N: usize> {
+    pub(super) system: &'a ExactSystem<M, N>,
+    pub(super) modes: &'a Modes<M, N>,
+    pub(super) dense: &'a Dense<N>,
+    /// wᵢ at the beginning of the step.
+    pub(super) speeds: &'a M::PerContact<f64>,
+    /// Magnitude of the terms of wᵢ.
+    pub(super) scales: &'a M::PerContact<f64>,
+    /// How many derivatives of each guard vanish at the beginning of the step.
+    pub(super) departure: &'a M::PerContact<Departure>,
+    /// The first fall.
+    pub(super) fall: Option<Sighting>,
+    /// Local minima that stay positive, if they are wanted.
+    pub(super) nearest: Option<&'a mut Vec<Sighting>>,
+}
+
+/// Which guard vanishes where a motion begins, and to which order.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Departure {
+    /// Side of the guard; 0 for a speed.
+    pub(super) side: f64,
+    /// Number of vanishing coefficients.
+    pub(super) order: usize,
+}
+
+impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
+    /// Finds the first fall of any guard.
+    ///
+    /// # Errors
+    /// Sticking forces that are not unique on the way.
+    pub(super) fn run(&mut self) -> Result<(), ContactError> {
+        let gradients = self.system.gradients();
+        let mut sampled = false;
+        for (i, mode) in self.modes.as_slice().iter().enumerate() {
+            match gradients {
+                Some(gradients) if *mode != Mode::Stick => {
+                    let sign = mode.sign();
+                    let along = self.dense.along(self.speeds.as_ref()[i], &gradients[i]);
+                    let oriented = if sign > 0.0 { along } else { along.negated() };
+                    let guard = Guard {
+                        contact: i,
+                        side: 0.0,
+                    };
+                    let noise = NOISE * self.scales.as_ref()[i];
+                    self.judge(guard, &oriented.without_noise(noise), 0.0, 1.0);
+                }
+                _ => sampled = true,
+            }
+        }
+        if sampled {
+            self.sample(0.0, 1.0, HALVINGS)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Watches one guard on a piece of the step.
+    fn judge(&mut self, guard: Guard, polynomial: &Bernstein, from: f64, width: f64) {
+        let departure = self.departure.as_ref()[guard.contact];
+        let begins = from == 0.0 && departure.side == guard.side;
+        let order = if begins { departure.order } else { 0 };
+        if order == 0 && self.nearest.is_none() && polynomial.lower_bound() >= 0.0 {
+            return;
+        }
+        let rest = polynomial.deflated(order);
+        if let Some((theta, until)) = rest.first_fall() {
+            let theta = from + width * theta;
+            if self.fall.is_none_or(|fall| theta < fall.theta) {
+                let until = from + width * until;
+                self.fall = Some(Sighting {
+                    guard,
+                    theta,
+                    until,
+                });
+            }
+        }
+        if let Some(nearest) = &mut self.nearest {
+            let slope = polynomial.derivative().deflated(order.saturating_sub(1));
+            for change in slope.sign_changes().iter().filter(|change| change.rising) {
+                if polynomial.value(change.theta) > 0.0 {
+                    let theta = from + width * change.theta;
+                    nearest.push(Sighting {
+                        guard,
+                        theta,
+                        until: theta,
+                    });
+                }
+            }
+        }
+    }
+
+    /// Interpolates the guards that are not affine, on halves of halves until the interpolant is true.
+    fn sample(&mut self, from: f64, width: f64, halvings: u32) -> Result<(), ContactError> {
+        let mut values: M::PerContact<[[f64; 8]; 2]> = Inline::from_fn(|_| [[0.0; 8]; 2]);
+        for (k, node) in Bernstein::nodes().iter().enumerate() {
+            let at = self.snapshot(from + width * node)?;
+            self.each_sampled(|place, guard| {
+                values.as_mut()[guard.contact][place][k] = guard.value(self.modes, &at);
+            });
+        }
+        let models: Models<M, N> =
+            Inline::from_fn(|i| values.as_ref()[i].map(|v| Bernstein::interpolate(&v)));
+        if halvings > 0 && !self.resolved(&models, from, width)? {
+            self.sample(from, 0.5 * width, halvings - 1)?;
+            if self.fall.is_none_or(|fall| fall.theta > from + 0.5 * width) {
+                self.sample(from + 0.5 * width, 0.5 * width, halvings - 1)?;
+            }
+            return Ok(());
+        }
+        for (contact, mode) in self.modes.as_slice().iter().enumerate() {
+            if self.is_sampled(*mode) {
+                let pair = &models.as_ref()[contact];
+                let terms =
+                    pair[0].magnitude() + pair[1].magnitude() + self.scales.as_ref()[contact];
+                for (place, guard) in Guard::of(contact, *mode).enumerate() {
+                    let heard = pair[place].without_noise(SAMPLED_NOISE * terms);
+                    self.judge(guard, &heard, from, width);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn resolved(&self, models: &Models<M, N>, from: f64, width: f64) -> Result<bool, ContactError> {
+        let mut faithful = true;
+        for check in CHECKS {
+            let at = self.snapshot(from + width * check)?;
+            self.each_sampled(|place, guard| {
+                let model = &models.as_ref()[guard.contact][place];
+                let off = (model.value(check) - guard.value(self.modes, &at)).abs();
+                faithful &= off <= RESOLVED * model.magnitude();
+            });
+        }
+        Ok(faithful)
+    }
+
+    fn snapshot(&self, theta: f64) -> Result<Snapshot<M, f64, N>, ContactError> {
+        self.system.snapshot(&self.dense.state(theta), self.modes)
+    }
+
+    /// Whether the guards of a contact in this mode are not known to be affine.
+    fn is_sampled(&self, mode: Mode) -> bool {
+        mode == Mode::Stick || self.system.gradients().is_none()
+    }
+
+    fn each_sampled(&self, mut visit: impl FnMut(usize, Guard)) {
+        for (i, mode) in self.modes.as_slice().iter().enumerate() {
+            if self.is_sampled(*mode) {
+                for (place, guard) in Guard::of(i, *mode).enumerate() {
+                    visit(place, guard);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! What is noted along the way: near misses, extrema, samples of the path.
+
+use super::guard::Sighting;
+use super::run::{Run, Steps};
+use crate::flow::saltation::Tracked;
+use crate::flow::{Event, EventKind, FlowError, Sample};
+use crate::integrate::Dense;
+use crate::model::Model;
+
+/// Samples of the path for each step.
+const SAMPLES: u32 = 8;
+
+impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+    /// Records how near each guard came to falling before the end of the step.
+    pub(super) fn note_nearest(
+        &mut self,
+        stepper: &mut Steps<'_, 'f, M, V, N>,
+        whole: f64,
+        nearest: &[Sighting],
+    ) -> Result<(), FlowError> {
+        for sighting in nearest {
+            let length = sighting.theta * whole;
+            if length < stepper.length() {
+                let state = stepper.step_map(length);
+                let at = self.flow.system.snapshot(&state, &self.modes)?;
+                let margin = sighting.guard.value(&self.modes, &at);
+                let contact = sighting.guard.contact;
+                self.events.push(Event {
+                    kind: EventKind::Nearest { margin },
+                    contact,
+                    mode: self.modes.as_slice()[contact],
+                    time: self.time + length,
+                    state,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Looks for extrema in the step just made, and samples it.
+    pub(super) fn observe(&mut self, stepper: &mut Steps<'_, 'f, M, V, N>, dense: &Dense<N>) {
+        if self.want.extrema {
+            self.extrema.look(stepper, dense);
+        }
+        for k in 1..=SAMPLES {
+            let theta = f64::from(k) / f64::from(SAMPLES);
+            self.sample(self.time + theta * dense.length(), dense.state(theta));
+        }
+    }
+
+    /// Adds a sample to the path, if that is wanted.
+    pub(super) fn sample(&mut self, time: f64, state: [f64; N]) {
+        if self.want.path {
+            self.path.push(Sample { time, state });
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! How derivatives pass an event, and stay on the surfaces on which contacts stick.
+
+use super::ExactFlow;
+use super::guard::Guard;
+use super::run::Run;
+use super::switch::Strike;
+use crate::field::exact::{ExactField, Modes};
+use crate::flow::saltation::{Saltation, Tracked};
+use crate::flow::{FlowError, SensitivityUndefined};
+use crate::integrate::{Carried, Motion};
+use crate::model::Model;
+use crate::scalar::{Inline, Lanes};
+
+/// Relative difference up to which two orders of events have the same derivative.
+const SAME: f64 = 1e-8;
+
+impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+    /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
+    pub(super) fn put_on_surface(&mut self) -> Result<(), FlowError> {
+        if self.modes.sticking().next().is_none() {
+            return Ok(());
+        }
+        let system = &self.flow.system;
+        let state = *self.carried.state();
+        let field = ExactField::new(system, self.modes, &state)?;
+        let drift = field.correction(&state, &system.speeds(&state));
+        self.carried.state_mut().add(-1.0, &drift);
+        if let Some(motion) = self.carried.motion() {
+            let lanes = system.linear_speeds(&state);
+            project(motion, &field, &state, lanes.as_ref());
+        }
+        Ok(())
+    }
+
+    /// Carries Φ and p through the events of one instant.
+    pub(super) fn pass_derivatives(
+        &mut self,
+        strike: &Strike<M, N>,
+        after: &Modes<M, N>,
+    ) -> Result<(), FlowError> {
+        let (before, time) = (self.modes, self.time);
+        let Some(motion) = self.carried.motion() else {
+            return Ok(());
+        };
+        let crossing = Passing {
+            flow: self.flow,
+            state: motion.state,
+            time,
+            before,
+            after: *after,
+            fallen: strike.fallen,
+        };
+        crossing.carry(motion)
+    }
+}
+
+/// Removes from Φ and p what leaves the surfaces on which contacts stick.
+fn project<M: Model<N>, const N: usize>(
+    motion: &mut Motion<N>,
+    field: &ExactField<'_, M, N>,
+    state: &[f64; N],
+    speeds: &[M::Lanes],
+) {
+    let rates = |along: &[f64; N], design: f64| {
+        Inline::from_fn(|i| {
+            let (gradient, own): ([f64; N], f64) = speeds[i].slopes();
+            let sum: f64 = gradient.iter().zip(along).map(|(g, y)| g * y).sum();
+            sum + own * design
+        })
+    };
+    let off = field.correction(state, &rates(&motion.design, 1.0));
+    motion.design.add(-1.0, &off);
+    for column in 0..N {
+        let along = std::array::from_fn(|row| motion.tangent[row][column]);
+        let off = field.correction(state, &rates(&along, 0.0));
+        for (row, change) in motion.tangent.iter_mut().zip(off) {
+            row[column] -= change;
+        }
+    }
+}
+
+/// Derivatives on their way through an event.
+struct Passing<'a, M: Model<N>, const N: usize> {
+    flow: &'a ExactFlow<M, N>,
+    state: [f64; N],
+    time: f64,
+    before: Modes<M, N>,
+    after: Modes<M, N>,
+    fallen: M::PerContact<Option<Guard>>,
+}
+
+impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
+    /// Carries Φ and p to the other side, in any order of simultaneous events if all agree.
+    fn carry(&self, motion: &mut Motion<N>) -> Result<(), FlowError> {
+        let order: Vec<Guard> = self.fallen.as_ref().iter().copied().flatten().collect();
+        let start = *motion;
+        self.chain(motion, order.iter())?;
+        if order.len() > 1 {
+            let mut other = start;
+            self.chain(&mut other, order.iter().rev())?;
+            if !agree(motion, &other) {
+                return Err(SensitivityUndefined::Simultaneous {
+                    contacts: order.iter().map(|guard| guard.contact).collect(),
+                    time: self.time,
+                }
+                .into());
+            }
+        }
+        Ok(())
+    }
+
+    /// One saltation for each guard; with the last of them everything is in its new mode.
+    fn chain<'g>(
+        &self,
+        motion: &mut Motion<N>,
+        order: impl ExactSizeIterator<Item = &'g Guard>,
+    ) -> Result<(), FlowError> {
+        let system = &self.flow.system;
+        let linear = system.linear(&self.state, &self.before)?;
+        let mut modes = self.before;
+        let mut field = system.snapshot(&self.state, &modes)?.field;
+        let mut left = order.len();
+        for guard in order {
+            let contact = guard.contact;
+            left -= 1;
+            if left == 0 {
+                modes = self.after;
+            } else {
+                modes.set(contact, self.after.as_slice()[contact]);
+            }
+            let after = system.snapshot(&self.state, &modes)?.field;
+            let (gradient, design) = guard.value(&self.before, &linear).slopes();
+            let saltation = Saltation {
+                before: field,
+                after,
+                gradient,
+                design,
+            };
+            let time = self.time;
+            saltation
+                .apply(motion)
+                .map_err(|rate| SensitivityUndefined::Grazing {
+                    contact,
+                    time,
+                    rate,
+                })?;
+            field = after;
+        }
+        Ok(())
+    }
+}
+
+fn agree<const N: usize>(a: &Motion<N>, b: &Motion<N>) -> bool {
+    let rows = |m: &Motion<N>| {
+        m.tangent
+            .into_iter()
+            .flatten()
+            .chain(m.design)
+            .collect::<Vec<_>>()
+    };
+    let (a, b) = (rows(a), rows(b));
+    let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= SAME * size)
+}

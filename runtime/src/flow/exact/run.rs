@@ -1,0 +1,274 @@
+//! One passage of an exact system: smooth stretches by DOP853, joined at events.
+
+use super::ExactFlow;
+use super::extrema::Extrema;
+use super::guard::{Departure, Sighting, Watch};
+use super::switch::Strike;
+use crate::field::Work;
+use crate::field::exact::{ExactField, Modes};
+use crate::flow::saltation::{Tracked, product};
+use crate::flow::{
+    Calm, Derivatives, Event, Factor, FlowError, Passage, Place, Sample, Segment, Want,
+};
+use crate::integrate::event::polish;
+use crate::integrate::explicit::Stepper;
+use crate::integrate::{Carried, Dense, IntegrationError, Motion};
+use crate::model::Model;
+use crate::scalar::Inline;
+
+/// Events that may follow each other within [`NO_TIME`] of the passage.
+const CHATTER: u64 = 100;
+const NO_TIME: f64 = 1e-6;
+
+/// A motion under way.
+pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
+    pub(super) flow: &'f ExactFlow<M, N>,
+    pub(super) want: Want,
+    pub(super) span: f64,
+    pub(super) time: f64,
+    pub(super) carried: V,
+    pub(super) modes: Modes<M, N>,
+    pub(super) departure: M::PerContact<Departure>,
+    /// Magnitude of the terms of each relative speed, at the beginning of the stretch.
+    pub(super) scales: M::PerContact<f64>,
+    pub(super) events: Vec<Event<N>>,
+    pub(super) work: Work,
+    segment_from: f64,
+    segments: Vec<Segment<Modes<M, N>>>,
+    pub(super) extrema: Extrema<N>,
+    pub(super) path: Vec<Sample<N>>,
+    factors: Vec<[[f64; N]; N]>,
+    calm: Calm<N, Modes<M, N>>,
+    /// Number of events and time when the count of chatter began.
+    chatter: (u64, f64),
+}
+
+pub(super) type Steps<'s, 'f, M, V, const N: usize> = Stepper<'s, ExactField<'f, M, N>, V, N>;
+
+impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+    pub(super) fn new(
+        flow: &'f ExactFlow<M, N>,
+        from: &Place<N, Modes<M, N>>,
+        span: f64,
+        want: Want,
+    ) -> Self {
+        Self {
+            flow,
+            want,
+            span,
+            time: 0.0,
+            carried: V::begin(from.state),
+            modes: from.mode,
+            departure: Inline::from_fn(|_| Departure::default()),
+            scales: flow.speed_scales(&from.state),
+            events: Vec::new(),
+            work: Work::default(),
+            segment_from: 0.0,
+            segments: Vec::new(),
+            extrema: Extrema::new(),
+            path: Vec::new(),
+            factors: Vec::new(),
+            calm: Calm::at(*from),
+            chatter: (0, 0.0),
+        }
+    }
+
+    /// Follows the motion to its end.
+    pub(super) fn finish(mut self) -> Result<Passage<N, Modes<M, N>>, FlowError> {
+        self.depart()?;
+        self.sample(0.0, *self.carried.state());
+        while self.time < self.span {
+            self.segment()?;
+        }
+        self.close_segment();
+        let state = *self.carried.state();
+        let derivatives = match self.carried.motion().copied() {
+            Some(motion) => Some(self.derivatives(&motion)?),
+            None => None,
+        };
+        Ok(Passage {
+            end: Place {
+                state,
+                mode: self.modes,
+            },
+            derivatives,
+            extrema: if self.want.extrema {
+                self.extrema.finish()
+            } else {
+                Vec::new()
+            },
+            segments: self.segments,
+            events: self.events,
+            path: self.path,
+            calm: self.calm,
+            work: self.work,
+        })
+    }
+
+    fn derivatives(&self, motion: &Motion<N>) -> Result<Derivatives<N>, FlowError> {
+        let identity = Motion::from(motion.state).tangent;
+        let multiply = |all: [[f64; N]; N], factor| product(factor, &all);
+        let end = self.flow.system.snapshot(&motion.state, &self.modes)?;
+        Ok(Derivatives {
+            state: self.factors.iter().fold(identity, multiply),
+            design: motion.design,
+            time: end.field,
+            trace: motion.trace,
+            factors: self
+                .factors
+                .iter()
+                .map(|&state| Factor {
+                    state,
+                    growth: None,
+                })
+                .collect(),
+        })
+    }
+
+    /// One smooth stretch, up to an event or to the end.
+    fn segment(&mut self) -> Result<(), FlowError> {
+        let flow = self.flow;
+        let field = ExactField::new(&flow.system, self.modes, self.carried.state())?;
+        self.scales = flow.speed_scales(self.carried.state());
+        let mut settings = flow.settings;
+        let spent = self.work.steps + self.work.rejected;
+        settings.steps = settings.steps.saturating_sub(spent);
+        let span = self.span - self.time;
+        let mut stepper = Stepper::new(&field, settings, self.carried, self.time, span)?;
+        let mut strike = None;
+        while strike.is_none() && self.time < self.span {
+            strike = self.step(&mut stepper, &field)?;
+        }
+        self.work += stepper.work;
+        match strike {
+            Some(strike) => self.switch(&strike),
+            None => Ok(()),
+        }
+    }
+
+    /// One step, shortened to the first event in it.
+    fn step(
+        &mut self,
+        stepper: &mut Steps<'_, 'f, M, V, N>,
+        field: &ExactField<'f, M, N>,
+    ) -> Result<Option<Strike<M, N>>, FlowError> {
+        stepper
+            .attempt(self.span - self.time)
+            .map_err(|error| self.explain(error))?;
+        let mut dense = stepper.dense();
+        let mut nearest = Vec::new();
+        let fall = self.watch(stepper, &dense, &mut nearest)?;
+        let mut strike = None;
+        let whole = stepper.length();
+        if let Some(fall) = fall {
+            let length = self.locate(stepper, &fall);
+            stepper.shorten(length)?;
+            strike = self.struck(stepper, &fall)?;
+            if self.want.extrema || self.want.path {
+                dense = stepper.dense();
+            }
+        }
+        self.note_nearest(stepper, whole, &nearest)?;
+        self.observe(stepper, &dense);
+        let last = strike.is_none() && self.time + stepper.length() >= self.span;
+        self.time = if last {
+            self.span
+        } else {
+            self.time + stepper.length()
+        };
+        self.departure = Inline::from_fn(|_| Departure::default());
+        let mut end = *stepper.end();
+        let drift = field.correction(end.state(), &self.flow.system.speeds(end.state()));
+        end.state_mut().add(-1.0, &drift);
+        let length = stepper.length();
+        stepper.commit_at(end);
+        self.carried = end;
+        if strike.is_none() {
+            let place = Place {
+                state: *end.state(),
+                mode: self.modes,
+            };
+            self.calm.offer(self.time, length, place);
+        }
+        Ok(strike)
+    }
+
+    fn watch(
+        &self,
+        stepper: &Steps<'_, 'f, M, V, N>,
+        dense: &Dense<N>,
+        nearest: &mut Vec<Sighting>,
+    ) -> Result<Option<Sighting>, FlowError> {
+        let mut watch = Watch {
+            system: &self.flow.system,
+            modes: &self.modes,
+            dense,
+            speeds: &self.flow.system.speeds(stepper.from().state()),
+            scales: &self.scales,
+            departure: &self.departure,
+            fall: None,
+            nearest: self.want.extrema.then_some(nearest),
+        };
+        watch.run()?;
+        Ok(watch.fall)
+    }
+
+    /// The length of the step at whose end the guard vanishes, by Newton's method on the step map.
+    fn locate(&self, stepper: &mut Steps<'_, 'f, M, V, N>, fall: &Sighting) -> f64 {
+        let length = stepper.length();
+        polish(0.0, fall.until * length, fall.theta * length, |tau| {
+            let state = stepper.step_map(tau);
+            self.flow
+                .system
+                .moving(&state, &self.modes)
+                .map_or((f64::NAN, f64::NAN), |at| {
+                    let guard = fall.guard.value(&self.modes, &at);
+                    (guard.re, guard.eps)
+                })
+        })
+    }
+
+    /// Ends a stretch of constant mode; one without duration is left out, its factor goes to the next.
+    pub(super) fn close_segment(&mut self) {
+        let duration = self.time - self.segment_from;
+        if duration <= 0.0 && (self.time < self.span || !self.segments.is_empty()) {
+            return;
+        }
+        self.segments.push(Segment {
+            mode: self.modes,
+            duration,
+        });
+        self.segment_from = self.time;
+        if let Some(motion) = self.carried.motion() {
+            self.factors.push(motion.tangent);
+            motion.restart();
+        }
+    }
+
+    /// Counts events that follow each other in no time.
+    pub(super) fn count_chatter(&mut self, contact: usize) -> Result<(), FlowError> {
+        let (events, since) = &mut self.chatter;
+        if self.time - *since > NO_TIME * self.span {
+            (*events, *since) = (0, self.time);
+        }
+        *events += 1;
+        if *events > CHATTER {
+            return Err(FlowError::Chattering {
+                contact,
+                time: self.time,
+                events: *events,
+            });
+        }
+        Ok(())
+    }
+
+    /// A failure of the integrator, or what caused it.
+    fn explain(&self, error: IntegrationError) -> FlowError {
+        if let IntegrationError::NotFinite { .. } = error
+            && let Err(cause) = self.flow.system.snapshot(self.carried.state(), &self.modes)
+        {
+            return cause.into();
+        }
+        error.into()
+    }
+}

@@ -1,0 +1,138 @@
+//! What happens at an event: which contacts switch, and into which modes.
+
+use super::guard::{Departure, Guard, Sighting};
+use super::run::Run;
+use super::settle::{EDGE, Rest, Verdict};
+use crate::field::exact::{ExactField, Mode};
+use crate::flow::saltation::Tracked;
+use crate::flow::{Event, EventKind, FlowError};
+use crate::integrate::explicit::Stepper;
+use crate::model::Model;
+use crate::scalar::Inline;
+
+/// Value of a guard, relative to its scale, up to which it has fallen where it was to fall.
+const FALLEN: f64 = 1e-9;
+/// Rounding error of a guard, relative to its scale.
+pub(super) const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Relative difference in time up to which events are one.
+const AT_ONCE: f64 = 64.0 * f64::EPSILON;
+
+/// The guards that fell at one instant.
+pub(super) struct Strike<M: Model<N>, const N: usize> {
+    pub(super) fallen: M::PerContact<Option<Guard>>,
+    first: usize,
+}
+
+impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+    /// The guards that vanish at the end of a shortened step; `None` if even the awaited one does not,
+    /// because the step map only comes near the surface that the dense output crossed.
+    pub(super) fn struck(
+        &self,
+        stepper: &Stepper<'_, ExactField<'f, M, N>, V, N>,
+        awaited: &Sighting,
+    ) -> Result<Option<Strike<M, N>>, FlowError> {
+        let state = stepper.end().state();
+        let system = &self.flow.system;
+        let at = system.moving(state, &self.modes)?;
+        let scales = self.flow.speed_scales(state);
+        let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
+        let now = (self.time + stepper.length()) * AT_ONCE;
+        for (i, mode) in self.modes.as_slice().iter().enumerate() {
+            for guard in Guard::of(i, *mode) {
+                let value = guard.value(&self.modes, &at);
+                let scale = if guard.side == 0.0 {
+                    scales.as_ref()[i]
+                } else {
+                    at.stick.as_ref()[i].re + at.force.as_ref()[i].re.abs()
+                };
+                let at_once = value.eps < 0.0 && value.re <= ROUNDING * scale - now * value.eps;
+                let was_awaited = guard == awaited.guard;
+                if was_awaited && value.re > FALLEN * scale {
+                    return Ok(None);
+                }
+                if was_awaited || at_once {
+                    fallen.as_mut()[i] = Some(guard);
+                }
+            }
+        }
+        let first = awaited.guard.contact;
+        Ok(Some(Strike { fallen, first }))
+    }
+
+    /// Passes to the modes after an event.
+    pub(super) fn switch(&mut self, strike: &Strike<M, N>) -> Result<(), FlowError> {
+        let fallen = strike.fallen.as_ref();
+        let before = self.modes;
+        let verdict = Rest {
+            system: &self.flow.system,
+            arrival: self.flow.arrival,
+            state: *self.carried.state(),
+            time: self.time,
+            before,
+            resting: Inline::from_fn(|i| {
+                fallen[i].is_some() || before.as_slice()[i] == Mode::Stick
+            }),
+            let_go: Inline::from_fn(|i| fallen[i].map_or(0.0, |guard| -guard.side)),
+        }
+        .settle()?;
+        self.pass_derivatives(strike, &verdict.modes)?;
+        self.close_segment();
+        self.take(&verdict)?;
+        self.count_chatter(strike.first)
+    }
+
+    /// Takes the modes that were decided, and notes what changed.
+    pub(super) fn take(&mut self, verdict: &Verdict<M, N>) -> Result<(), FlowError> {
+        let before = self.modes;
+        let pairs = before.as_slice().iter().zip(verdict.modes.as_slice());
+        for (contact, (old, new)) in pairs.enumerate().filter(|(_, (old, new))| old != new) {
+            let note = verdict.notes.as_ref()[contact];
+            let (margin, ambiguous) = (note.margin, note.ambiguous);
+            let kind = match (old, new) {
+                (_, Mode::Stick) => EventKind::Landing { margin, ambiguous },
+                (Mode::Stick, _) => EventKind::Release { tied: note.tied },
+                _ => EventKind::Crossing {
+                    margin: -margin,
+                    ambiguous,
+                },
+            };
+            self.work.events += 1;
+            self.events.push(Event {
+                kind,
+                contact,
+                mode: *new,
+                time: self.time,
+                state: *self.carried.state(),
+            });
+        }
+        self.modes = verdict.modes;
+        self.put_on_surface()?;
+        self.note_departures(verdict)
+    }
+
+    /// Notes which guards vanish where the motion goes on, to be deflated in the first step.
+    fn note_departures(&mut self, verdict: &Verdict<M, N>) -> Result<(), FlowError> {
+        let order = |i: usize| verdict.notes.as_ref()[i].departure;
+        self.departure = Inline::from_fn(|i| Departure {
+            side: 0.0,
+            order: order(i),
+        });
+        if self.modes.sticking().next().is_none() {
+            return Ok(());
+        }
+        let at = self
+            .flow
+            .system
+            .snapshot(self.carried.state(), &self.modes)?;
+        for i in self.modes.sticking() {
+            let (force, stick) = (at.force.as_ref()[i], at.stick.as_ref()[i]);
+            if force.abs() >= stick * (1.0 - EDGE) {
+                self.departure.as_mut()[i] = Departure {
+                    side: force.signum(),
+                    order: 1,
+                };
+            }
+        }
+        Ok(())
+    }
+}

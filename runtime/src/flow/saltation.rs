@@ -1,0 +1,109 @@
+//! Derivatives through an event (5a).
+
+use crate::integrate::{Carried, Motion};
+
+/// Rate of a guard, relative to its gradient and to the field, below which an event has no derivative.
+const GRAZING: f64 = 1e-9;
+/// Relative jump of the field below which nothing jumps.
+const NO_JUMP: f64 = 1e-12;
+
+/// What an exact motion carries along: its state, or its state with derivatives.
+pub(super) trait Tracked<const N: usize>: Carried<N> {
+    /// A motion that begins here.
+    fn begin(state: [f64; N]) -> Self;
+
+    /// The state, to be corrected by rounding errors.
+    fn state_mut(&mut self) -> &mut [f64; N];
+
+    /// The derivatives, if they are carried.
+    fn motion(&mut self) -> Option<&mut Motion<N>>;
+}
+
+impl<const N: usize> Tracked<N> for [f64; N] {
+    fn begin(state: [f64; N]) -> Self {
+        state
+    }
+
+    fn state_mut(&mut self) -> &mut [f64; N] {
+        self
+    }
+
+    fn motion(&mut self) -> Option<&mut Motion<N>> {
+        None
+    }
+}
+
+impl<const N: usize> Tracked<N> for Motion<N> {
+    fn begin(state: [f64; N]) -> Self {
+        Self::from(state)
+    }
+
+    fn state_mut(&mut self) -> &mut [f64; N] {
+        &mut self.state
+    }
+
+    fn motion(&mut self) -> Option<&mut Motion<N>> {
+        Some(self)
+    }
+}
+
+/// The surface h = 0 on which the field changes from `before` to `after`; the state does not jump.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Saltation<const N: usize> {
+    /// f⁻.
+    pub(super) before: [f64; N],
+    /// f⁺.
+    pub(super) after: [f64; N],
+    /// h_y.
+    pub(super) gradient: [f64; N],
+    /// h_r.
+    pub(super) design: f64,
+}
+
+impl<const N: usize> Saltation<N> {
+    /// Takes Φ and p from before the event to after it.
+    ///
+    /// # Errors
+    /// D = h_y f⁻, if the motion touches the surface instead of crossing it.
+    pub(super) fn apply(&self, motion: &mut Motion<N>) -> Result<(), f64> {
+        let jump: [f64; N] = std::array::from_fn(|i| self.after[i] - self.before[i]);
+        if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
+            return Ok(());
+        }
+        let rate = dot(&self.gradient, &self.before);
+        // A comparison that fails for NaN too.
+        let crosses = rate.abs() > GRAZING * norm(&self.gradient) * norm(&self.before);
+        if !crosses {
+            return Err(rate);
+        }
+        let shift = (dot(&self.gradient, &motion.design) + self.design) / rate;
+        motion.design.add(shift, &jump);
+        let mut shifts = [0.0; N];
+        for (row, slope) in motion.tangent.iter().zip(&self.gradient) {
+            shifts.add(slope / rate, row);
+        }
+        for (row, leap) in motion.tangent.iter_mut().zip(&jump) {
+            row.add(*leap, &shifts);
+        }
+        Ok(())
+    }
+}
+
+/// A B.
+pub(super) fn product<const N: usize>(a: &[[f64; N]; N], b: &[[f64; N]; N]) -> [[f64; N]; N] {
+    a.map(|row| {
+        let mut sum = [0.0; N];
+        for (entry, other) in row.iter().zip(b) {
+            sum.add(*entry, other);
+        }
+        sum
+    })
+}
+
+pub(super) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn norm<const N: usize>(a: &[f64; N]) -> f64 {
+    dot(a, a).sqrt()
+}

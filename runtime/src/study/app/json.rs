@@ -1,0 +1,262 @@
+//! Answers as JSON.
+
+use serde::ser::{Serialize, Serializer};
+
+use crate::field::Work;
+use crate::model::{ModelInfo, Unit};
+use crate::study::{BranchRecord, Case, OrbitRecord, Special, Trajectory};
+
+/// Values by name, in the order of declaration.
+pub(super) struct Named<'a, T>(Vec<(&'a str, T)>);
+
+impl<'a, T> Named<'a, T> {
+    pub(super) fn new(
+        names: impl Iterator<Item = &'a str>,
+        values: impl IntoIterator<Item = T>,
+    ) -> Self {
+        Self(names.zip(values).collect())
+    }
+}
+
+impl<T: Serialize> Serialize for Named<'_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+fn states<'a, T>(info: &'a ModelInfo, values: impl IntoIterator<Item = T>) -> Named<'a, T> {
+    Named::new(info.states.iter().map(|state| state.name), values)
+}
+
+fn parameters<'a>(info: &'a ModelInfo, values: &[f64]) -> Named<'a, f64> {
+    Named::new(
+        info.parameters.iter().map(|declared| declared.name),
+        values.to_vec(),
+    )
+}
+
+/// The stated units of states, parameters and friction forces.
+pub(super) fn units(info: &ModelInfo) -> Named<'_, &'static str> {
+    let states = info.states.iter().map(|state| (state.name, state.unit));
+    let parameters = info
+        .parameters
+        .iter()
+        .map(|declared| (declared.name, declared.unit));
+    let forces = info
+        .contacts
+        .iter()
+        .map(|contact| (contact.name, contact.unit));
+    let stated = |(name, unit): (&'static str, Option<Unit>)| Some((name, unit?.text));
+    Named(
+        states
+            .chain(parameters)
+            .chain(forces)
+            .filter_map(stated)
+            .collect(),
+    )
+}
+
+/// Counted work.
+#[derive(serde::Serialize)]
+struct Counts {
+    steps: u64,
+    rejected: u64,
+    evaluations: u64,
+    linearisations: u64,
+    factorisations: u64,
+    events: u64,
+    newton: u64,
+}
+
+impl From<&Work> for Counts {
+    fn from(work: &Work) -> Self {
+        Self {
+            steps: work.steps,
+            rejected: work.rejected,
+            evaluations: work.evaluations,
+            linearisations: work.linearisations,
+            factorisations: work.factorisations,
+            events: work.events,
+            newton: work.newton,
+        }
+    }
+}
+
+/// A periodic orbit.
+#[derive(serde::Serialize)]
+pub(super) struct Orbit<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    r: Option<f64>,
+    model: &'a str,
+    dynamics: String,
+    parameters: Named<'a, f64>,
+    period: f64,
+    frequency: f64,
+    state: Named<'a, f64>,
+    max: Named<'a, f64>,
+    min: Named<'a, f64>,
+    max_abs: Named<'a, f64>,
+    period_count: usize,
+    multipliers: Vec<[f64; 2]>,
+    log_abs_multipliers: &'a [Option<f64>],
+    trivial_multiplier_error: f64,
+    stability: &'static str,
+    word: Option<&'a str>,
+    units: Named<'a, &'static str>,
+    residual: f64,
+    error_estimate: f64,
+    work: Counts,
+}
+
+impl<'a> Orbit<'a> {
+    pub(super) fn new(info: &'a ModelInfo, orbit: &'a OrbitRecord) -> Self {
+        let named = |values: &[f64]| states(info, values.to_vec());
+        Self {
+            r: orbit.r,
+            model: info.command,
+            dynamics: orbit.dynamics.to_string(),
+            parameters: parameters(info, &orbit.parameters),
+            period: orbit.period,
+            frequency: 1.0 / orbit.period,
+            state: named(&orbit.state),
+            max: named(&orbit.max),
+            min: named(&orbit.min),
+            max_abs: named(&orbit.max_abs),
+            period_count: orbit.period_count,
+            multipliers: orbit
+                .floquet
+                .multipliers
+                .iter()
+                .map(|m| [m.re, m.im])
+                .collect(),
+            log_abs_multipliers: &orbit.floquet.log_moduli,
+            trivial_multiplier_error: orbit.floquet.trivial_error,
+            stability: orbit.floquet.stability.name(),
+            word: orbit.word.as_deref(),
+            units: units(info),
+            residual: orbit.residual,
+            error_estimate: orbit.error_estimate,
+            work: Counts::from(&orbit.work),
+        }
+    }
+}
+
+/// A branch of periodic orbits.
+#[derive(serde::Serialize)]
+pub(super) struct Branch<'a> {
+    model: &'a str,
+    dynamics: String,
+    parameters: Named<'a, f64>,
+    along: Range<'a>,
+    points: Vec<Orbit<'a>>,
+    special: Vec<Point<'a>>,
+    ended: &'static str,
+    reason: &'a str,
+    units: Named<'a, &'static str>,
+    work: Counts,
+}
+
+/// What is followed, from where to where.
+#[derive(serde::Serialize)]
+struct Range<'a> {
+    name: &'a str,
+    from: f64,
+    to: f64,
+}
+
+/// A special point.
+#[derive(serde::Serialize)]
+struct Point<'a> {
+    kind: &'static str,
+    label: &'a str,
+    r: f64,
+    period: f64,
+    multipliers: Vec<[f64; 2]>,
+}
+
+impl<'a> Point<'a> {
+    fn new(special: &'a Special) -> Self {
+        Self {
+            kind: special.kind,
+            label: &special.label,
+            r: special.r,
+            period: special.period,
+            multipliers: special.multipliers.iter().map(|m| [m.re, m.im]).collect(),
+        }
+    }
+}
+
+impl<'a> Branch<'a> {
+    pub(super) fn new(info: &'a ModelInfo, case: &Case, branch: &'a BranchRecord) -> Self {
+        let along = &branch.along;
+        let mut work = Work::default();
+        branch.points.iter().for_each(|point| work += point.work);
+        Self {
+            model: info.command,
+            dynamics: case.dynamics.to_string(),
+            parameters: parameters(info, &case.parameters),
+            along: Range {
+                name: along.name(info),
+                from: along.from,
+                to: along.to,
+            },
+            points: branch
+                .points
+                .iter()
+                .map(|point| Orbit::new(info, point))
+                .collect(),
+            special: branch.special.iter().map(Point::new).collect(),
+            ended: branch.ended.word,
+            reason: &branch.ended.reason,
+            units: units(info),
+            work: Counts::from(&work),
+        }
+    }
+}
+
+/// A motion, each quantity as one column.
+#[derive(serde::Serialize)]
+pub(super) struct Motion<'a> {
+    model: &'a str,
+    dynamics: String,
+    parameters: Named<'a, f64>,
+    time: &'a [f64],
+    states: Named<'a, Vec<f64>>,
+    observables: Named<'a, Vec<f64>>,
+    forces: Named<'a, Vec<f64>>,
+    state: Named<'a, f64>,
+    max: Named<'a, f64>,
+    min: Named<'a, f64>,
+    units: Named<'a, &'static str>,
+    work: Counts,
+}
+
+impl<'a> Motion<'a> {
+    pub(super) fn new(info: &'a ModelInfo, case: &Case, motion: &'a Trajectory) -> Self {
+        let observables = info.observables.iter().map(|line| line.name);
+        let forces = info.contacts.iter().map(|contact| contact.name);
+        let end = motion.states.last().cloned().unwrap_or_default();
+        Self {
+            model: info.command,
+            dynamics: case.dynamics.to_string(),
+            parameters: parameters(info, &case.parameters),
+            time: &motion.times,
+            states: states(info, columns(&motion.states, info.states.len())),
+            observables: Named::new(
+                observables,
+                columns(&motion.observables, info.observables.len()),
+            ),
+            forces: Named::new(forces, columns(&motion.forces, info.contacts.len())),
+            state: states(info, end),
+            max: states(info, motion.max.clone()),
+            min: states(info, motion.min.clone()),
+            units: units(info),
+            work: Counts::from(&motion.work),
+        }
+    }
+}
+
+fn columns(rows: &[Vec<f64>], count: usize) -> Vec<Vec<f64>> {
+    let column = |j: usize| rows.iter().filter_map(|row| row.get(j).copied()).collect();
+    (0..count).map(column).collect()
+}

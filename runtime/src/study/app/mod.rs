@@ -1,0 +1,121 @@
+//! The program that `stickslip::app!` makes of declared models.
+
+mod arguments;
+mod branch;
+mod failure;
+mod json;
+mod models;
+mod options;
+mod orbit;
+mod output;
+mod progress;
+mod reproduce;
+mod simulate;
+mod spreadsheet;
+mod text;
+mod usage;
+mod words;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::ArgMatches;
+
+use super::Entry;
+use failure::Failure;
+pub use reproduce::Reproduction;
+
+/// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
+#[macro_export]
+macro_rules! app {
+    ($($model:ty),+ $(,)?) => {
+        fn main() -> ::std::process::ExitCode {
+            $crate::study::app::App::new(env!("CARGO_PKG_VERSION"))
+                $(.offer($crate::study::entry::<$model, _>()))+
+                .run()
+        }
+    };
+}
+
+/// A program that studies models from the command line.
+pub struct App {
+    version: &'static str,
+    entries: Vec<Box<dyn Entry>>,
+    reproduction: Option<Reproduction>,
+}
+
+impl App {
+    /// A program of this version, still without models.
+    #[must_use]
+    pub fn new(version: &'static str) -> Self {
+        Self {
+            version,
+            entries: Vec::new(),
+            reproduction: None,
+        }
+    }
+
+    /// Offers one more model.
+    #[must_use]
+    pub fn offer(mut self, entry: Box<dyn Entry>) -> Self {
+        self.entries.push(entry);
+        self
+    }
+
+    /// Adds the command `reproduce`, which is also what happens without a command.
+    #[must_use]
+    pub fn reproduce(mut self, reproduction: Reproduction) -> Self {
+        self.reproduction = Some(reproduction);
+        self
+    }
+
+    /// Does what the arguments of the process say; 0 if all went well, 2 if they make no sense, 1 otherwise.
+    #[must_use]
+    pub fn run(self) -> ExitCode {
+        match self.answer(std::env::args_os().collect()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => {
+                failure.report();
+                ExitCode::from(failure.code())
+            }
+        }
+    }
+
+    fn answer(&self, words: Vec<OsString>) -> Result<(), Failure> {
+        let command = arguments::command(self, words.first());
+        match command.clone().try_get_matches_from(&words) {
+            Ok(matches) => self.perform(&matches),
+            Err(error) => usage::explain(&error, &command, &words),
+        }
+    }
+
+    fn perform(&self, matches: &ArgMatches) -> Result<(), Failure> {
+        match matches.subcommand() {
+            Some(("models", options)) => models::perform(self, options),
+            Some(("simulate", options)) => simulate::perform(self, options),
+            Some(("orbit", options)) => orbit::perform(self, options),
+            Some(("branch", options)) => branch::perform(self, options),
+            Some(("reproduce", options)) => reproduce::perform(self, options),
+            _ => reproduce::perform(self, matches),
+        }
+    }
+
+    /// The model of this name on the command line.
+    fn entry(&self, name: &str) -> Result<&dyn Entry, Failure> {
+        let found = self
+            .entries
+            .iter()
+            .find(|entry| entry.info().command == name);
+        found.map(AsRef::as_ref).ok_or_else(|| {
+            let names = self.names();
+            Failure::usage(words::unknown("there is no model", name, &names))
+        })
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.entries
+            .iter()
+            .map(|entry| entry.info().command)
+            .collect()
+    }
+}

@@ -1,0 +1,150 @@
+//! `orbit`: a periodic orbit and its stability.
+
+use clap::ArgMatches;
+
+use super::App;
+use super::failure::Failure;
+use super::json;
+use super::options::{Request, request};
+use super::progress::Progress;
+use super::spreadsheet::Spreadsheet;
+use super::text::{digits, number, parameters, table, time_unit, unit};
+use crate::field::Work;
+use crate::model::ModelInfo;
+use crate::study::{Case, OrbitRecord};
+
+pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
+    let Request {
+        entry,
+        case,
+        output,
+    } = request(app, options)?;
+    let info = entry.info();
+    let failed = |error| Failure::of(&error, info);
+    let progress = Progress::endless(&output, "looking for a periodic orbit");
+    let orbit = entry.orbit(&case).map_err(failed)?;
+    let mut sheets = Vec::new();
+    if output.out.is_some() {
+        let from = Case {
+            start: Some(orbit.state.clone()),
+            ..case.clone()
+        };
+        let motion = entry.motion(&from, orbit.period).map_err(failed)?;
+        sheets.push(("orbit", Spreadsheet::motion(info, &motion)));
+    }
+    drop(progress);
+    let text = describe(info, &case, &orbit);
+    output.deliver("orbit", &text, &json::Orbit::new(info, &orbit), &sheets)
+}
+
+fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {
+    let stability = orbit.floquet.stability.name();
+    [
+        format!(
+            "{}, {}: a periodic orbit, {stability}\n",
+            info.command, case.dynamics
+        ),
+        format!("  {}\n\n", parameters(info, case)),
+        table(&period(info, orbit)),
+        "\n".to_owned(),
+        table(&states(info, orbit)),
+        "\n".to_owned(),
+        table(&multipliers(orbit)),
+        "\n".to_owned(),
+        table(&quality(orbit)),
+    ]
+    .concat()
+}
+
+fn period(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
+    let digits = digits(orbit.error_estimate);
+    let time = time_unit(info);
+    let inverse = if time.is_empty() { "" } else { " 1/s" };
+    let mut rows = vec![
+        vec!["period".to_owned(), number(orbit.period, digits) + time],
+        vec![
+            "frequency".to_owned(),
+            number(1.0 / orbit.period, digits) + inverse,
+        ],
+        vec!["crossings".to_owned(), orbit.period_count.to_string()],
+    ];
+    if let Some(word) = &orbit.word {
+        rows.push(vec!["word".to_owned(), word.clone()]);
+    }
+    rows
+}
+
+fn states(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
+    let digits = digits(orbit.error_estimate);
+    let mut rows = vec![
+        ["state", "start", "min", "max", "max abs"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    for (j, state) in info.states.iter().enumerate() {
+        let columns = [&orbit.state, &orbit.min, &orbit.max, &orbit.max_abs];
+        let mut row = vec![format!("{}{}", state.name, unit(state.unit))];
+        row.extend(
+            columns.map(|column| column.get(j).map_or(String::new(), |&v| number(v, digits))),
+        );
+        rows.push(row);
+    }
+    rows
+}
+
+fn multipliers(orbit: &OrbitRecord) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        ["multiplier", "ln |multiplier|"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    let floquet = &orbit.floquet;
+    for (multiplier, log) in floquet.multipliers.iter().zip(&floquet.log_moduli) {
+        let value = match multiplier.im {
+            0.0 => number(multiplier.re, 8),
+            im => format!(
+                "{} {} {}i",
+                number(multiplier.re, 8),
+                sign(im),
+                number(im.abs(), 8)
+            ),
+        };
+        let log = log.map_or_else(|| "-".to_owned(), |log| number(log, 8));
+        rows.push(vec![value, log]);
+    }
+    rows
+}
+
+fn sign(value: f64) -> char {
+    if value < 0.0 { '-' } else { '+' }
+}
+
+fn quality(orbit: &OrbitRecord) -> Vec<Vec<String>> {
+    let small = |value| number(value, 2);
+    vec![
+        vec!["error estimate".to_owned(), small(orbit.error_estimate)],
+        vec!["residual".to_owned(), small(orbit.residual)],
+        vec![
+            "trivial multiplier off by".to_owned(),
+            small(orbit.floquet.trivial_error),
+        ],
+        vec!["work".to_owned(), work(&orbit.work)],
+    ]
+}
+
+/// Counted work in one line.
+pub(super) fn work(work: &Work) -> String {
+    let counts = [
+        (work.steps, "steps"),
+        (work.rejected, "rejected"),
+        (work.evaluations, "evaluations"),
+        (work.linearisations, "linearisations"),
+        (work.factorisations, "factorisations"),
+        (work.events, "events"),
+        (work.newton, "Newton iterations"),
+    ];
+    let told = counts.iter().filter(|(count, _)| *count > 0);
+    told.map(|(count, name)| format!("{count} {name}"))
+        .collect::<Vec<_>>()
+        .join(", ")
+}

@@ -1,0 +1,105 @@
+//! `simulate`: one motion from its start.
+
+use clap::ArgMatches;
+
+use super::App;
+use super::failure::Failure;
+use super::json;
+use super::options::{Request, request, text};
+use super::orbit::work;
+use super::progress::Progress;
+use super::spreadsheet::Spreadsheet;
+use super::text::{number, parameters, short, table, time_unit, unit};
+use super::words::positive;
+use crate::model::ModelInfo;
+use crate::study::{Case, Trajectory};
+
+/// Digits shown of a state.
+const DIGITS: usize = 8;
+
+pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
+    let time = positive("--time", text(options, "time").unwrap_or_default())?;
+    let Request {
+        entry,
+        case,
+        output,
+    } = request(app, options)?;
+    let info = entry.info();
+    let progress = Progress::endless(&output, "following the motion");
+    let motion = entry
+        .motion(&case, time)
+        .map_err(|error| Failure::of(&error, info))?;
+    drop(progress);
+    let sheet = Spreadsheet::motion(info, &motion);
+    let text = describe(info, &case, &motion, time);
+    output.deliver(
+        "trajectory",
+        &text,
+        &json::Motion::new(info, &case, &motion),
+        &[("trajectory", sheet)],
+    )
+}
+
+fn describe(info: &ModelInfo, case: &Case, motion: &Trajectory, time: f64) -> String {
+    let duration = short(time) + time_unit(info);
+    [
+        format!(
+            "{}, {}: a motion of {duration}\n",
+            info.command, case.dynamics
+        ),
+        format!("  {}\n\n", parameters(info, case)),
+        table(&states(info, motion)),
+        table(&others(info, motion)),
+        format!(
+            "\n  {} samples; {}\n",
+            motion.times.len(),
+            work(&motion.work)
+        ),
+    ]
+    .concat()
+}
+
+fn states(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        ["state", "start", "end", "min", "max"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    let (start, end) = (motion.states.first(), motion.states.last());
+    for (j, state) in info.states.iter().enumerate() {
+        let columns = [start, end, Some(&motion.min), Some(&motion.max)];
+        let mut row = vec![format!("{}{}", state.name, unit(state.unit))];
+        row.extend(columns.map(|column| show(column.and_then(|values| values.get(j)))));
+        rows.push(row);
+    }
+    rows
+}
+
+/// Observables and forces at both ends.
+fn others(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
+    let mut rows = Vec::new();
+    let mut add = |name: String, values: &[Vec<f64>], j: usize| {
+        let ends = [values.first(), values.last()];
+        let mut row = vec![name];
+        row.extend(ends.map(|values| show(values.and_then(|values| values.get(j)))));
+        rows.push(row);
+    };
+    for (j, line) in info.observables.iter().enumerate() {
+        add(line.name.to_owned(), &motion.observables, j);
+    }
+    for (j, contact) in info.contacts.iter().enumerate() {
+        add(
+            format!("{}{}", contact.name, unit(contact.unit)),
+            &motion.forces,
+            j,
+        );
+    }
+    if !rows.is_empty() {
+        rows.insert(0, ["quantity", "start", "end"].map(str::to_owned).to_vec());
+    }
+    rows
+}
+
+fn show(value: Option<&f64>) -> String {
+    value.map_or(String::new(), |&value| number(value, DIGITS))
+}

@@ -1,0 +1,98 @@
+//! CSV files.
+
+use super::failure::Failure;
+use crate::model::ModelInfo;
+use crate::study::{OrbitRecord, Trajectory};
+
+/// A table of words and numbers with a head.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Spreadsheet {
+    rows: Vec<Vec<String>>,
+}
+
+impl Spreadsheet {
+    /// The table as CSV.
+    pub(super) fn text(&self) -> Result<String, Failure> {
+        let failed =
+            |error: String| Failure::failed(format!("the table cannot be written: {error}"));
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for row in &self.rows {
+            writer
+                .write_record(row)
+                .map_err(|error| failed(error.to_string()))?;
+        }
+        let bytes = writer
+            .into_inner()
+            .map_err(|error| failed(error.to_string()))?;
+        String::from_utf8(bytes).map_err(|error| failed(error.to_string()))
+    }
+
+    /// A motion, one row for each time.
+    pub(super) fn motion(info: &ModelInfo, motion: &Trajectory) -> Self {
+        let names = info.states.iter().map(|state| state.name);
+        let observables = info.observables.iter().map(|line| line.name);
+        let forces = info.contacts.iter().map(|contact| contact.name);
+        let head = std::iter::once("t")
+            .chain(names)
+            .chain(observables)
+            .chain(forces);
+        let mut rows = vec![head.map(str::to_owned).collect::<Vec<_>>()];
+        for (i, time) in motion.times.iter().enumerate() {
+            let columns = [&motion.states[i], &motion.observables[i], &motion.forces[i]];
+            let values = columns.into_iter().flatten();
+            rows.push(std::iter::once(time).chain(values).map(full).collect());
+        }
+        Self { rows }
+    }
+
+    /// Orbits, one row for each.
+    pub(super) fn orbits(info: &ModelInfo, name: &str, orbits: &[OrbitRecord]) -> Self {
+        let mut rows = vec![head(info, name)];
+        rows.extend(orbits.iter().map(row));
+        Self { rows }
+    }
+}
+
+fn head(info: &ModelInfo, name: &str) -> Vec<String> {
+    let mut head: Vec<String> = [name, "period", "stability", "period_count"]
+        .map(str::to_owned)
+        .into();
+    for prefix in ["", "max_", "min_", "max_abs_"] {
+        head.extend(
+            info.states
+                .iter()
+                .map(|state| format!("{prefix}{}", state.name)),
+        );
+    }
+    for i in 1..info.states.len() {
+        head.extend(["re", "im", "log_abs"].map(|part| format!("multiplier_{i}_{part}")));
+    }
+    head.extend(["residual", "error_estimate"].map(str::to_owned));
+    head
+}
+
+fn row(orbit: &OrbitRecord) -> Vec<String> {
+    let mut row = vec![
+        orbit.r.as_ref().map(full).unwrap_or_default(),
+        full(&orbit.period),
+        orbit.floquet.stability.name().to_owned(),
+        orbit.period_count.to_string(),
+    ];
+    for states in [&orbit.state, &orbit.max, &orbit.min, &orbit.max_abs] {
+        row.extend(states.iter().map(full));
+    }
+    // One place for each multiplier, even if the eigenvalues could not be found.
+    for i in 1..orbit.state.len() {
+        let multiplier = orbit.floquet.multipliers.get(i - 1);
+        let log = orbit.floquet.log_moduli.get(i - 1).copied().flatten();
+        let parts = [multiplier.map(|m| m.re), multiplier.map(|m| m.im), log];
+        row.extend(parts.map(|part| part.as_ref().map(full).unwrap_or_default()));
+    }
+    row.extend([full(&orbit.residual), full(&orbit.error_estimate)]);
+    row
+}
+
+/// All digits of a number.
+fn full(value: &f64) -> String {
+    format!("{value:?}")
+}

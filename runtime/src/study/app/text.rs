@@ -1,0 +1,120 @@
+//! Answers as text: numbers at sensible digits, in aligned columns, with their units.
+
+use crate::model::{ModelInfo, Unit};
+use crate::study::Case;
+
+/// A number with this many significant digits.
+pub(super) fn number(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let scientific = format!("{value:.*e}", digits.max(1) - 1);
+    let exponent: i32 = scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse().ok())
+        .unwrap_or(0);
+    let decimals = digits as i32 - 1 - exponent;
+    if exponent < -4 || decimals < 0 {
+        return scientific;
+    }
+    format!("{value:.*}", decimals as usize)
+}
+
+/// A number as a user would type it.
+pub(super) fn short(value: f64) -> String {
+    let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
+    if plain.len() <= scientific.len() + 2 {
+        plain
+    } else {
+        scientific
+    }
+}
+
+/// The digits that a result with this relative error deserves.
+pub(super) fn digits(error: f64) -> usize {
+    let digits = -error.log10();
+    if digits.is_finite() {
+        (digits.floor() as i32).clamp(4, 12) as usize
+    } else {
+        4
+    }
+}
+
+/// A unit after a space; nothing if there is none to be named.
+pub(super) fn unit(unit: Option<Unit>) -> String {
+    match unit {
+        Some(unit) if unit.text != "1" => format!(" {}", unit.text),
+        _ => String::new(),
+    }
+}
+
+/// The unit of time: seconds, if the model states units at all.
+pub(super) fn time_unit(info: &ModelInfo) -> &'static str {
+    let stated = info.states.iter().filter_map(|state| state.unit);
+    if stated.into_iter().any(|unit| unit.dimension != [0; 7]) {
+        " s"
+    } else {
+        ""
+    }
+}
+
+/// Rows of cells, each column as wide as its widest cell, indented.
+pub(super) fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |j: usize| {
+        rows.iter()
+            .filter_map(|row| row.get(j))
+            .map(|cell| cell.chars().count())
+            .max()
+    };
+    let widths: Vec<usize> = (0..columns).map(|j| width(j).unwrap_or(0)).collect();
+    let mut text = String::new();
+    for row in rows {
+        let cells = row
+            .iter()
+            .zip(&widths)
+            .map(|(cell, &width)| format!("  {cell:<width$}"));
+        text.push_str(cells.collect::<String>().trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// The parameters of a case, in one line.
+pub(super) fn parameters(info: &ModelInfo, case: &Case) -> String {
+    let pairs: Vec<String> = info
+        .parameters
+        .iter()
+        .zip(&case.parameters)
+        .map(|(declared, &value)| {
+            format!(
+                "{} = {}{}",
+                declared.name,
+                short(value),
+                unit(declared.unit)
+            )
+        })
+        .collect();
+    pairs.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significant_digits_are_kept() {
+        assert_eq!(number(12.345_678, 4), "12.35");
+        assert_eq!(number(-0.001_234_5, 3), "-0.00123");
+        assert_eq!(number(9.999_96, 4), "10.00");
+        assert_eq!(number(1.5e-7, 3), "1.50e-7");
+        assert_eq!(number(123_456.0, 3), "1.23e5");
+        assert_eq!(number(0.0, 3), "0");
+    }
+
+    #[test]
+    fn columns_are_aligned() {
+        let rows = [["a", "bb"], ["ccc", "d"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(table(&rows), "  a    bb\n  ccc  d\n");
+    }
+}

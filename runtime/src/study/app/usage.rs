@@ -1,0 +1,103 @@
+//! What is wrong with words that clap refuses, said as everything else here is said.
+
+use std::ffi::OsString;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Command, Error};
+
+use super::failure::Failure;
+use super::output::print;
+use super::words::unknown;
+
+/// Turns a refusal into a message; a request for help or the version is answered.
+pub(super) fn explain(error: &Error, command: &Command, words: &[OsString]) -> Result<(), Failure> {
+    let named = |kind| context(error, kind);
+    let option = named(ContextKind::InvalidArg);
+    let bare = option.split_whitespace().next().unwrap_or_default();
+    Err(Failure::usage(match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => return print(&error.to_string()),
+        ErrorKind::InvalidSubcommand => no_command(&named(ContextKind::InvalidSubcommand), command),
+        ErrorKind::UnknownArgument if bare.starts_with('-') => no_option(bare, command, words),
+        ErrorKind::UnknownArgument => stray(&option, command, words),
+        ErrorKind::InvalidValue if named(ContextKind::InvalidValue).is_empty() => {
+            format!("`{bare}` needs a value: write `{option}`")
+        }
+        ErrorKind::ArgumentConflict => format!("`{bare}` is given more than once"),
+        ErrorKind::TooManyValues => {
+            format!(
+                "`{bare}` takes no value `{}`",
+                named(ContextKind::InvalidValue)
+            )
+        }
+        ErrorKind::InvalidUtf8 => "an argument is no text: it is not valid UTF-8".to_owned(),
+        _ => plain(error),
+    }))
+}
+
+fn context(error: &Error, kind: ContextKind) -> String {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        _ => String::new(),
+    }
+}
+
+/// The first line of clap's own message.
+fn plain(error: &Error) -> String {
+    let text = error.to_string();
+    let line = text.lines().next().unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned()
+}
+
+/// Says that no command was given, or that there is none of this name.
+pub(super) fn no_command(word: &str, command: &Command) -> String {
+    let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    unknown("there is no command", word, &names)
+}
+
+/// The command that the words call.
+fn called<'a>(command: &'a Command, words: &[OsString]) -> &'a Command {
+    let mut texts = words.iter().skip(1).filter_map(|word| word.to_str());
+    texts
+        .find_map(|word| command.find_subcommand(word))
+        .unwrap_or(command)
+}
+
+fn options(command: &Command) -> Vec<String> {
+    let long = command.get_arguments().filter_map(clap::Arg::get_long);
+    long.chain(["help"])
+        .map(|name| format!("--{name}"))
+        .collect()
+}
+
+fn no_option(word: &str, command: &Command, words: &[OsString]) -> String {
+    let here = called(command, words);
+    let elsewhere = command
+        .get_subcommands()
+        .find(|other| options(other).iter().any(|option| option == word));
+    if let Some(other) = elsewhere {
+        let place = if std::ptr::eq(here, command) {
+            "here"
+        } else {
+            here.get_name()
+        };
+        return format!(
+            "`{word}` is an option of `{}`, not of `{place}`",
+            other.get_name()
+        );
+    }
+    let names = options(here);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    unknown(
+        &format!("`{}` has no option", here.get_name()),
+        word,
+        &names,
+    )
+}
+
+fn stray(word: &str, command: &Command, words: &[OsString]) -> String {
+    let here = called(command, words).get_name();
+    format!(
+        "`{word}` is one word too many: `{here}` takes one model, and its options begin with `--`"
+    )
+}

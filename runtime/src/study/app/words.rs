@@ -1,0 +1,92 @@
+//! Words of the command line, and what to say of wrong ones.
+
+use super::failure::Failure;
+use crate::suggest::did_you_mean;
+
+/// A message that names a wrong word, and the nearest right one or all there are.
+pub(super) fn unknown(what: &str, word: &str, names: &[&str]) -> String {
+    match did_you_mean(word, names.iter().copied()) {
+        Some(name) => format!("{what} `{word}`: did you mean `{name}`?"),
+        None if names.is_empty() => format!("{what} `{word}`: there are none"),
+        None => format!("{what} `{word}`: there {}", all(names)),
+    }
+}
+
+fn all(names: &[&str]) -> String {
+    let verb = if names.len() == 1 { "is" } else { "are" };
+    format!("{verb} {}", names.join(", "))
+}
+
+/// The two sides of `name=value`.
+pub(super) fn assignment<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'a str), Failure> {
+    let Some((name, value)) = word.split_once('=') else {
+        return Err(Failure::usage(match word.trim() {
+            "" => format!("`{option}` holds an empty word: write `name=value`"),
+            _ => format!("`{option} {word}` is no assignment: write `name=value`"),
+        }));
+    };
+    let (name, value) = (name.trim(), value.trim());
+    if name.is_empty() {
+        let message = format!("`{option} {word}` has no name before its `=`: write `name=value`");
+        return Err(Failure::usage(message));
+    }
+    if value.is_empty() {
+        let message = format!("`{option} {word}` has no value after its `=`: write `name=value`");
+        return Err(Failure::usage(message));
+    }
+    Ok((name, value))
+}
+
+/// A finite number.
+pub(super) fn number(place: &str, word: &str) -> Result<f64, Failure> {
+    let value: f64 = word.trim().parse().map_err(|_| {
+        Failure::usage(match word.trim() {
+            "" => format!("`{place}` has an empty word where a number should be"),
+            word => format!("`{place}`: `{word}` is not a number"),
+        })
+    })?;
+    if value.is_nan() {
+        return Err(Failure::usage(format!(
+            "`{place}`: `{word}` is not a number: NaN has no motion, give a finite number"
+        )));
+    }
+    if value.is_infinite() {
+        return Err(Failure::usage(format!(
+            "`{place}`: `{word}` is infinite: give a finite number"
+        )));
+    }
+    Ok(value)
+}
+
+/// A finite number above zero.
+pub(super) fn positive(place: &str, word: &str) -> Result<f64, Failure> {
+    let value = number(place, word)?;
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(Failure::usage(format!(
+        "`{place} {word}`: {value} is not above 0"
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_sides_must_be_there() {
+        assert_eq!(assignment("--set", " a = 1 "), Ok(("a", "1")));
+        for word in ["", " ", "a", "=1", "a="] {
+            assert_eq!(assignment("--set", word).map_err(|f| f.code()), Err(2));
+        }
+    }
+
+    #[test]
+    fn numbers_are_finite() {
+        assert_eq!(number("--time", "-1.5e3"), Ok(-1500.0));
+        for word in ["", "x", "nan", "inf", "-inf", "1e999", "1,5", "--json"] {
+            assert_eq!(number("--time", word).map_err(|f| f.code()), Err(2));
+        }
+        assert_eq!(positive("--time", "0").map_err(|f| f.code()), Err(2));
+    }
+}

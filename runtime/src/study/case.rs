@@ -1,0 +1,157 @@
+//! What is asked of a model: at which parameters, with which friction, from where, how accurately.
+
+use std::fmt;
+
+use crate::field::{Design, Smoothing};
+use crate::model::ModelInfo;
+
+/// A question to a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Values of all parameters in the order of declaration; of a followed one, where it begins.
+    pub parameters: Vec<f64>,
+    /// How friction acts.
+    pub dynamics: Dynamics,
+    /// The design variable, if one is followed.
+    pub along: Option<Along>,
+    /// Where to begin; the declared start if nothing is said.
+    pub start: Option<Vec<f64>>,
+    /// A guess of the period.
+    pub period: Option<f64>,
+    /// Relative accuracy of period and extrema.
+    pub accuracy: f64,
+}
+
+/// How friction acts in a system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Dynamics {
+    /// There is none.
+    Smooth,
+    /// By its set-valued law.
+    Exact,
+    /// By a smooth copy of its law.
+    Smoothed(Smoothing),
+}
+
+/// A design variable and its way, in the user's own values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Along {
+    /// What is followed.
+    pub design: Design,
+    /// Where it begins.
+    pub from: f64,
+    /// Where it shall end.
+    pub to: f64,
+}
+
+impl Case {
+    /// The case of a model as declared, with `dynamics`, at the relative accuracy 1e-9.
+    #[must_use]
+    pub fn declared(info: &ModelInfo, dynamics: Dynamics) -> Self {
+        Self {
+            parameters: info.parameters.iter().map(|p| p.default).collect(),
+            dynamics,
+            along: None,
+            start: None,
+            period: None,
+            accuracy: 1e-9,
+        }
+    }
+
+    /// The same case where the followed variable has this value.
+    #[must_use]
+    pub fn at(&self, value: f64) -> Self {
+        let mut case = self.clone();
+        match (self.along.map(|along| along.design), &mut case.dynamics) {
+            (Some(Design::Parameter(index)), _) => {
+                if let Some(place) = case.parameters.get_mut(index) {
+                    *place = value;
+                }
+            }
+            (Some(Design::Smoothing), Dynamics::Smoothed(smoothing)) => smoothing.size = value,
+            _ => {}
+        }
+        case
+    }
+
+    /// The smoothing of the contacts, if there is one.
+    #[must_use]
+    pub fn smoothing(&self) -> Option<Smoothing> {
+        match self.dynamics {
+            Dynamics::Smoothed(smoothing) => Some(smoothing),
+            Dynamics::Smooth | Dynamics::Exact => None,
+        }
+    }
+}
+
+impl fmt::Display for Dynamics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Smooth => f.write_str("smooth"),
+            Self::Exact => f.write_str("exact"),
+            Self::Smoothed(smoothing) => smoothing.fmt(f),
+        }
+    }
+}
+
+impl Along {
+    /// The name of the variable on the command line.
+    #[must_use]
+    pub fn name(&self, info: &ModelInfo) -> &'static str {
+        match self.design {
+            Design::Parameter(index) => info.parameters.get(index).map_or("", |p| p.name),
+            Design::Smoothing => "smooth",
+            Design::None => "",
+        }
+    }
+
+    /// Both ends as a family counts them: the size of a smoothing in its logarithm.
+    #[must_use]
+    pub fn span(&self) -> (f64, f64) {
+        match self.design {
+            Design::Smoothing => (self.from.ln(), self.to.ln()),
+            Design::Parameter(_) | Design::None => (self.from, self.to),
+        }
+    }
+
+    /// The user's value of a family's r: the inverse of [`Along::span`], exact at both ends.
+    #[must_use]
+    pub fn value(&self, r: f64) -> f64 {
+        let (from, to) = self.span();
+        match self.design {
+            _ if r == from => self.from,
+            _ if r == to => self.to,
+            Design::Smoothing => r.exp(),
+            Design::Parameter(_) | Design::None => r,
+        }
+    }
+
+    /// The share of the way done at the user's value `value`, between 0 and 1.
+    #[must_use]
+    pub fn share(&self, value: f64) -> f64 {
+        let here = Self {
+            from: value,
+            ..*self
+        };
+        let (from, to) = self.span();
+        ((here.span().0 - from) / (to - from)).clamp(0.0, 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smoothing_is_followed_in_its_logarithm() {
+        let along = Along {
+            design: Design::Smoothing,
+            from: 1e2,
+            to: 1e7,
+        };
+        let (from, to) = along.span();
+        assert_eq!((along.value(from), along.value(to)), (1e2, 1e7));
+        assert!((along.value(1e3_f64.ln()) / 1e3 - 1.0).abs() < 1e-14);
+        assert!((along.share(1e3) - 0.2).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,82 @@
+//! One periodic orbit, and all that is reported of it.
+
+use super::case::{Case, Dynamics};
+use crate::bifurcation::Floquet;
+use crate::field::Work;
+use crate::flow::{Family, Flow, Segment};
+use crate::shooting::{Orbit, OrbitError, Search, closest};
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+/// A periodic orbit as it is reported, whatever model it belongs to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OrbitRecord {
+    /// The design variable, if one is followed, in the user's own values.
+    pub r: Option<f64>,
+    /// Values of all parameters.
+    pub parameters: Vec<f64>,
+    /// How friction acts.
+    pub dynamics: Dynamics,
+    /// Its start, on the default section where the orbit has a minimum of the first state.
+    pub state: Vec<f64>,
+    /// Its minimal period.
+    pub period: f64,
+    /// Largest value of each state.
+    pub max: Vec<f64>,
+    /// Smallest value of each state.
+    pub min: Vec<f64>,
+    /// Largest magnitude of each state.
+    pub max_abs: Vec<f64>,
+    /// Crossings of the default section in one period.
+    pub period_count: usize,
+    /// Multipliers and what they say.
+    pub floquet: Floquet,
+    /// The modes that it runs through, for exact dynamics.
+    pub word: Option<String>,
+    /// Norm of the shooting residual, relative to the extents of the states.
+    pub residual: f64,
+    /// Estimated relative error of period and extrema.
+    pub error_estimate: f64,
+    /// What it cost.
+    pub work: Work,
+}
+
+/// How the stretches of an orbit are spelt.
+pub(super) type Spelling<Mode> = fn(&[Segment<Mode>]) -> Option<String>;
+
+/// A family with what is sought in it.
+pub(super) struct Sought<'a, F: Family<N>, const N: usize> {
+    pub(super) family: &'a F,
+    pub(super) case: &'a Case,
+    pub(super) search: Search<N>,
+    pub(super) spelling: Spelling<Mode<F, N>>,
+}
+
+impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
+    /// The orbit at r, in the family's own count.
+    pub(super) fn orbit(&self, r: f64) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
+        closest(self.family, r, &self.search)
+    }
+
+    /// The orbit as it is reported.
+    pub(super) fn record(&self, orbit: &Orbit<N, Mode<F, N>>) -> OrbitRecord {
+        let r = self.case.along.map(|along| along.value(orbit.r));
+        let case = r.map_or_else(|| self.case.clone(), |r| self.case.at(r));
+        OrbitRecord {
+            r,
+            parameters: case.parameters,
+            dynamics: case.dynamics,
+            state: orbit.place.state.to_vec(),
+            period: orbit.period,
+            max: orbit.max.to_vec(),
+            min: orbit.min.to_vec(),
+            max_abs: orbit.max_abs().to_vec(),
+            period_count: orbit.period_count,
+            floquet: orbit.floquet.clone(),
+            word: (self.spelling)(&orbit.segments),
+            residual: orbit.residual,
+            error_estimate: orbit.error_estimate,
+            work: orbit.work,
+        }
+    }
+}

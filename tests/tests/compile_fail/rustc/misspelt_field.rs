@@ -1,0 +1,13 @@
+use stickslip::model;
+use stickslip_models::friction::Weakening;
+
+model! {
+    pub struct Belt {
+        state v = 0.0;
+        friction F = Weakening { limit: 1.0, deacy: 3.0 } opposing v;
+        let push = 2.0 * F;
+        der(v) = push;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,5 @@
+use stickslip_models::BeltOscillator;
+
+fn main() {
+    let _ = BeltOscillator::v_dir;
+}
