@@ -1,6 +1,6 @@
 //! What the branches cost, beside what they cost in 1996.
 
-use stickslip::study::{Column, Section, Table};
+use stickslip::study::report::{Column, Section, Table};
 
 use super::follow::Followed;
 use super::words::{count, duration};

@@ -2,7 +2,7 @@
 
 use stickslip::field::{Field, Kernel};
 use stickslip::shooting::Orbit;
-use stickslip::study::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 
 use super::ReproduceError;
 use super::cost::Cost;

@@ -14,7 +14,7 @@ use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use stickslip::study::{Report, ReportError, Written};
+use stickslip::study::report::{Report, ReportError, Written};
 
 pub use follow::FollowError;
 

@@ -1,7 +1,7 @@
 //! Thesis section 3.1: a limit cycle without friction.
 
 use stickslip::shooting::Orbit;
-use stickslip::study::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 
 use super::ReproduceError;
 use super::cost::Cost;

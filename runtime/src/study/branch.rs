@@ -96,6 +96,9 @@ impl From<Option<&Ending<FlowError>>> for Ended {
                 false,
                 "it has more points than are allowed".to_owned(),
             ),
+            Some(Ending::Refused(error @ FlowError::Vanished { .. })) => {
+                ("equilibrium", true, error.to_string())
+            }
             Some(Ending::Refused(error)) => ("refused", false, error.to_string()),
             None => ("stopped", false, "it was stopped".to_owned()),
         };

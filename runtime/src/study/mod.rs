@@ -7,32 +7,18 @@
 pub mod app;
 mod branch;
 mod case;
-#[cfg(feature = "app")]
-mod draw;
+mod declared;
 mod entry;
-#[cfg(feature = "app")]
-mod figure;
 mod orbit;
 #[cfg(feature = "app")]
-mod page;
-#[cfg(feature = "app")]
-mod report;
-#[cfg(feature = "app")]
-mod table;
-#[cfg(feature = "app")]
-mod text;
+pub mod report;
+mod seed;
 mod trajectory;
 
 pub use branch::{BranchRecord, Ended, Special};
 pub use case::{Along, Case, Dynamics};
 pub use entry::{Entry, StudyError, entry};
-#[cfg(feature = "app")]
-pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
 pub use orbit::OrbitRecord;
-#[cfg(feature = "app")]
-pub use report::{Block, Report, ReportError, Section, Written};
-#[cfg(feature = "app")]
-pub use table::{Column, Table};
 pub use trajectory::Trajectory;
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.

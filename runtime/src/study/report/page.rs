@@ -2,7 +2,7 @@
 
 use super::draw::draw;
 use super::figure::Figure;
-use super::report::{Block, Report, Section};
+use super::{Block, Report, Section};
 use super::table::Table;
 use super::text::html;
 

@@ -1,14 +1,19 @@
 //! A report: sections of text, figures and tables, written as one page with its data beside it.
 
+mod draw;
+mod figure;
+mod page;
+mod table;
+mod text;
+
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::draw::draw;
-use super::figure::{Figure, Panel};
-use super::page::page;
-use super::table::Table;
-use super::text;
+use draw::draw;
+pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
+use page::page;
+pub use table::{Column, Table};
 
 /// A report.
 #[derive(Debug, Clone, PartialEq, Default)]
