@@ -2,9 +2,9 @@
 
 use super::draw::draw;
 use super::figure::Figure;
-use super::{Block, Report, Section};
 use super::table::Table;
 use super::text::html;
+use super::{Block, Report, Section};
 
 const STYLE: &str = include_str!("page.css");
 
