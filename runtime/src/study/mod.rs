@@ -10,6 +10,8 @@ mod case;
 mod declared;
 mod entry;
 mod orbit;
+#[cfg(feature = "app")]
+pub mod report;
 mod seed;
 mod trajectory;
 
