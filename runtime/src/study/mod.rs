@@ -9,6 +9,7 @@ mod branch;
 mod case;
 mod entry;
 mod orbit;
+pub mod predict;
 mod trajectory;
 
 pub use branch::{BranchRecord, Ended, Special};
