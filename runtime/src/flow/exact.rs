@@ -1,5 +1,6 @@
 //! The exact flow: friction is set-valued, switching instants are located, derivatives jump through them.
 
+mod approach;
 mod box_qp;
 mod depart;
 mod extrema;

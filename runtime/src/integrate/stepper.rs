@@ -67,6 +67,11 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         &self.end
     }
 
+    /// The slope where the step begins.
+    pub fn from_slope(&self) -> &V {
+        &self.slopes[0]
+    }
+
     /// The slope at the end of the step.
     pub fn end_slope(&self) -> &V {
         &self.slopes[12]
@@ -106,6 +111,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             self.spend()?;
             self.trial(length);
             let error = self.error();
+
             if error <= 1.0 && self.close() {
                 self.control.accept(length, error);
                 return self.judge_stiffness();

@@ -8,6 +8,9 @@ use crate::continuation::{Ending, Settings};
 use crate::flow::{Family, FlowError};
 use crate::shooting::{OrbitBranch, OrbitError};
 
+/// A branch whose period has grown this many times has none in the end.
+const ENDLESS: f64 = 1e6;
+
 /// A branch as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BranchRecord {
@@ -66,38 +69,57 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
                 point.work += first.work;
             }
             watch(&point);
+            let endless = point.period > ENDLESS * first.period;
             points.push(point);
+            if endless {
+                break;
+            }
         }
+        let ended = branch.ending();
+        let special = Vec::new();
         Ok(BranchRecord {
             along,
+            ended: ended.map_or_else(Ended::endless, Ended::from),
             points,
-            special: Vec::new(),
-            ended: Ended::from(branch.ending()),
+            special,
         })
     }
 }
 
-impl From<Option<&Ending<FlowError>>> for Ended {
-    fn from(ending: Option<&Ending<FlowError>>) -> Self {
+impl Ended {
+    /// The period grows without bound, as it does towards rest.
+    fn endless() -> Self {
+        Self {
+            word: "infinite-period",
+            located: true,
+            reason: format!("its period has grown more than {ENDLESS:e} times"),
+        }
+    }
+}
+
+impl From<&Ending<FlowError>> for Ended {
+    fn from(ending: &Ending<FlowError>) -> Self {
         let (word, located, reason) = match ending {
-            Some(Ending::ReachedEnd) => ("reached-end", true, "its end is reached".to_owned()),
-            Some(Ending::ReachedStart) => (
+            Ending::ReachedEnd => ("reached-end", true, "its end is reached".to_owned()),
+            Ending::ReachedStart => (
                 "reached-start",
                 true,
                 "it turned and came back to where it began".to_owned(),
             ),
-            Some(Ending::StepTooSmall(failure)) => (
+            Ending::StepTooSmall(failure) => (
                 "step-too-small",
                 false,
                 format!("no step is small enough: {failure}"),
             ),
-            Some(Ending::TooManyPoints) => (
+            Ending::TooManyPoints => (
                 "too-many-points",
                 false,
                 "it has more points than are allowed".to_owned(),
             ),
-            Some(Ending::Refused(error)) => ("refused", false, error.to_string()),
-            None => ("stopped", false, "it was stopped".to_owned()),
+            Ending::Refused(error @ FlowError::Vanished { .. }) => {
+                ("equilibrium", true, error.to_string())
+            }
+            Ending::Refused(error) => ("refused", false, error.to_string()),
         };
         Self {
             word,

@@ -7,9 +7,12 @@
 pub mod app;
 mod branch;
 mod case;
+mod declared;
 mod entry;
 mod orbit;
 pub mod predict;
+mod seed;
+pub mod trade;
 mod trajectory;
 
 pub use branch::{BranchRecord, Ended, Special};

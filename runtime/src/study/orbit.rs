@@ -1,6 +1,7 @@
 //! One periodic orbit, and all that is reported of it.
 
 use super::case::{Case, Dynamics};
+use super::seed::Seed;
 use crate::bifurcation::Floquet;
 use crate::field::Work;
 use crate::flow::{Family, Flow, Segment};
@@ -48,14 +49,33 @@ pub(super) type Spelling<Mode> = fn(&[Segment<Mode>]) -> Option<String>;
 pub(super) struct Sought<'a, F: Family<N>, const N: usize> {
     pub(super) family: &'a F,
     pub(super) case: &'a Case,
+    /// Tried in this order.
+    pub(super) seeds: Vec<Seed<N>>,
     pub(super) search: Search<N>,
     pub(super) spelling: Spelling<Mode<F, N>>,
 }
 
 impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
-    /// The orbit at r, in the family's own count.
+    /// The orbit at r, in the family's own count, from the first seed that leads to one.
     pub(super) fn orbit(&self, r: f64) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-        closest(self.family, r, &self.search)
+        let mut last = None;
+        for &Seed { start, period } in &self.seeds {
+            let search = Search {
+                start,
+                period,
+                ..self.search
+            };
+            match closest(self.family, r, &search) {
+                Ok(orbit) => return Ok(orbit),
+                Err(error) => last = Some(error),
+            }
+        }
+        Err(last.unwrap_or(OrbitError::NotSettled { time: 0.0 }))
+    }
+
+    /// The orbit at r as it is reported.
+    pub(super) fn found(&self, r: f64) -> Result<OrbitRecord, OrbitError> {
+        Ok(self.record(&self.orbit(r)?))
     }
 
     /// The orbit as it is reported.

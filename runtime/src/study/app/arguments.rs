@@ -18,7 +18,6 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
     let mut command = Command::new(name)
         .version(app.version)
         .about("Periodic motions of systems with dry friction, exact or smoothed")
-        .disable_help_subcommand(true)
         .subcommand(models())
         .subcommand(simulate())
         .subcommand(orbit())

@@ -61,7 +61,7 @@ impl Failure {
 /// Whether other words on the command line are the way out.
 fn is_usage(error: &StudyError) -> bool {
     let flow = match error {
-        StudyError::ExactNotAvailable { .. } | StudyError::NothingToFollow => return true,
+        StudyError::NothingToSmooth | StudyError::NothingToFollow => return true,
         StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
         StudyError::Orbit(_) => return false,
     };

@@ -1,10 +1,16 @@
 //! Answers as JSON.
 
+mod motion;
+mod work;
+
 use serde::ser::{Serialize, Serializer};
+
+pub(super) use motion::Motion;
+use work::Counts;
 
 use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
-use crate::study::{BranchRecord, Case, OrbitRecord, Special, Trajectory};
+use crate::study::{BranchRecord, Case, OrbitRecord, Special};
 
 /// Values by name, in the order of declaration.
 pub(super) struct Named<'a, T>(Vec<(&'a str, T)>);
@@ -54,32 +60,6 @@ pub(super) fn units(info: &ModelInfo) -> Named<'_, &'static str> {
             .filter_map(stated)
             .collect(),
     )
-}
-
-/// Counted work.
-#[derive(serde::Serialize)]
-struct Counts {
-    steps: u64,
-    rejected: u64,
-    evaluations: u64,
-    linearisations: u64,
-    factorisations: u64,
-    events: u64,
-    newton: u64,
-}
-
-impl From<&Work> for Counts {
-    fn from(work: &Work) -> Self {
-        Self {
-            steps: work.steps,
-            rejected: work.rejected,
-            evaluations: work.evaluations,
-            linearisations: work.linearisations,
-            factorisations: work.factorisations,
-            events: work.events,
-            newton: work.newton,
-        }
-    }
 }
 
 /// A periodic orbit.
@@ -212,51 +192,4 @@ impl<'a> Branch<'a> {
             work: Counts::from(&work),
         }
     }
-}
-
-/// A motion, each quantity as one column.
-#[derive(serde::Serialize)]
-pub(super) struct Motion<'a> {
-    model: &'a str,
-    dynamics: String,
-    parameters: Named<'a, f64>,
-    time: &'a [f64],
-    states: Named<'a, Vec<f64>>,
-    observables: Named<'a, Vec<f64>>,
-    forces: Named<'a, Vec<f64>>,
-    state: Named<'a, f64>,
-    max: Named<'a, f64>,
-    min: Named<'a, f64>,
-    units: Named<'a, &'static str>,
-    work: Counts,
-}
-
-impl<'a> Motion<'a> {
-    pub(super) fn new(info: &'a ModelInfo, case: &Case, motion: &'a Trajectory) -> Self {
-        let observables = info.observables.iter().map(|line| line.name);
-        let forces = info.contacts.iter().map(|contact| contact.name);
-        let end = motion.states.last().cloned().unwrap_or_default();
-        Self {
-            model: info.command,
-            dynamics: case.dynamics.to_string(),
-            parameters: parameters(info, &case.parameters),
-            time: &motion.times,
-            states: states(info, columns(&motion.states, info.states.len())),
-            observables: Named::new(
-                observables,
-                columns(&motion.observables, info.observables.len()),
-            ),
-            forces: Named::new(forces, columns(&motion.forces, info.contacts.len())),
-            state: states(info, end),
-            max: states(info, motion.max.clone()),
-            min: states(info, motion.min.clone()),
-            units: units(info),
-            work: Counts::from(&motion.work),
-        }
-    }
-}
-
-fn columns(rows: &[Vec<f64>], count: usize) -> Vec<Vec<f64>> {
-    let column = |j: usize| rows.iter().filter_map(|row| row.get(j).copied()).collect();
-    (0..count).map(column).collect()
 }

@@ -7,7 +7,7 @@ use super::App;
 use super::failure::Failure;
 use super::options::text;
 use super::output::Output;
-use super::text::{short, table, unit};
+use super::text::{label, short, table, unit};
 use crate::model::{Bound, Contact, ModelInfo, Parameter, State};
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
@@ -117,7 +117,7 @@ fn contact(contact: &Contact) -> [Vec<String>; 2] {
     let law = contact.law;
     [
         vec![
-            format!("{}{}", contact.name, unit(contact.unit)),
+            label(contact.name, contact.unit),
             format!(
                 "{} {{ {} }} opposing {}",
                 law.name, contact.fields, contact.speed

@@ -41,6 +41,11 @@ pub(super) fn request<'a>(app: &'a App, options: &ArgMatches) -> Result<Request<
         .check(&case)
         .map_err(|error| Failure::of(&error, info))?;
     let output = Output::new(options)?;
+    if let Some(size) = superseded(options, along) {
+        output.note(format!(
+            "note: the smoothing begins at the size {size}, as `--along` says"
+        ));
+    }
     Ok(Request {
         entry,
         case,
@@ -189,6 +194,15 @@ fn dynamics(
         .parse()
         .map_err(|error| Failure::usage(format!("`--smooth {word}`: {error}")))?;
     Ok(Dynamics::Smoothed(smoothing))
+}
+
+/// The size with which a followed smoothing begins, if `--smooth` says another.
+fn superseded(options: &ArgMatches, along: Option<Along>) -> Option<f64> {
+    let from = along
+        .filter(|along| along.design == Design::Smoothing)?
+        .from;
+    let given: Smoothing = text(options, "smooth")?.parse().ok()?;
+    (given.size != from).then_some(from)
 }
 
 fn start(info: &ModelInfo, word: &str) -> Result<Vec<f64>, Failure> {

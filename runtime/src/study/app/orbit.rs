@@ -8,7 +8,7 @@ use super::json;
 use super::options::{Request, request};
 use super::progress::Progress;
 use super::spreadsheet::Spreadsheet;
-use super::text::{digits, number, parameters, table, time_unit, unit};
+use super::text::{digits, label, number, parameters, table, time_unit};
 use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::study::{Case, OrbitRecord};
@@ -82,11 +82,14 @@ fn states(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
             .to_vec(),
     ];
     for (j, state) in info.states.iter().enumerate() {
+        let largest = orbit.max_abs.get(j).copied().unwrap_or(0.0);
+        let show = |value: f64| {
+            let rounding = value.abs() <= f64::EPSILON * largest;
+            number(if rounding { 0.0 } else { value }, digits)
+        };
         let columns = [&orbit.state, &orbit.min, &orbit.max, &orbit.max_abs];
-        let mut row = vec![format!("{}{}", state.name, unit(state.unit))];
-        row.extend(
-            columns.map(|column| column.get(j).map_or(String::new(), |&v| number(v, digits))),
-        );
+        let mut row = vec![label(state.name, state.unit)];
+        row.extend(columns.map(|column| column.get(j).copied().map_or(String::new(), show)));
         rows.push(row);
     }
     rows

@@ -15,11 +15,55 @@ pub type Reproduction = fn(folder: &Path, quiet: bool) -> Result<(), Box<dyn Err
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let Some(reproduction) = app.reproduction else {
         let command = arguments::command(app, None);
-        return Err(Failure::usage(usage::no_command("", &command)));
+        return Err(Failure::usage(usage::which_command(&command)));
     };
     let folder = options.get_one::<PathBuf>("out");
     let folder = folder.map_or(Path::new("report"), PathBuf::as_path);
     prepare(folder)?;
     reproduction(folder, options.get_flag("quiet"))
         .map_err(|error| Failure::failed(error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn leave_a_mark(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
+        std::fs::write(folder.join("mark"), quiet.to_string())?;
+        if quiet {
+            Ok(())
+        } else {
+            Err("not quiet".into())
+        }
+    }
+
+    #[test]
+    fn happens_with_and_without_its_name() {
+        let folder = std::env::temp_dir().join(format!("stickslip-{}", std::process::id()));
+        let place = folder.to_string_lossy().into_owned();
+        let ask = |words: &[&str]| {
+            let app = App::new("0").reproduce(leave_a_mark);
+            app.answer(words.iter().map(Into::into).collect())
+        };
+        for name in [&["program"][..], &["program", "reproduce"]] {
+            let words = [name, &["--out", &place, "--quiet"]].concat();
+            assert_eq!(ask(&words), Ok(()));
+            assert_eq!(
+                std::fs::read_to_string(folder.join("mark")).unwrap(),
+                "true"
+            );
+            std::fs::remove_file(folder.join("mark")).unwrap();
+        }
+        assert_eq!(
+            ask(&["program", "--out", &place]),
+            Err(Failure::failed("not quiet"))
+        );
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn without_it_a_command_is_needed() {
+        let failure = App::new("0").answer(vec!["program".into()]).unwrap_err();
+        assert_eq!(failure.code(), 2);
+    }
 }

@@ -9,7 +9,7 @@ use super::options::{Request, request, text};
 use super::orbit::work;
 use super::progress::Progress;
 use super::spreadsheet::Spreadsheet;
-use super::text::{number, parameters, short, table, time_unit, unit};
+use super::text::{label, number, parameters, short, table, time_unit};
 use super::words::positive;
 use crate::model::ModelInfo;
 use crate::study::{Case, Trajectory};
@@ -68,7 +68,7 @@ fn states(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
     let (start, end) = (motion.states.first(), motion.states.last());
     for (j, state) in info.states.iter().enumerate() {
         let columns = [start, end, Some(&motion.min), Some(&motion.max)];
-        let mut row = vec![format!("{}{}", state.name, unit(state.unit))];
+        let mut row = vec![label(state.name, state.unit)];
         row.extend(columns.map(|column| show(column.and_then(|values| values.get(j)))));
         rows.push(row);
     }
@@ -88,11 +88,7 @@ fn others(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
         add(line.name.to_owned(), &motion.observables, j);
     }
     for (j, contact) in info.contacts.iter().enumerate() {
-        add(
-            format!("{}{}", contact.name, unit(contact.unit)),
-            &motion.forces,
-            j,
-        );
+        add(label(contact.name, contact.unit), &motion.forces, j);
     }
     if !rows.is_empty() {
         rows.insert(0, ["quantity", "start", "end"].map(str::to_owned).to_vec());

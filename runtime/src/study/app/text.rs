@@ -5,7 +5,10 @@ use crate::study::Case;
 
 /// A number with this many significant digits.
 pub(super) fn number(value: f64, digits: usize) -> String {
-    if value == 0.0 || !value.is_finite() {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
         return format!("{value}");
     }
     let scientific = format!("{value:.*e}", digits.max(1) - 1);
@@ -37,6 +40,14 @@ pub(super) fn digits(error: f64) -> usize {
         (digits.floor() as i32).clamp(4, 12) as usize
     } else {
         4
+    }
+}
+
+/// A name with its unit, as the head of a row.
+pub(super) fn label(name: &str, unit: Option<Unit>) -> String {
+    match unit {
+        Some(unit) if unit.text != "1" => format!("{name} ({})", unit.text),
+        _ => name.to_owned(),
     }
 }
 

@@ -49,10 +49,20 @@ fn plain(error: &Error) -> String {
     line.trim_start_matches("error: ").to_owned()
 }
 
-/// Says that no command was given, or that there is none of this name.
-pub(super) fn no_command(word: &str, command: &Command) -> String {
-    let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
-    unknown("there is no command", word, &names)
+fn commands(command: &Command) -> Vec<&str> {
+    command.get_subcommands().map(Command::get_name).collect()
+}
+
+fn no_command(word: &str, command: &Command) -> String {
+    unknown("there is no command", word, &commands(command))
+}
+
+/// Says that a command is missing.
+pub(super) fn which_command(command: &Command) -> String {
+    format!(
+        "no command is given: there are {}; `--help` shows more",
+        commands(command).join(", ")
+    )
 }
 
 /// The command that the words call.
@@ -72,19 +82,22 @@ fn options(command: &Command) -> Vec<String> {
 
 fn no_option(word: &str, command: &Command, words: &[OsString]) -> String {
     let here = called(command, words);
+    if options(here).iter().any(|option| option == word) {
+        return format!("`{word}` stands after `--`, where only a model can stand");
+    }
     let elsewhere = command
         .get_subcommands()
         .find(|other| options(other).iter().any(|option| option == word));
     if let Some(other) = elsewhere {
-        let place = if std::ptr::eq(here, command) {
-            "here"
+        let other = other.get_name();
+        return if std::ptr::eq(here, command) {
+            format!("`{word}` belongs after a command that knows it, such as `{other}`")
         } else {
-            here.get_name()
+            format!(
+                "`{word}` is an option of `{other}`, not of `{}`",
+                here.get_name()
+            )
         };
-        return format!(
-            "`{word}` is an option of `{}`, not of `{place}`",
-            other.get_name()
-        );
     }
     let names = options(here);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();

@@ -170,7 +170,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         self.motion.design = deviation;
         let saltation = self.saltation(switch)?;
         saltation
-            .apply(&mut self.motion)
+            .apply(&mut self.motion, false)
             .map_err(|rate| PredictError::Grazing {
                 contact: i,
                 time: switch.event.time,

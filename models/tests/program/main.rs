@@ -1,0 +1,28 @@
+//! The program `stickslip`, from outside.
+
+mod answers;
+mod refusals;
+
+use std::process::Command;
+
+struct Answer {
+    code: Option<i32>,
+    stdout: String,
+    stderr: String,
+}
+
+fn stickslip(words: &[&str]) -> Answer {
+    let done = Command::new(env!("CARGO_BIN_EXE_stickslip"))
+        .args(words)
+        .output()
+        .unwrap();
+    Answer {
+        code: done.status.code(),
+        stdout: String::from_utf8(done.stdout).unwrap(),
+        stderr: String::from_utf8(done.stderr).unwrap(),
+    }
+}
+
+fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
+}
