@@ -5,6 +5,8 @@ pub mod belt_pair;
 pub mod closed_form;
 pub mod drill_string;
 pub mod friction;
+#[cfg(feature = "app")]
+pub mod reproduce;
 pub mod van_der_pol;
 
 pub use belt_oscillator::BeltOscillator;

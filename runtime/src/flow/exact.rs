@@ -3,10 +3,12 @@
 mod approach;
 mod box_qp;
 mod depart;
+mod departure;
 mod extrema;
 mod guard;
 mod observe;
 mod passing;
+mod release;
 mod run;
 mod settle;
 mod switch;

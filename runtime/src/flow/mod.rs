@@ -101,38 +101,48 @@ pub struct Passage<const N: usize, Mode> {
     pub events: Vec<Event<N>>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample<N>>,
-    /// The end of the longest step: where the motion is calmest, a good place to begin an orbit.
+    /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm<N, Mode>,
     /// What it cost.
     pub work: Work,
 }
 
-/// The end of the longest step of a passage.
+/// The place between two steps of which the shorter one is longest.
+///
+/// Next to a short step something is about to happen, or has just happened: a start there would
+/// soon fall before it or behind it as the design variable changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Calm<const N: usize, Mode> {
     /// When, from the beginning of the passage.
     pub time: f64,
-    /// Length of the step.
+    /// Length of the shorter step beside it.
     pub step: f64,
     /// Where.
     pub place: Place<N, Mode>,
+    /// When and where the last step ended, and its length.
+    last: (f64, f64, Place<N, Mode>),
 }
 
-impl<const N: usize, Mode> Calm<N, Mode> {
+impl<const N: usize, Mode: Copy> Calm<N, Mode> {
     /// Nothing known yet: the beginning itself.
     pub(crate) fn at(place: Place<N, Mode>) -> Self {
         Self {
             time: 0.0,
             step: 0.0,
             place,
+            last: (0.0, 0.0, place),
         }
     }
 
-    /// Takes the end of a longer step instead.
+    /// Told that a step of this length ended at this time in this place.
     pub(crate) fn offer(&mut self, time: f64, step: f64, place: Place<N, Mode>) {
-        if step > self.step {
-            *self = Self { time, step, place };
+        let (last_time, last_step, last_place) = self.last;
+        if last_step.min(step) > self.step {
+            self.time = last_time;
+            self.step = last_step.min(step);
+            self.place = last_place;
         }
+        self.last = (time, step, place);
     }
 }
 

@@ -72,6 +72,17 @@ struct Trial<const N: usize, const S: usize> {
     iterations: usize,
 }
 
+/// What a step meets.
+#[expect(clippy::large_enum_variant, reason = "a step allocates nothing")]
+enum Kink<const N: usize, const S: usize> {
+    /// No kink of the field.
+    None,
+    /// A kink, at which this shorter step ends.
+    At(Trial<N, S>),
+    /// A kink at about this fraction, to which no step leads: the step has jumped something.
+    Missed(f64),
+}
+
 /// Which rows Newton solves for, and which follow from ẏᵢ = yⱼ.
 struct Layout<F, const N: usize>(PhantomData<F>);
 
@@ -216,11 +227,22 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 );
                 continue;
             }
+            if self.field.leaps(&trial.start, &trial.end()) {
+                self.reject(0.3 * step);
+                continue;
+            }
             let mut collocation = Collocation::new(self.tableau, &trial.increments);
-            if let Some(shorter) = self.stop_at_kink(&trial, &collocation) {
-                trial = shorter;
-                step = trial.step;
-                collocation = Collocation::new(self.tableau, &trial.increments);
+            match self.stop_at_kink(&trial, &collocation) {
+                Kink::None => {}
+                Kink::At(shorter) => {
+                    trial = shorter;
+                    step = trial.step;
+                    collocation = Collocation::new(self.tableau, &trial.increments);
+                }
+                Kink::Missed(theta) => {
+                    self.reject(step * (0.7 * theta).clamp(0.01, 0.7));
+                    continue;
+                }
             }
             return Ok(self.accept(trial, collocation, error, step, end));
         }
@@ -439,7 +461,8 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     fn error(&mut self, trial: &Trial<N, S>) -> f64 {
         let end = trial.end();
         let scale = self.scale(&end);
-        let estimate = self.filtered(trial, &self.start.f);
+        let (start, arrival) = (self.start, trial.linear[S - 1]);
+        let estimate = self.filtered(trial, &start.f, &start.jacobian);
         let size = |error: &[f64; N]| {
             (0..N).fold(0.0_f64, |largest, j| {
                 let relative = error[j].abs() / scale[j];
@@ -450,17 +473,26 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 }
             })
         };
-        let first = size(&estimate);
+        // A stiff start damps the estimate even of a step that jumps out of its layer; the end then is not stiff.
+        let unstiff = size(&self.filtered(trial, &start.f, &arrival.jacobian));
+        let first = size(&estimate).max(unstiff);
         if first <= 1.0 || !(self.rejected || self.before.is_none()) {
             return first;
         }
         self.work.evaluations += 1;
         let slope = self.field.f(&add(&self.state, &estimate));
-        size(&self.filtered(trial, &slope)).min(first)
+        size(&self.filtered(trial, &slope, &start.jacobian))
+            .max(unstiff)
+            .min(first)
     }
 
     /// (I − γhJ)⁻¹ (γ h f + Σ eᵢ Zᵢ).
-    fn filtered(&self, trial: &Trial<N, S>, slope: &[f64; N]) -> [f64; N] {
+    fn filtered(
+        &self,
+        trial: &Trial<N, S>,
+        slope: &[f64; N],
+        jacobian: &[[f64; N]; N],
+    ) -> [f64; N] {
         let (solved, shift) = (Layout::<F, N>::solved(), trial.step * self.tableau.gamma);
         let mut error: [f64; N] = std::array::from_fn(|j| {
             let stages: f64 = (0..S)
@@ -471,7 +503,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         let mut lu = Lu::<N, 1>::zero(solved.len());
         let mut right = [0.0; N];
         for (d, &row) in solved.iter().enumerate() {
-            let slopes = &self.start.jacobian[row];
+            let slopes = &jacobian[row];
             right[d] = error[row];
             let out = lu.row(d);
             for (c, &column) in solved.iter().enumerate() {
@@ -495,12 +527,8 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         error
     }
 
-    /// The step cut short at the first kink of the field inside it.
-    fn stop_at_kink(
-        &mut self,
-        trial: &Trial<N, S>,
-        collocation: &Collocation<N, S>,
-    ) -> Option<Trial<N, S>> {
+    /// Looks for the first kink of the field inside a step.
+    fn stop_at_kink(&mut self, trial: &Trial<N, S>, collocation: &Collocation<N, S>) -> Kink<N, S> {
         let (start, end) = (trial.start, trial.end());
         let mut first: Option<(f64, usize)> = None;
         for index in 0..self.field.kinks() {
@@ -515,20 +543,36 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 }
             }
         }
-        let (theta, index) = first?;
+        let Some((theta, index)) = first else {
+            return Kink::None;
+        };
+        match self.locate_kink(trial, collocation, theta, index) {
+            Some(shorter) => Kink::At(shorter),
+            None => Kink::Missed(theta),
+        }
+    }
+
+    /// The step to kink number `index`, which the polynomial sees at `theta`.
+    fn locate_kink(
+        &mut self,
+        trial: &Trial<N, S>,
+        collocation: &Collocation<N, S>,
+        theta: f64,
+        index: usize,
+    ) -> Option<Trial<N, S>> {
+        let along = |theta: f64| add(&trial.start, &collocation.at(theta));
         let mut shorter = self.solve_within(trial, collocation, theta)?;
         // One secant step on the step map; the polynomial supplies the slope.
         let value = self.field.kink(index, &shorter.end());
-        let nearby = self
-            .field
-            .kink(index, &add(&start, &collocation.at(theta * (1.0 - 1e-4))));
-        let here = self.field.kink(index, &add(&start, &collocation.at(theta)));
-        let slope = (here - nearby) / (1e-4 * theta);
+        let nearby = self.field.kink(index, &along(theta * (1.0 - 1e-4)));
+        let slope = (self.field.kink(index, &along(theta)) - nearby) / (1e-4 * theta);
         let better = theta - value / slope;
         if value.abs() > KINK_REACHED && better > 0.0 && better < 1.0 {
             shorter = self.solve_within(trial, collocation, better)?;
         }
-        Some(shorter)
+        // The stage equations have other solutions that leave a layer at once; they fail here.
+        let reached = self.field.kink(index, &shorter.end()).abs() <= KINK_MISSED;
+        (reached && self.error(&shorter) <= 1.0).then_some(shorter)
     }
 
     /// The step map from the same start over the fraction `theta` of a solved step.
@@ -552,7 +596,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         let arrived = (self.state, self.start);
         (self.state, self.start) = (accepted.start, self.departure);
         let last = self.last;
-        let trial = self.solve_within(&last, &accepted.collocation, theta);
+        let trial = self
+            .solve_within(&last, &accepted.collocation, theta)
+            .filter(|trial| self.error(trial) <= 1.0);
         (self.state, self.start) = arrived;
         trial.map(|trial| (trial.end(), trial.arrival()))
     }
@@ -654,7 +700,9 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     }
 }
 
+/// A kink function this small means that the kink is reached; this large, that it was missed.
 const KINK_REACHED: f64 = 1e-7;
+const KINK_MISSED: f64 = 1e-4;
 
 impl<const N: usize, const S: usize> Trial<N, S> {
     fn blank(start: [f64; N], linear: Linear<N>) -> Self {

@@ -11,6 +11,8 @@ mod declared;
 mod entry;
 mod orbit;
 pub mod predict;
+#[cfg(feature = "app")]
+pub mod report;
 mod seed;
 pub mod trade;
 mod trajectory;

@@ -47,7 +47,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 } else {
                     at.stick.as_ref()[i].re + at.force.as_ref()[i].re.abs()
                 };
-                let tolerated = self.flow.settings.tolerance.scale(scale, scale);
+                let tolerated = self.flow.settings.tolerance.of(scale);
                 let at_once = value.eps < 0.0 && value.re <= tolerated;
                 let was_awaited = guard == awaited.guard;
                 if was_awaited && value.re > FALLEN * scale {

@@ -1,0 +1,158 @@
+//! Thesis section 3.3: two coupled masses on one belt.
+
+use stickslip::field::Kernel;
+use stickslip::study::report::{Axis, Column, Curve, Figure, Panel, Section, Table};
+
+use super::ReproduceError;
+use super::follow::{Drawn, draw_stable, family};
+use super::parallel::parallel;
+use super::words::{decimals, duration};
+use crate::BeltPair;
+
+const SIZE: f64 = 1e5;
+/// A motion in phase at v_dr = 0.14, from which the others in phase settle.
+const IN_PHASE: [f64; 4] = [-0.5884, 0.0, -0.4552, -0.1503];
+/// A motion out of phase at v_dr = 0.2.
+const OUT_OF_PHASE: [f64; 4] = [0.2012, 0.0, 0.5205, 0.2];
+/// A motion out of phase at v_dr = 0.35.
+const FAST: [f64; 4] = [-0.02611, 0.0, 0.6785, 0.3067];
+
+/// An orbit of the thesis.
+#[derive(Clone, Copy)]
+struct Asked {
+    v_dr: f64,
+    /// Crossings of the section in one period, according to the thesis.
+    count: usize,
+    start: [f64; 4],
+}
+
+const FIGURE_13: [Asked; 3] = [
+    asked(0.08, 2, IN_PHASE),
+    asked(0.14, 1, IN_PHASE),
+    asked(0.15, 2, IN_PHASE),
+];
+const FIGURE_14: [Asked; 4] = [
+    asked(0.127, 8, OUT_OF_PHASE),
+    asked(0.14, 4, OUT_OF_PHASE),
+    asked(0.2, 2, OUT_OF_PHASE),
+    asked(0.35, 1, FAST),
+];
+
+const fn asked(v_dr: f64, count: usize, start: [f64; 4]) -> Asked {
+    Asked { v_dr, count, start }
+}
+
+/// An orbit of the thesis, found.
+struct Found {
+    asked: Asked,
+    drawn: Drawn<4>,
+}
+
+/// The section on the belt pair.
+pub(super) fn section() -> Result<Section, ReproduceError> {
+    let all: Vec<Asked> = FIGURE_13.iter().chain(&FIGURE_14).copied().collect();
+    let found: Vec<Found> = parallel(&all, find).into_iter().collect::<Result<_, _>>()?;
+    let (in_phase, out_of_phase) = found.split_at(FIGURE_13.len());
+    Ok(Section::new("Two masses on a belt")
+        .sketch(
+            include_str!("sketches/belt_pair.svg"),
+            "Two masses on one belt, each held by a spring, and coupled by a third (Fig. 3.12 of the thesis).",
+        )
+        .text(
+            "Two masses stick and slip at different times, and the spring between them lets each feel the other. All \
+             quantities are without dimension: *X*_{1} and *X*_{2} are the displacements, *V*_{dr} is the speed of the \
+             belt; the coupling spring has *α* = 1.2 times the stiffness of the others, friction on the second mass has \
+             *β* = 1.3 times the limit of that on the first, and weakens with speed as before, with *γ* = 3. All copies \
+             have *ε* = 10^{5}.",
+        )
+        .text(
+            "Several motions can be stable at the same speed: *in phase*, the masses moving together, or *out of phase*, \
+             roughly against each other. A solution is of *period n* if *Ẋ*_{1} passes *n* times from negative to \
+             positive before it repeats. Doubled periods come from *flip* bifurcations, where an orbit loses its \
+             stability to one that goes around twice.",
+        )
+        .figure(plot(
+            "3.13",
+            "Solutions in phase",
+            "The two displacements against each other: along the diagonal the masses move together. At *V*_{dr} = 0.08 \
+             and 0.15 the loop closes only after two turns, at 0.14 after one.",
+            in_phase,
+        ).columns(3))
+        .figure(plot(
+            "3.14",
+            "Solutions out of phase",
+            "From right to left in speed, or from the last panel to the first: one loop, two, four and eight. It is a \
+             cascade of period doublings.",
+            out_of_phase,
+        ).columns(2))
+        .table(table(&found)))
+}
+
+fn find(asked: &Asked) -> Result<Found, ReproduceError> {
+    let family = family(
+        BeltPair::default(),
+        BeltPair::v_dr,
+        Some((Kernel::Arctan, SIZE)),
+    );
+    let what = ReproduceError::at(format!("belt pair, v_dr = {}", asked.v_dr));
+    let drawn = draw_stable(&family, asked.v_dr, asked.start).map_err(what)?;
+    Ok(Found {
+        asked: *asked,
+        drawn,
+    })
+}
+
+fn plot(number: &str, title: &str, caption: &str, found: &[Found]) -> Figure {
+    found
+        .iter()
+        .fold(Figure::new(number, title, caption), |figure, one| {
+            let path = one.drawn.path.iter().map(|s| [s.state[0], s.state[2]]);
+            let panel = Panel::new(Axis::new("*X*_{1}"), Axis::new("*X*_{2}"))
+                .titled(format!(
+                    "*V*_{{dr}} = {}, period {}",
+                    one.asked.v_dr, one.drawn.orbit.period_count
+                ))
+                .curve(Curve::line("", 1, path.collect()));
+            figure.panel(panel)
+        })
+}
+
+fn table(found: &[Found]) -> Table {
+    let columns = [
+        Column::numbers("*V*_{dr}"),
+        Column::words("kind"),
+        Column::numbers("period *n*, thesis"),
+        Column::numbers("here"),
+        Column::numbers("*T*"),
+        Column::numbers("*f*"),
+        Column::numbers("max |*X*_{1}|"),
+        Column::numbers("largest |*λ*|"),
+        Column::words("stability"),
+        Column::numbers("time to find"),
+    ];
+    let caption = "The orbits of Figs. 3.13 and 3.14. The thesis draws them and names their kind, and prints no other \
+                   numbers. Each was found by letting the motion settle from a known orbit at another speed until a \
+                   stable periodic orbit answers to Newton's method. All its branches together took the thesis 9 h 35 \
+                   min.";
+    Table::new("belt-pair", caption, columns).rows(found.iter().enumerate().map(|(i, one)| {
+        let orbit = &one.drawn.orbit;
+        let largest = orbit.floquet.multipliers.first();
+        vec![
+            one.asked.v_dr.to_string(),
+            if i < FIGURE_13.len() {
+                "in phase"
+            } else {
+                "out of phase"
+            }
+            .to_owned(),
+            one.asked.count.to_string(),
+            orbit.period_count.to_string(),
+            decimals(orbit.period, 5),
+            decimals(1.0 / orbit.period, 6),
+            decimals(orbit.max_abs()[0], 5),
+            decimals(largest.map_or(f64::NAN, |m| m.norm()), 4),
+            orbit.floquet.stability.name().to_owned(),
+            duration(one.drawn.time),
+        ]
+    }))
+}

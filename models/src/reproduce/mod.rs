@@ -1,0 +1,116 @@
+//! The thesis's results again, with smoothed friction as it had it: what is drawn and said.
+
+mod belt_oscillator;
+mod belt_pair;
+mod cost;
+mod drill_string;
+mod follow;
+mod introduction;
+mod parallel;
+mod van_der_pol;
+mod words;
+
+use std::fmt;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use stickslip::study::report::{Report, ReportError, Written};
+
+pub use follow::FollowError;
+
+/// What was reproduced.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Summary {
+    /// The files.
+    pub written: Written,
+    /// Branches followed.
+    pub branches: usize,
+    /// Time taken by everything.
+    pub time: Duration,
+}
+
+/// Why the report could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ReproduceError {
+    /// An orbit or a branch is missing.
+    #[error("{what}: {source}")]
+    Missing {
+        /// Which.
+        what: String,
+        /// Why.
+        source: FollowError,
+    },
+    /// A file could not be written.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+}
+
+impl ReproduceError {
+    fn at(what: impl Into<String>) -> impl FnOnce(FollowError) -> Self {
+        let what = what.into();
+        move |source| Self::Missing { what, source }
+    }
+}
+
+/// Computes everything and writes `index.html`, `figures/` and `data/` into the folder `out`.
+///
+/// Says on standard error what it is at, unless `quiet`.
+///
+/// # Errors
+/// An orbit cannot be found or followed, or a file cannot be written.
+pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
+    let clock = Instant::now();
+    let say = |what: &str| {
+        if !quiet {
+            eprintln!("{what} ...");
+        }
+    };
+    let mut costs = Vec::new();
+    say("Van der Pol oscillator");
+    let van_der_pol = van_der_pol::section(&mut costs)?;
+    say("Mass on a belt");
+    let belt_oscillator = belt_oscillator::section(&mut costs)?;
+    say("Two masses on a belt");
+    let belt_pair = belt_pair::section()?;
+    say("Drill string");
+    let drill_string = drill_string::section(&mut costs)?;
+    let branches = costs.len();
+    let report = Report {
+        title: "Stick-slip vibrations, thirty years later".to_owned(),
+        subtitle: "The periodic motions of B. L. van de Vrande's *Modeling Dry Friction in DIANA* (Eindhoven, 1996), \
+                   computed again from declared models"
+            .to_owned(),
+        sections: vec![
+            introduction::section(),
+            van_der_pol,
+            belt_oscillator,
+            belt_pair,
+            drill_string,
+            cost::section(costs),
+        ],
+    };
+    let written = report.write(out)?;
+    Ok(Summary {
+        written,
+        branches,
+        time: clock.elapsed(),
+    })
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            written,
+            branches,
+            time,
+        } = self;
+        writeln!(
+            f,
+            "{branches} branches followed, {} figures drawn, {} data files written in {}",
+            written.figures,
+            written.data,
+            words::duration(*time)
+        )?;
+        write!(f, "open {} in a browser", written.page.display())
+    }
+}

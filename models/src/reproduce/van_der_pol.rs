@@ -1,0 +1,196 @@
+//! Thesis section 3.1: a limit cycle without friction.
+
+use stickslip::shooting::Orbit;
+use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+
+use super::ReproduceError;
+use super::cost::Cost;
+use super::follow::{Drawn, draw, family, follow, search};
+use super::parallel::parallel;
+use super::words::{decimals, scientific};
+use crate::VanDerPol;
+
+/// How near to ν = 0 the branch is followed: at 0 itself every motion is periodic.
+const LEAST: f64 = 1e-3;
+const MOST: f64 = 15.0;
+const THESIS: &str = "15 min for both";
+
+struct Results {
+    cycle: Drawn<2>,
+    /// All orbits, in the order of ν.
+    orbits: Vec<Orbit<2, ()>>,
+}
+
+/// The section on the Van der Pol equation.
+pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
+    let results = compute(costs)?;
+    Ok(Section::new("The Van der Pol oscillator")
+        .text(
+            "The oldest self-sustained oscillation, without any friction, tests the method. Its damping is negative for \
+             small displacements and positive for large ones, so that every motion is drawn to one closed curve, the \
+             limit cycle.",
+        )
+        .formula("*ẍ* + *ν* (*x*^{2} − 1) *ẋ* + *x* = 0")
+        .figure(figure_1(&results.cycle))
+        .figure(figure_2(&results.orbits))
+        .figure(figure_3(&results.orbits))
+        .table(table(&results)))
+}
+
+fn compute(costs: &mut Vec<Cost>) -> Result<Results, ReproduceError> {
+    let family = family(VanDerPol::default(), VanDerPol::nu, None);
+    let cycle = draw(&family, 1.0, &search([2.0, 0.0], None))
+        .map_err(ReproduceError::at("the limit cycle at nu = 1"))?;
+    let branches = parallel(&[LEAST, MOST], |&to| {
+        let what = ReproduceError::at(format!("nu from 1 to {to}"));
+        follow(&family, &cycle.orbit, to).map_err(what)
+    });
+    let mut orbits = vec![cycle.orbit.clone()];
+    for (to, branch) in [LEAST, MOST].into_iter().zip(branches) {
+        let branch = branch?;
+        let name = format!("Van der Pol, *ν* from 1 to {to}");
+        costs.push(Cost::of(name, &branch, THESIS));
+        orbits.extend(branch.orbits.into_iter().skip(1));
+    }
+    orbits.sort_by(|a, b| a.r.total_cmp(&b.r));
+    Ok(Results { cycle, orbits })
+}
+
+fn figure_1(cycle: &Drawn<2>) -> Figure {
+    let path = cycle.path.iter().map(|sample| sample.state).collect();
+    let panel = Panel::new(
+        Axis::new("displacement *x*").from(-3.0, 3.0),
+        Axis::new("velocity *ẋ*").from(-3.0, 3.0),
+    )
+    .curve(Curve::line("limit cycle", 1, path))
+    .curve(Curve::points(
+        "unstable equilibrium",
+        0,
+        Marker::Cross,
+        vec![[0.0, 0.0]],
+    ));
+    Figure::new(
+        "3.1",
+        "Limit cycle at *ν* = 1",
+        "All motions but the equilibrium itself, from inside and from outside, end on this closed curve.",
+    )
+    .panel(panel)
+}
+
+fn figure_2(orbits: &[Orbit<2, ()>]) -> Figure {
+    let along = |of: fn(&Orbit<2, ()>) -> f64| orbits.iter().map(|o| [o.r, of(o)]).collect();
+    let panel = Panel::new(
+        Axis::new("damping *ν*").from(0.0, MOST),
+        Axis::new("absolute maximum").from(0.0, 25.0),
+    )
+    .curve(Curve::line("max |*x*|", 1, along(|o| o.max_abs()[0])))
+    .curve(Curve::line("max |*ẋ*|", 2, along(|o| o.max_abs()[1])));
+    Figure::new(
+        "3.2",
+        "Absolute maxima of *x* and *ẋ*",
+        "The displacement hardly knows about *ν*; the velocity grows almost in proportion. In the thesis max |*ẋ*| \
+         ripples for *ν* > 10, because it was read off the output points, which miss the ever sharper peaks. Here it \
+         is the maximum of the motion itself, and the ripple is gone.",
+    )
+    .panel(panel)
+}
+
+fn figure_3(orbits: &[Orbit<2, ()>]) -> Figure {
+    let nu = || Axis::new("damping *ν*").from(0.0, MOST);
+    let frequency = orbits.iter().map(|o| [o.r, 1.0 / o.period]).collect();
+    let second = orbits
+        .iter()
+        .filter_map(|o| Some([o.r, log10_modulus(o)?]))
+        .collect();
+    let first = orbits.iter().map(|o| [o.r, 0.0]).collect();
+    Figure::new(
+        "3.3",
+        "Free frequency and moduli of the Floquet multipliers",
+        "Left: for *ν* → 0 the frequency tends to that of the linear oscillator, 1/2π ≈ 0.159, and falls to 0 as the \
+         motion becomes a slow creep with sudden jumps. Right: the logarithm of |*λ*_{2}|. At *ν* = 15 a disturbance \
+         shrinks by hundreds of orders of magnitude in one period, far beyond what a floating-point number can hold, \
+         so it is found as the integral of the trace of the Jacobian along the orbit and not as an eigenvalue.",
+    )
+    .columns(2)
+    .panel(
+        Panel::new(nu(), Axis::new("frequency *f* = 1/*T*").from(0.0, 0.2))
+            .curve(Curve::line("frequency", 1, frequency)),
+    )
+    .panel(
+        Panel::new(nu(), Axis::new("log_{10} |*λ*|"))
+            .curve(Curve::line("trivial multiplier *λ*_{1} = 1", 0, first))
+            .curve(Curve::line("*λ*_{2}", 2, second)),
+    )
+}
+
+fn log10_modulus(orbit: &Orbit<2, ()>) -> Option<f64> {
+    let log = *orbit.floquet.log_moduli.first()?;
+    log.map(|log| log / std::f64::consts::LN_10)
+}
+
+fn table(results: &Results) -> Table {
+    let orbit = &results.cycle.orbit;
+    let columns = [
+        Column::words("quantity"),
+        Column::numbers("thesis"),
+        Column::numbers("here"),
+        Column::words("remark"),
+    ];
+    let table = Table::new(
+        "van-der-pol",
+        "Van der Pol: values of the thesis beside ours.",
+        columns,
+    )
+    .row([
+        "max |*x*| at *ν* = 1".into(),
+        "2.0082".into(),
+        decimals(orbit.max_abs()[0], 8),
+        "the thesis's is the guess from which it shot".to_owned(),
+    ])
+    .row([
+        "period *T* at *ν* = 1".into(),
+        "6.6634".into(),
+        decimals(orbit.period, 8),
+        "likewise a guess".to_owned(),
+    ]);
+    let multiplier = orbit.floquet.multipliers.first().map_or(f64::NAN, |m| m.re);
+    let table = table
+        .row([
+            "*λ*_{2} at *ν* = 1".into(),
+            "0.8597 × 10^{−3}".into(),
+            scientific(multiplier, 4),
+            "equal to all digits printed".to_owned(),
+        ])
+        .row([
+            "|*λ*_{1} − 1| at *ν* = 1".into(),
+            "0".into(),
+            scientific(orbit.floquet.trivial_error, 0),
+            "exactly 0 in theory: a measure of accuracy".to_owned(),
+        ]);
+    ends(table, &results.orbits)
+}
+
+fn ends(table: Table, orbits: &[Orbit<2, ()>]) -> Table {
+    let (Some(first), Some(last)) = (orbits.first(), orbits.last()) else {
+        return table;
+    };
+    table
+        .row([
+            "*f* for *ν* → 0".into(),
+            "0.16".into(),
+            decimals(1.0 / first.period, 6),
+            format!("at *ν* = {LEAST}; 1/2π = 0.159155"),
+        ])
+        .row([
+            "max |*ẋ*| for *ν* → 0".into(),
+            "2".into(),
+            decimals(first.max_abs()[1], 6),
+            format!("at *ν* = {LEAST}"),
+        ])
+        .row([
+            "max |*ẋ*| at *ν* = 15".into(),
+            "about 20".into(),
+            decimals(last.max_abs()[1], 4),
+            "read off a figure, with its ripple".to_owned(),
+        ])
+}

@@ -1,0 +1,207 @@
+//! A figure as data: panels of curves, not yet drawn.
+
+/// A numbered figure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Its number, for instance `3.2`; also names its files.
+    pub number: String,
+    /// A few words.
+    pub title: String,
+    /// What to see in it.
+    pub caption: String,
+    /// Its panels, in reading order.
+    pub panels: Vec<Panel>,
+    /// Panels side by side.
+    pub columns: usize,
+}
+
+/// One pair of axes with its curves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// What tells it from its neighbours; empty if it stands alone.
+    pub title: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// What is drawn, back to front.
+    pub curves: Vec<Curve>,
+}
+
+/// An axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// What it measures, with its unit.
+    pub label: String,
+    /// Its ends, if the data shall not decide.
+    pub range: Option<[f64; 2]>,
+    /// Whether it is logarithmic.
+    pub logarithmic: bool,
+}
+
+/// Points to draw and the way to draw them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// What the legend says of it.
+    pub label: String,
+    /// Number of its colour and line style; curves of different panels that belong together share it.
+    pub series: usize,
+    /// How its points are drawn.
+    pub shape: Shape,
+    /// Its points.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// How the points of a curve are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// Joined by a line in the style of the series.
+    Line,
+    /// A marker each.
+    Points(Marker),
+}
+
+/// A marker.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// ○
+    Circle,
+    /// ×
+    Cross,
+    /// ◇
+    Diamond,
+}
+
+impl Figure {
+    /// A figure without panels yet.
+    #[must_use]
+    pub fn new(number: &str, title: &str, caption: impl Into<String>) -> Self {
+        Self {
+            number: number.to_owned(),
+            title: title.to_owned(),
+            caption: caption.into(),
+            panels: Vec::new(),
+            columns: 1,
+        }
+    }
+
+    /// The same figure with one more panel.
+    #[must_use]
+    pub fn panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// The same figure, this many panels side by side.
+    #[must_use]
+    pub fn columns(mut self, columns: usize) -> Self {
+        self.columns = columns.max(1);
+        self
+    }
+
+    /// Its name in files and links: `figure-3-2`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("figure-{}", self.number.replace('.', "-"))
+    }
+
+    /// The name of panel number `index` in files: `figure-3-2`, or `figure-3-3b` of several.
+    #[must_use]
+    pub fn panel_name(&self, index: usize) -> String {
+        let letter = (b'a'..=b'z').nth(index).map_or('z', char::from);
+        if self.panels.len() == 1 {
+            self.name()
+        } else {
+            format!("{}{letter}", self.name())
+        }
+    }
+}
+
+impl Panel {
+    /// A panel without curves yet.
+    #[must_use]
+    pub fn new(x: Axis, y: Axis) -> Self {
+        Self {
+            title: String::new(),
+            x,
+            y,
+            curves: Vec::new(),
+        }
+    }
+
+    /// The same panel, titled.
+    #[must_use]
+    pub fn titled(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// The same panel with one more curve in front.
+    #[must_use]
+    pub fn curve(mut self, curve: Curve) -> Self {
+        self.curves.push(curve);
+        self
+    }
+
+    /// The same panel with more curves in front.
+    #[must_use]
+    pub fn curves(mut self, curves: impl IntoIterator<Item = Curve>) -> Self {
+        self.curves.extend(curves);
+        self
+    }
+}
+
+impl Axis {
+    /// A linear axis whose ends the data decide.
+    #[must_use]
+    pub fn new(label: &str) -> Self {
+        Self {
+            label: label.to_owned(),
+            range: None,
+            logarithmic: false,
+        }
+    }
+
+    /// The same axis from `low` to `high`.
+    #[must_use]
+    pub fn from(mut self, low: f64, high: f64) -> Self {
+        self.range = Some([low, high]);
+        self
+    }
+
+    /// The same axis, logarithmic.
+    #[must_use]
+    pub fn logarithmic(mut self) -> Self {
+        self.logarithmic = true;
+        self
+    }
+}
+
+impl Curve {
+    /// A line in the style of series number `series`.
+    #[must_use]
+    pub fn line(label: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
+        Self {
+            label: label.into(),
+            series,
+            shape: Shape::Line,
+            points,
+        }
+    }
+
+    /// Markers in the colour of series number `series`.
+    #[must_use]
+    pub fn points(
+        label: impl Into<String>,
+        series: usize,
+        marker: Marker,
+        points: Vec<[f64; 2]>,
+    ) -> Self {
+        Self {
+            label: label.into(),
+            series,
+            shape: Shape::Points(marker),
+            points,
+        }
+    }
+}

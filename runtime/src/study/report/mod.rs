@@ -1,0 +1,220 @@
+//! A report: sections of text, figures and tables, written as one page with its data beside it.
+
+mod draw;
+mod figure;
+mod page;
+mod table;
+mod text;
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use draw::draw;
+pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
+use page::page;
+pub use table::{Column, Table};
+
+/// A report.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Report {
+    /// Its title.
+    pub title: String,
+    /// What it is about, in one sentence.
+    pub subtitle: String,
+    /// Its sections.
+    pub sections: Vec<Section>,
+}
+
+/// A section.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Section {
+    /// Its heading.
+    pub title: String,
+    /// What it holds, in reading order.
+    pub blocks: Vec<Block>,
+}
+
+/// A part of a section.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// A paragraph.
+    Text(String),
+    /// A formula on its own line.
+    Formula(String),
+    /// A figure drawn from data.
+    Figure(Figure),
+    /// A drawing that explains: an SVG element, and its caption.
+    Sketch(&'static str, String),
+    /// A table.
+    Table(Table),
+}
+
+/// What was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Written {
+    /// The page.
+    pub page: PathBuf,
+    /// Figures drawn.
+    pub figures: usize,
+    /// Files of data.
+    pub data: usize,
+}
+
+/// Why a report could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A file or folder could not be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file of data could not be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Data {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: csv::Error,
+    },
+}
+
+impl Section {
+    /// A section without content yet.
+    #[must_use]
+    pub fn new(title: &str) -> Self {
+        Self {
+            title: title.to_owned(),
+            blocks: Vec::new(),
+        }
+    }
+
+    /// The same section with one more paragraph.
+    #[must_use]
+    pub fn text(mut self, text: impl Into<String>) -> Self {
+        self.blocks.push(Block::Text(text.into()));
+        self
+    }
+
+    /// The same section with one more formula.
+    #[must_use]
+    pub fn formula(mut self, formula: impl Into<String>) -> Self {
+        self.blocks.push(Block::Formula(formula.into()));
+        self
+    }
+
+    /// The same section with one more figure.
+    #[must_use]
+    pub fn figure(mut self, figure: Figure) -> Self {
+        self.blocks.push(Block::Figure(figure));
+        self
+    }
+
+    /// The same section with one more sketch.
+    #[must_use]
+    pub fn sketch(mut self, svg: &'static str, caption: impl Into<String>) -> Self {
+        self.blocks.push(Block::Sketch(svg, caption.into()));
+        self
+    }
+
+    /// The same section with one more table.
+    #[must_use]
+    pub fn table(mut self, table: Table) -> Self {
+        self.blocks.push(Block::Table(table));
+        self
+    }
+}
+
+impl Report {
+    /// Writes `index.html`, `figures/*.svg` and `data/*.csv` into the folder `out`.
+    ///
+    /// # Errors
+    /// A file or folder cannot be written.
+    pub fn write(&self, out: &Path) -> Result<Written, ReportError> {
+        let (figures, data) = (out.join("figures"), out.join("data"));
+        for folder in [&figures, &data] {
+            fs::create_dir_all(folder).map_err(|source| ReportError::Write {
+                path: folder.clone(),
+                source,
+            })?;
+        }
+        let index = out.join("index.html");
+        let mut written = Written {
+            page: index.clone(),
+            figures: 0,
+            data: 0,
+        };
+        for block in self.sections.iter().flat_map(|section| &section.blocks) {
+            match block {
+                Block::Figure(figure) => {
+                    save(&figures.join(figure.name() + ".svg"), &draw(figure))?;
+                    for (i, panel) in figure.panels.iter().enumerate() {
+                        save_panel(&data.join(figure.panel_name(i) + ".csv"), panel)?;
+                        written.data += 1;
+                    }
+                    written.figures += 1;
+                }
+                Block::Table(table) => {
+                    save_table(&data.join(format!("{}.csv", table.name)), table)?;
+                    written.data += 1;
+                }
+                Block::Text(_) | Block::Formula(_) | Block::Sketch(..) => {}
+            }
+        }
+        save(&index, &page(self))?;
+        Ok(written)
+    }
+}
+
+fn save(path: &Path, content: &str) -> Result<(), ReportError> {
+    fs::write(path, content).map_err(|source| ReportError::Write {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// One row for each point: its curve, x and y.
+fn save_panel(path: &Path, panel: &Panel) -> Result<(), ReportError> {
+    let head = [
+        "curve".to_owned(),
+        text::plain(&panel.x.label),
+        text::plain(&panel.y.label),
+    ];
+    let rows = panel.curves.iter().flat_map(|curve| {
+        let label = text::plain(&curve.label);
+        curve
+            .points
+            .iter()
+            .map(move |[x, y]| vec![label.clone(), x.to_string(), y.to_string()])
+    });
+    save_rows(path, head, rows)
+}
+
+fn save_table(path: &Path, table: &Table) -> Result<(), ReportError> {
+    let head = table.columns.iter().map(|column| text::plain(&column.head));
+    let rows = table
+        .rows
+        .iter()
+        .map(|row| row.iter().map(|cell| text::plain(cell)).collect());
+    save_rows(path, head, rows)
+}
+
+fn save_rows(
+    path: &Path,
+    head: impl IntoIterator<Item = String>,
+    rows: impl Iterator<Item = Vec<String>>,
+) -> Result<(), ReportError> {
+    let failed = |source| ReportError::Data {
+        path: path.to_owned(),
+        source,
+    };
+    let mut writer = csv::Writer::from_path(path).map_err(failed)?;
+    writer.write_record(head).map_err(failed)?;
+    for row in rows {
+        writer.write_record(row).map_err(failed)?;
+    }
+    writer.flush().map_err(|source| failed(source.into()))
+}

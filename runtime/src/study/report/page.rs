@@ -1,0 +1,140 @@
+//! A report as one HTML page that needs nothing but itself.
+
+use super::draw::draw;
+use super::figure::Figure;
+use super::table::Table;
+use super::text::html;
+use super::{Block, Report, Section};
+
+const STYLE: &str = include_str!("page.css");
+
+/// The whole page.
+pub(super) fn page(report: &Report) -> String {
+    let sections: String = report
+        .sections
+        .iter()
+        .enumerate()
+        .map(|(i, part)| section(i + 1, part))
+        .collect();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{subtitle}</p>\n</header>\n\
+         {contents}<main>\n{sections}</main>\n</body>\n</html>\n",
+        title = html(&report.title),
+        subtitle = html(&report.subtitle),
+        contents = contents(report),
+    )
+}
+
+fn contents(report: &Report) -> String {
+    let items: String = report
+        .sections
+        .iter()
+        .enumerate()
+        .map(|(i, section)| {
+            format!(
+                "<li><a href=\"#section-{}\">{}</a>{}</li>\n",
+                i + 1,
+                html(&section.title),
+                figures(section)
+            )
+        })
+        .collect();
+    format!("<nav aria-label=\"Contents\">\n<ol>\n{items}</ol>\n</nav>\n")
+}
+
+/// Links to the figures of a section.
+fn figures(section: &Section) -> String {
+    let links: Vec<String> = section
+        .blocks
+        .iter()
+        .filter_map(|block| match block {
+            Block::Figure(figure) => Some(format!(
+                "<a href=\"#{}\" title=\"{}\">{}</a>",
+                figure.name(),
+                html(&figure.title),
+                figure.number
+            )),
+            _ => None,
+        })
+        .collect();
+    if links.is_empty() {
+        String::new()
+    } else {
+        format!(
+            " <span class=\"figures\">Figures {}</span>",
+            links.join(", ")
+        )
+    }
+}
+
+fn section(number: usize, section: &Section) -> String {
+    let blocks: String = section.blocks.iter().map(block).collect();
+    format!(
+        "<section id=\"section-{number}\">\n<h2><span class=\"number\">{number}</span>{}</h2>\n{blocks}</section>\n",
+        html(&section.title)
+    )
+}
+
+fn block(block: &Block) -> String {
+    match block {
+        Block::Text(text) => format!("<p>{}</p>\n", html(text)),
+        Block::Formula(text) => format!("<p class=\"formula\">{}</p>\n", html(text)),
+        Block::Figure(one) => figure(one),
+        Block::Sketch(svg, caption) => format!(
+            "<figure class=\"sketch\">\n{svg}\n<figcaption>{}</figcaption>\n</figure>\n",
+            html(caption)
+        ),
+        Block::Table(one) => table(one),
+    }
+}
+
+fn figure(figure: &Figure) -> String {
+    // Inside HTML the namespace is known, and the page must name no address at all.
+    let svg = draw(figure).replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
+    let data: Vec<String> = (0..figure.panels.len())
+        .map(|i| {
+            let name = figure.panel_name(i);
+            format!("<a href=\"data/{name}.csv\">{name}.csv</a>")
+        })
+        .collect();
+    format!(
+        "<figure id=\"{name}\">\n{svg}\n<figcaption><strong>Figure {number}. {title}.</strong> {caption} \
+         <span class=\"data\"><a href=\"figures/{name}.svg\">SVG</a>, {data}</span></figcaption>\n</figure>\n",
+        name = figure.name(),
+        number = figure.number,
+        title = html(&figure.title),
+        caption = html(&figure.caption),
+        data = data.join(", "),
+    )
+}
+
+fn table(table: &Table) -> String {
+    let class = |i: usize| match table.columns.get(i) {
+        Some(column) if column.numeric => " class=\"n\"",
+        _ => "",
+    };
+    let line = |tag: &str, cells: Vec<&String>| -> String {
+        let cells: String = cells
+            .iter()
+            .enumerate()
+            .map(|(i, cell)| format!("<{tag}{}>{}</{tag}>", class(i), html(cell)))
+            .collect();
+        format!("<tr>{cells}</tr>\n")
+    };
+    let head = line("th", table.columns.iter().map(|c| &c.head).collect());
+    let rows: String = table
+        .rows
+        .iter()
+        .map(|row| line("td", row.iter().collect()))
+        .collect();
+    format!(
+        "<figure class=\"table\" id=\"{name}\">\n<figcaption>{caption} \
+         <span class=\"data\"><a href=\"data/{name}.csv\">{name}.csv</a></span></figcaption>\n\
+         <div class=\"scroll\"><table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n</figure>\n",
+        name = table.name,
+        caption = html(&table.caption),
+    )
+}

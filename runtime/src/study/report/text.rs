@@ -1,0 +1,110 @@
+//! The little markup of captions, labels and cells: `x_{eq}`, `10^{5}` and `*emphasis*`.
+
+use std::fmt::Write;
+
+/// How one format opens and closes each kind of span.
+struct Dialect {
+    subscript: [&'static str; 2],
+    superscript: [&'static str; 2],
+    emphasis: [&'static str; 2],
+}
+
+const HTML: Dialect = Dialect {
+    subscript: ["<sub>", "</sub>"],
+    superscript: ["<sup>", "</sup>"],
+    emphasis: ["<em>", "</em>"],
+};
+
+// `baseline-shift` is not drawn by every browser; `dy` is, but must be taken back by hand.
+const SVG: Dialect = Dialect {
+    subscript: [
+        r#"<tspan dy="0.3em" font-size="75%">"#,
+        r#"</tspan><tspan dy="-0.225em">&#8203;</tspan>"#,
+    ],
+    superscript: [
+        r#"<tspan dy="-0.45em" font-size="75%">"#,
+        r#"</tspan><tspan dy="0.3375em">&#8203;</tspan>"#,
+    ],
+    emphasis: [r#"<tspan font-style="italic">"#, "</tspan>"],
+};
+
+const PLAIN: Dialect = Dialect {
+    subscript: ["_", ""],
+    superscript: ["^", ""],
+    emphasis: ["", ""],
+};
+
+/// As HTML, escaped.
+pub(super) fn html(text: &str) -> String {
+    convert(&escape(text), &HTML)
+}
+
+/// As the content of an SVG text element; `text` must be escaped already.
+pub(super) fn svg(text: &str) -> String {
+    convert(text, &SVG)
+}
+
+/// Without markup, for file names' sake and for data.
+pub(super) fn plain(text: &str) -> String {
+    convert(text, &PLAIN)
+}
+
+/// Escapes what XML keeps for itself.
+pub(super) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+fn convert(text: &str, dialect: &Dialect) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut open: Option<[&str; 2]> = None;
+    let mut emphasised = false;
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let (spans, taken) = match (first, open) {
+            ('_', None) if rest[1..].starts_with('{') => (Some(dialect.subscript), 2),
+            ('^', None) if rest[1..].starts_with('{') => (Some(dialect.superscript), 2),
+            _ => (None, first.len_utf8()),
+        };
+        match (spans, first, open) {
+            (Some(span), _, _) => {
+                out.push_str(span[0]);
+                open = Some(span);
+            }
+            (None, '}', Some(span)) => {
+                out.push_str(span[1]);
+                open = None;
+            }
+            (None, '*', _) => {
+                out.push_str(dialect.emphasis[usize::from(emphasised)]);
+                emphasised = !emphasised;
+            }
+            _ => out.push(first),
+        }
+        rest = &rest[taken..];
+    }
+    out
+}
+
+/// A number for a drawing: two decimals, no trailing zeros.
+pub(super) fn number(value: f64) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write!(text, "{value:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_dialect_says_the_same() {
+        let text = "*v_{dr}* < 10^{-3}";
+        assert_eq!(html(text), "<em>v<sub>dr</sub></em> &lt; 10<sup>-3</sup>");
+        assert_eq!(plain(text), "v_dr < 10^-3");
+        assert!(svg("v_{dr}").starts_with(r#"v<tspan dy="0.3em""#));
+    }
+}
