@@ -10,9 +10,11 @@ mod case;
 mod declared;
 mod entry;
 mod orbit;
+pub mod predict;
 #[cfg(feature = "app")]
 pub mod report;
 mod seed;
+pub mod trade;
 mod trajectory;
 
 pub use branch::{BranchRecord, Ended, Special};

@@ -1,0 +1,80 @@
+//! Work-precision curves: the error of integration against its cost.
+
+use super::shoot::{Effort, Shooting, cost, near, shoot};
+use super::{Cost, Scope};
+use crate::field::Smoothing;
+use crate::flow::Family;
+
+/// Newton converges to this share of the tolerance.
+const SHARE: f64 = 0.03;
+
+/// The work-precision curve of one system.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Precision {
+    /// The copy; `None` for the exact system.
+    pub smoothing: Option<Smoothing>,
+    /// One point for each tolerance at which the orbit is found.
+    pub points: Vec<PrecisionPoint>,
+    /// Tolerances at which it is not, and why.
+    pub failed: Vec<(f64, String)>,
+}
+
+/// One orbit at one tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrecisionPoint {
+    /// The local tolerance.
+    pub tolerance: f64,
+    /// Largest relative error of period and extrema against the same system at a tight tolerance.
+    pub integration: f64,
+    /// The same against the exact system: smoothing and integration together.
+    pub total: f64,
+    /// What one period costs.
+    pub cost: Cost,
+}
+
+/// The curve of `family` near its tight orbit.
+pub(super) fn of<F: Family<N> + Clone, const N: usize>(
+    smoothing: Option<Smoothing>,
+    family: &F,
+    tight: &Shooting<N>,
+    truth: &Shooting<N>,
+    scope: &Scope,
+) -> Precision {
+    let mut precision = Precision {
+        smoothing,
+        points: Vec::new(),
+        failed: Vec::new(),
+    };
+    for &tolerance in &scope.tolerances {
+        match at(family, tight, truth, tolerance) {
+            Ok(point) => precision.points.push(point),
+            Err(reason) => precision.failed.push((tolerance, reason)),
+        }
+    }
+    precision
+}
+
+/// The orbit at one tolerance, or why it is not found.
+pub(super) fn at<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    tight: &Shooting<N>,
+    truth: &Shooting<N>,
+    tolerance: f64,
+) -> Result<PrecisionPoint, String> {
+    let effort = Effort::at(tolerance, (SHARE * tolerance).max(1e-12));
+    let family = family.with_tolerance(effort.tolerance);
+    let guess = near(&family, 0.0, tight).map_err(|error| error.to_string())?;
+    let found = shoot(&family, 0.0, &guess, effort).map_err(|error| error.to_string())?;
+    if found.count != tight.count {
+        return Err(format!(
+            "it crosses the section {} times instead of {}",
+            found.count, tight.count
+        ));
+    }
+    Ok(PrecisionPoint {
+        tolerance,
+        integration: found.error(tight),
+        total: found.error(truth),
+        cost: cost(&family, &found).map_err(|error| error.to_string())?,
+    })
+}
