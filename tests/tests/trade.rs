@@ -25,20 +25,58 @@ fn exact<M: Model<N>, const N: usize>(model: &M, start: [f64; N]) -> Orbit<N, Mo
 
 fn show<M: Model<N>, const N: usize>(model: &M, start: [f64; N]) -> Trade {
     let clock = std::time::Instant::now();
-    let scope = Scope { accuracy: Some(1e-3), ..Scope::default() };
+    let scope = Scope {
+        accuracy: Some(1e-3),
+        ..Scope::default()
+    };
     let t = trade(model, &exact(model, start), &scope).unwrap();
     println!("exact {:?} need {:?}", t.exact, t.need);
     for c in &t.curves {
-        println!("{} refused {} fit {:?} {:?} lost {:?}", c.kernel, c.refused.is_some(), c.frequency, c.max_abs, c.lost);
+        println!(
+            "{} refused {} fit {:?} {:?} lost {:?}",
+            c.kernel,
+            c.refused.is_some(),
+            c.frequency,
+            c.max_abs,
+            c.lost
+        );
         for p in &c.points {
-            let r = p.predicted.as_ref().map(|q| (q.frequency / p.frequency, q.max_abs.iter().zip(&p.max_abs).map(|(a, b)| a.map(|a| a / b)).collect::<Vec<_>>(), q.doubts.len()));
-            println!("  {:e} stiff {:.1e} e_f {:.4e} x {:.3e} res {:.0e} {:.0}us steps {} {r:.3?}", p.size, p.stiffness, p.frequency, p.max_abs[0], p.resolution, p.cost.seconds * 1e6, p.cost.work.steps);
+            let r = p.predicted.as_ref().map(|q| {
+                (
+                    q.frequency / p.frequency,
+                    q.max_abs
+                        .iter()
+                        .zip(&p.max_abs)
+                        .map(|(a, b)| a.map(|a| a / b))
+                        .collect::<Vec<_>>(),
+                    q.doubts.len(),
+                )
+            });
+            println!(
+                "  {:e} stiff {:.1e} e_f {:.4e} x {:.3e} res {:.0e} {:.0}us steps {} {r:.3?}",
+                p.size,
+                p.stiffness,
+                p.frequency,
+                p.max_abs[0],
+                p.resolution,
+                p.cost.seconds * 1e6,
+                p.cost.work.steps
+            );
         }
         println!("  need {:?}", c.need);
     }
     for p in t.precision.iter().take(3) {
         println!("{:?}", p.smoothing);
-        for q in &p.points { println!("   {:.0e} {:.2e} {:.2e} {:.0}us {}", q.tolerance, q.integration, q.total, q.cost.seconds*1e6, q.cost.work.steps); }
+        for q in &p.points {
+            println!(
+                "   {:.0e} {:.2e} {:.2e} {:.0}us {}",
+                q.tolerance,
+                q.integration,
+                q.total,
+                q.cost.seconds * 1e6,
+                q.cost.work.steps
+            );
+        }
         println!("   failed {:?}", p.failed);
     }
     println!("took {:?}", clock.elapsed());
@@ -50,5 +88,11 @@ fn look() {
     show(&BeltOscillator::default(), [0.0, 0.2]);
     show(&DrillString::default(), [0.0, 4.0]);
     show(&BeltPair::default(), [-0.5976, 0.0, -0.4604, -0.1607]);
-    show(&BeltPair { v_dr: 0.35, ..Default::default() }, [-0.02798, 0.0, 0.678, 0.3089]);
+    show(
+        &BeltPair {
+            v_dr: 0.35,
+            ..Default::default()
+        },
+        [-0.02798, 0.0, 0.678, 0.3089],
+    );
 }
