@@ -199,7 +199,9 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         }
         let ratio = found.period / self.truth.period;
         if !(1.0 / OTHER..=OTHER).contains(&ratio) {
-            return Err(format!("only another orbit is near, {ratio:.3} times as long"));
+            return Err(format!(
+                "only another orbit is near, {ratio:.3} times as long"
+            ));
         }
         Ok(())
     }

@@ -177,7 +177,13 @@ pub fn trade<M: Model<N>, const N: usize>(
         let (mut curve, found) = copies.curve(kernel, scope);
         for (smoothing, copy) in &found {
             let family = copies.family(*smoothing, Effort::TIGHT.tolerance);
-            precision.push(precision::of(Some(*smoothing), &family, copy, &truth, scope));
+            precision.push(precision::of(
+                Some(*smoothing),
+                &family,
+                copy,
+                &truth,
+                scope,
+            ));
         }
         if let Some(accuracy) = scope.accuracy
             && curve.refused.is_none()

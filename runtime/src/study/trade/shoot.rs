@@ -129,7 +129,9 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
 ) -> Result<(Guess<N, Mode<F, N>>, Work), String> {
     let family = family.with_tolerance(effort.tolerance);
     let (mut problem, z) = problem(family, from, start, 1).map_err(|e| e.to_string())?;
-    problem.float(&start.place, from).map_err(|e| e.to_string())?;
+    problem
+        .float(&start.place, from)
+        .map_err(|e| e.to_string())?;
     let settings = Settings::new(from, to, effort.accuracy.max(1e-8));
     let (mut branch, first) = Branch::start(problem, z, settings).map_err(|e| e.to_string())?;
     let last = branch.by_ref().last().unwrap_or(first);
@@ -148,7 +150,10 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
             };
             Ok((guess, branch.problem.work))
         }
-        Some(ending) => Err(format!("the branch in its size ends at {:e}: {ending:?}", last.r.exp())),
+        Some(ending) => Err(format!(
+            "the branch in its size ends at {:e}: {ending:?}",
+            last.r.exp()
+        )),
         None => Err("the branch in its size was stopped".to_owned()),
     }
 }
