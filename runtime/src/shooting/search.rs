@@ -107,26 +107,30 @@ pub fn converge<F: Family<N> + Clone, const N: usize>(
     let Search {
         accuracy, segments, ..
     } = *search;
-    let rough_accuracy = accuracy.max(1e-7);
-    let effort = Effort {
-        accuracy: rough_accuracy,
-        tolerance: rough_accuracy,
-        factors: false,
+    let fine = Tolerance::for_accuracy(accuracy);
+    let rough = Tolerance::for_accuracy(accuracy.max(1e-7));
+    let effort = |accuracy: f64, tolerance: Tolerance, factors: bool| Effort {
+        accuracy,
+        tolerance,
+        factors,
     };
-    let rough = newton(family, r, guess, segments, effort)?;
+    let rough = newton(
+        family,
+        r,
+        guess,
+        segments,
+        effort(accuracy.max(1e-7), rough, false),
+    )?;
     let guess = anchored(family, r, &rough.0)?;
-    let effort = Effort {
-        accuracy,
-        tolerance: 30.0 * accuracy,
-        factors: false,
-    };
-    let loose = newton(family, r, &guess, segments, effort)?;
-    let effort = Effort {
-        accuracy,
-        tolerance: accuracy,
-        factors: N > 2,
-    };
-    let (tight, problem) = newton(family, r, &guess.moved(&loose.0), segments, effort)?;
+    let loose = newton(family, r, &guess, segments, effort(accuracy, fine, false))?;
+    let guess = guess.moved(&loose.0);
+    let (tight, problem) = newton(
+        family,
+        r,
+        &guess,
+        segments,
+        effort(accuracy, fine.times(0.1), N > 2),
+    )?;
     let mut work = problem.work;
     work += loose.1.work;
     work += rough.1.work;
@@ -147,7 +151,7 @@ type Converged<F, const N: usize> = (Found<F, N>, OrbitProblem<F, N>);
 #[derive(Debug, Clone, Copy)]
 struct Effort {
     accuracy: f64,
-    tolerance: f64,
+    tolerance: Tolerance,
     factors: bool,
 }
 
@@ -159,7 +163,7 @@ fn newton<F: Family<N> + Clone, const N: usize>(
     segments: usize,
     effort: Effort,
 ) -> Result<Converged<F, N>, OrbitError> {
-    let family = family.with_tolerance(Tolerance::for_accuracy(effort.tolerance));
+    let family = family.with_tolerance(effort.tolerance);
     if at_rest(&family.at(r)?, guess)? {
         return Err(OrbitError::Equilibrium {
             state: guess.place.state.to_vec(),
