@@ -4,9 +4,11 @@ use std::marker::PhantomData;
 
 use super::branch::BranchRecord;
 use super::case::{Case, Dynamics};
+use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
 use super::orbit::{OrbitRecord, Sought};
 use super::seed::{Seed, on_the_belt};
+use super::trade::{Scope, TradeError, trade};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
 use crate::field::Design;
 use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, word};
@@ -205,5 +207,23 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
                 Self::sought_smoothly(case, &Self::smooth(case)).branch(along, watch)?
             }
         })
+    }
+
+    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
+        let at = |case: Case| {
+            let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
+            let trade = trade(&Self::model(&case), &exact, scope)?;
+            Ok(End {
+                parameters: case.parameters.clone(),
+                trade,
+            })
+        };
+        if M::INFO.contacts.is_empty() {
+            return Err(TradeError::NoFriction {
+                model: M::INFO.command,
+            }
+            .into());
+        }
+        TradeRecord::gather(case, at)
     }
 }

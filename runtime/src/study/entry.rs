@@ -3,7 +3,9 @@
 use super::branch::BranchRecord;
 use super::case::Case;
 use super::declared::Declared;
+use super::ends::TradeRecord;
 use super::orbit::OrbitRecord;
+use super::trade::{Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::flow::FlowError;
 use crate::model::{Model, ModelInfo};
@@ -41,6 +43,12 @@ pub trait Entry: Send + Sync {
         case: &Case,
         watch: &mut dyn FnMut(&OrbitRecord),
     ) -> Result<BranchRecord, StudyError>;
+
+    /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.
+    ///
+    /// # Errors
+    /// There is no friction, or no exact orbit.
+    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError>;
 }
 
 /// Why a case has no answer.
@@ -52,6 +60,9 @@ pub enum StudyError {
     /// A branch was asked for, but not along what.
     #[error("a branch needs a design variable to be followed along")]
     NothingToFollow,
+    /// The errors of smoothing cannot be measured.
+    #[error(transparent)]
+    Trade(#[from] TradeError),
     /// No orbit was found.
     #[error(transparent)]
     Orbit(#[from] OrbitError),

@@ -7,7 +7,9 @@
 pub mod app;
 mod branch;
 mod case;
+mod choice;
 mod declared;
+mod ends;
 mod entry;
 mod orbit;
 pub mod predict;
@@ -19,6 +21,8 @@ mod trajectory;
 
 pub use branch::{BranchRecord, Ended, Special};
 pub use case::{Along, Case, Dynamics};
+pub use choice::{Choice, choose};
+pub use ends::{End, TradeRecord};
 pub use entry::{Entry, StudyError, entry};
 pub use orbit::OrbitRecord;
 pub use trajectory::Trajectory;

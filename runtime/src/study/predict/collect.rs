@@ -4,9 +4,10 @@ use nalgebra::{DMatrix, DVector};
 
 use super::PredictError;
 use super::history::History;
+use super::layer::edge;
 use super::response::{Response, response};
-use crate::field::Smoothing;
 use crate::field::exact::Modes;
+use crate::field::{Kernel, Smoothing};
 use crate::flow::EventKind;
 use crate::model::Model;
 use crate::shooting::Orbit;
@@ -98,7 +99,11 @@ pub fn predict<M: Model<N>, const N: usize>(
         leading,
         max_abs,
         start: shift.start.to_vec(),
-        doubts: doubts(&history, &releases, (frequency, leading)),
+        doubts: doubts(
+            &history,
+            &releases,
+            (frequency, leading.filter(|_| leads(smoothing.kernel))),
+        ),
         releases,
     })
 }
@@ -199,6 +204,11 @@ fn releases<M: Model<N>, const N: usize>(history: &History<M, N>) -> Vec<Release
         })
     });
     found.collect()
+}
+
+/// Whether the releases alone give the leading order: with compact sign types creep is of the same order.
+fn leads(kernel: Kernel) -> bool {
+    kernel.is_bump() || edge(kernel).is_none()
 }
 
 fn doubts<M: Model<N>, const N: usize>(
