@@ -13,12 +13,14 @@ mod orbit;
 #[cfg(feature = "app")]
 pub mod report;
 mod seed;
+mod special;
 mod trajectory;
 
-pub use branch::{BranchRecord, Ended, Special};
+pub use branch::{BranchRecord, Ended};
 pub use case::{Along, Case, Dynamics};
 pub use entry::{Entry, StudyError, entry};
 pub use orbit::OrbitRecord;
+pub use special::Special;
 pub use trajectory::Trajectory;
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
