@@ -9,6 +9,7 @@ mod step;
 
 pub use branch::{Branch, Ending, Point, Settings};
 pub use corrector::{Corrected, Failure, correct};
+pub(crate) use predictor::tangent;
 
 use nalgebra::{DMatrix, DVector};
 

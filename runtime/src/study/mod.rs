@@ -7,8 +7,11 @@
 pub mod app;
 mod branch;
 mod case;
+mod counterpart;
 mod declared;
 mod entry;
+mod equilibria;
+mod equilibrium;
 mod orbit;
 #[cfg(feature = "app")]
 pub mod report;
@@ -18,6 +21,7 @@ mod trajectory;
 pub use branch::{BranchRecord, Ended, Special};
 pub use case::{Along, Case, Dynamics};
 pub use entry::{Entry, StudyError, entry};
+pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use orbit::OrbitRecord;
 pub use trajectory::Trajectory;
 

@@ -63,7 +63,9 @@ fn is_usage(error: &StudyError) -> bool {
     let flow = match error {
         StudyError::NothingToSmooth | StudyError::NothingToFollow => return true,
         StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
-        StudyError::Orbit(_) => return false,
+        StudyError::Orbit(_) | StudyError::NoEquilibrium { .. } | StudyError::Equilibrium(_) => {
+            return false;
+        }
     };
     matches!(flow, FlowError::Parameter(_) | FlowError::Smoothing(_))
 }
