@@ -21,7 +21,8 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
         .subcommand(models())
         .subcommand(simulate())
         .subcommand(orbit())
-        .subcommand(branch());
+        .subcommand(branch())
+        .subcommand(trade());
     if app.reproduction.is_some() {
         command = command.args(to_reproduce()).subcommand(
             Command::new("reproduce")
@@ -68,6 +69,21 @@ fn branch() -> Command {
             "along",
             "NAME=A..B",
             "What to follow, from A to B; `smooth=A..B` follows the smoothing",
+        ))
+}
+
+fn trade() -> Command {
+    Command::new("trade")
+        .about("Measure what each smoothing gets wrong, and what it costs, against the exact system")
+        .after_help(
+            "--smooth restricts this to one copy; with --accuracy the cheapest settings that meet it are sought",
+        )
+        .args(shared())
+        .arg(period())
+        .arg(valued(
+            "along",
+            "NAME=A..B",
+            "A parameter, to be judged at both A and B: the worst end counts",
         ))
 }
 

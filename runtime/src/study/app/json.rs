@@ -1,11 +1,13 @@
 //! Answers as JSON.
 
 mod motion;
+mod trade;
 mod work;
 
 use serde::ser::{Serialize, Serializer};
 
 pub(super) use motion::Motion;
+pub(super) use trade::Trade;
 use work::Counts;
 
 use crate::field::Work;
@@ -85,10 +87,18 @@ pub(super) struct Orbit<'a> {
     units: Named<'a, &'static str>,
     residual: f64,
     error_estimate: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    method: Option<String>,
     work: Counts,
 }
 
 impl<'a> Orbit<'a> {
+    /// The same with the method that was chosen, and why.
+    pub(super) fn with_method(mut self, reason: String) -> Self {
+        self.method = Some(reason);
+        self
+    }
+
     pub(super) fn new(info: &'a ModelInfo, orbit: &'a OrbitRecord) -> Self {
         let named = |values: &[f64]| states(info, values.to_vec());
         Self {
@@ -116,6 +126,7 @@ impl<'a> Orbit<'a> {
             units: units(info),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,
+            method: None,
             work: Counts::from(&orbit.work),
         }
     }

@@ -13,6 +13,7 @@ mod reproduce;
 mod simulate;
 mod spreadsheet;
 mod text;
+mod trade;
 mod usage;
 mod words;
 
@@ -95,6 +96,7 @@ impl App {
             Some(("simulate", options)) => simulate::perform(self, options),
             Some(("orbit", options)) => orbit::perform(self, options),
             Some(("branch", options)) => branch::perform(self, options),
+            Some(("trade", options)) => trade::perform(self, options),
             Some(("reproduce", options)) => reproduce::perform(self, options),
             _ => reproduce::perform(self, matches),
         }

@@ -27,6 +27,11 @@ impl Spreadsheet {
         String::from_utf8(bytes).map_err(|error| failed(error.to_string()))
     }
 
+    /// A table of these rows, the first its head.
+    pub(super) fn of(rows: Vec<Vec<String>>) -> Self {
+        Self { rows }
+    }
+
     /// A motion, one row for each time.
     pub(super) fn motion(info: &ModelInfo, motion: &Trajectory) -> Self {
         let names = info.states.iter().map(|state| state.name);
@@ -93,6 +98,6 @@ fn row(orbit: &OrbitRecord) -> Vec<String> {
 }
 
 /// All digits of a number.
-fn full(value: &f64) -> String {
+pub(super) fn full(value: &f64) -> String {
     format!("{value:?}")
 }
