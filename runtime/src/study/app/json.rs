@@ -1,16 +1,18 @@
 //! Answers as JSON.
 
+mod equilibrium;
 mod motion;
 mod work;
 
 use serde::ser::{Serialize, Serializer};
 
+pub(super) use equilibrium::{Equilibria, EquilibriumBranch};
 pub(super) use motion::Motion;
 use work::Counts;
 
 use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
-use crate::study::{BranchRecord, Case, OrbitRecord, Special};
+use crate::study::{Along, BranchRecord, Case, OrbitRecord, Special};
 
 /// Values by name, in the order of declaration.
 pub(super) struct Named<'a, T>(Vec<(&'a str, T)>);
@@ -144,6 +146,16 @@ struct Range<'a> {
     to: f64,
 }
 
+impl<'a> Range<'a> {
+    fn new(info: &'a ModelInfo, along: &Along) -> Self {
+        Self {
+            name: along.name(info),
+            from: along.from,
+            to: along.to,
+        }
+    }
+}
+
 /// A special point.
 #[derive(serde::Serialize)]
 struct Point<'a> {
@@ -175,11 +187,7 @@ impl<'a> Branch<'a> {
             model: info.command,
             dynamics: case.dynamics.to_string(),
             parameters: parameters(info, &case.parameters),
-            along: Range {
-                name: along.name(info),
-                from: along.from,
-                to: along.to,
-            },
+            along: Range::new(info, along),
             points: branch
                 .points
                 .iter()

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod branch;
+mod equilibria;
 mod failure;
 mod json;
 mod models;
@@ -95,6 +96,7 @@ impl App {
             Some(("simulate", options)) => simulate::perform(self, options),
             Some(("orbit", options)) => orbit::perform(self, options),
             Some(("branch", options)) => branch::perform(self, options),
+            Some(("equilibria", options)) => equilibria::perform(self, options),
             Some(("reproduce", options)) => reproduce::perform(self, options),
             _ => reproduce::perform(self, matches),
         }
