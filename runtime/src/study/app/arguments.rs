@@ -22,7 +22,11 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
         .subcommand(simulate())
         .subcommand(orbit())
         .subcommand(branch())
+<<<<<<< HEAD
         .subcommand(trade());
+=======
+        .subcommand(equilibria());
+>>>>>>> eq
     if app.reproduction.is_some() {
         command = command.args(to_reproduce()).subcommand(
             Command::new("reproduce")
@@ -65,11 +69,22 @@ fn branch() -> Command {
         .about("Follow a periodic orbit along a parameter, or along the size of the smoothing")
         .args(shared())
         .arg(period())
-        .arg(valued(
-            "along",
-            "NAME=A..B",
-            "What to follow, from A to B; `smooth=A..B` follows the smoothing",
-        ))
+        .arg(along())
+}
+
+fn equilibria() -> Command {
+    Command::new("equilibria")
+        .about("List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds")
+        .args(shared())
+        .arg(along())
+}
+
+fn along() -> Arg {
+    valued(
+        "along",
+        "NAME=A..B",
+        "What to follow, from A to B; `smooth=A..B` follows the smoothing",
+    )
 }
 
 fn trade() -> Command {

@@ -1,18 +1,20 @@
 //! Answers as JSON.
 
+mod equilibrium;
 mod motion;
 mod trade;
 mod work;
 
 use serde::ser::{Serialize, Serializer};
 
+pub(super) use equilibrium::{Equilibria, EquilibriumBranch};
 pub(super) use motion::Motion;
 pub(super) use trade::Trade;
 use work::Counts;
 
 use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
-use crate::study::{BranchRecord, Case, OrbitRecord, Special};
+use crate::study::{Along, BranchRecord, Case, OrbitRecord, Special};
 
 /// Values by name, in the order of declaration.
 pub(super) struct Named<'a, T>(Vec<(&'a str, T)>);
@@ -155,6 +157,16 @@ struct Range<'a> {
     to: f64,
 }
 
+impl<'a> Range<'a> {
+    fn new(info: &'a ModelInfo, along: &Along) -> Self {
+        Self {
+            name: along.name(info),
+            from: along.from,
+            to: along.to,
+        }
+    }
+}
+
 /// A special point.
 #[derive(serde::Serialize)]
 struct Point<'a> {
@@ -186,11 +198,7 @@ impl<'a> Branch<'a> {
             model: info.command,
             dynamics: case.dynamics.to_string(),
             parameters: parameters(info, &case.parameters),
-            along: Range {
-                name: along.name(info),
-                from: along.from,
-                to: along.to,
-            },
+            along: Range::new(info, along),
             points: branch
                 .points
                 .iter()
