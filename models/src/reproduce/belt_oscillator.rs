@@ -9,7 +9,7 @@ use super::ReproduceError;
 use super::cost::Cost;
 use super::follow::{Drawn, End, Followed, draw, family, field, follow, search};
 use super::parallel::parallel;
-use super::words::{decimals, ending, power};
+use super::words::{decimals, ending, power, stability};
 use crate::BeltOscillator;
 use crate::friction::Weakening;
 
@@ -34,7 +34,7 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .collect::<Result<_, _>>()?;
     for copy in &copies {
         let name = format!("mass on a belt, *ε* = {}", power(copy.exponent));
-        costs.push(Cost::of(name, &copy.branch, "about 10 min"));
+        costs.push(Cost::of(name, &copy.branch, "10 min"));
     }
     Ok(Section::new("One mass on a belt")
         .sketch(
@@ -43,11 +43,11 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         )
         .text(
             "The belt drags the mass along until the spring pulls harder than friction can hold; the mass slips back, \
-             is caught by the belt and dragged along again. Friction weakens with the sliding speed *v*_{rel} = *ẋ* − \
+             is caught by the belt and dragged along again. Friction weakens with the sliding speed *v*_{rel} = *x*′ − \
              *v*_{dr}, which feeds the vibration. Mass, stiffness and the limit of friction are 1 (kg, N/m, N), and *δ* \
              = 3 s/m.",
         )
-        .formula("*m* *ẍ* + *k* *x* = *F*,   *F* = − *F*_{s} sgn(*v*_{rel}) / (1 + *δ* |*v*_{rel}|) while sliding,   |*F*| ≤ *F*_{s} while sticking")
+        .formula("*m* *x*″ + *k* *x* = *F*,   *F* = − *F*_{s} sgn(*v*_{rel}) / (1 + *δ* |*v*_{rel}|) while sliding,   |*F*| ≤ *F*_{s} while sticking")
         .text(
             "The smooth copies replace sgn(*v*_{rel}) by (2/π) arctan(*ε* *v*_{rel}). They cannot stick: they creep.",
         )
@@ -56,6 +56,12 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .figure(figure_9(&copies))
         .figure(figure_10(&copies))
         .table(ends(&copies))
+        .text(
+            "Close to *v*_{bif} the cycle does not simply shrink: it first creeps along the falling, unstable stretch of \
+             the smoothed friction curve, and changes much while *v*_{dr} hardly changes at all (a *canard*). Shooting \
+             once around the orbit loses its digits there, and ten shorter shots take over; for *ε* = 10^{4} even these \
+             do not reach the end.",
+        )
         .table(values(&copies)))
 }
 
@@ -138,7 +144,7 @@ fn figure_6(copies: &[Copy]) -> Figure {
     });
     let panel = Panel::new(
         Axis::new("displacement *x* (m)"),
-        Axis::new("velocity *ẋ* (m/s)"),
+        Axis::new("velocity *x*′ (m/s)"),
     )
     .curves(cycles)
     .curve(Curve::points(
@@ -215,26 +221,27 @@ fn hopf(size: f64) -> f64 {
 fn ends(copies: &[Copy]) -> Table {
     let columns = [
         Column::numbers("*ε* (s/m)"),
-        Column::numbers("*v*_{bif} in theory"),
+        Column::numbers("*f* at 0.2 (Hz)"),
+        Column::numbers("max |*x*| at 0.2 (m)"),
+        Column::numbers("*v*_{bif} (m/s)"),
         Column::words("the branch ends at"),
-        Column::numbers("max |*x*| there (m)"),
-        Column::numbers("*f* there (Hz)"),
-        Column::numbers("least *f* (Hz)"),
+        Column::numbers("*f* there"),
+        Column::numbers("max |*x*| there"),
     ];
-    let caption = "Where the branches end. Below *v*_{bif} the equilibrium of the copy is stable and there is no cycle: an \
+    let caption = "The copies at *v*_{dr} = 0.2 m/s, and where their branches end. Below *v*_{bif} the equilibrium of the copy is stable and there is no cycle: an \
                    artefact of smoothing, for the real equilibrium is unstable at all speeds. The thesis gives \
                    *v*_{bif} ≈ 0.052 m/s for *ε* = 10^{2}; its branches ended when steps became too small.";
     Table::new("belt-oscillator-ends", caption, columns).rows(copies.iter().map(|copy| {
-        let orbits = &copy.branch.orbits;
-        let last = orbits.last();
-        let least = orbits.iter().map(|o| 1.0 / o.period).fold(1.0, f64::min);
+        let first = &copy.cycle.orbit;
+        let last = copy.branch.orbits.last().unwrap_or(first);
         vec![
             power(copy.exponent),
+            decimals(1.0 / first.period, 7),
+            decimals(first.max_abs()[0], 6),
             decimals(hopf(10f64.powi(copy.exponent)), 7),
             ending(&copy.branch.end, "*v*_{dr}"),
-            decimals(last.map_or(f64::NAN, |o| o.max_abs()[0]), 4),
-            decimals(last.map_or(f64::NAN, |o| 1.0 / o.period), 5),
-            decimals(least, 5),
+            decimals(1.0 / last.period, 5),
+            decimals(last.max_abs()[0], 4),
         ]
     }))
 }
@@ -269,20 +276,11 @@ fn values(copies: &[Copy]) -> Table {
             "where the followed cycle has shrunk to nothing".to_owned(),
         ]);
     }
-    table.rows(copies.iter().map(|copy| {
-        let orbit = &copy.cycle.orbit;
-        vec![
-            format!(
-                "*f*, max |*x*| at *v*_{{dr}} = 0.2, *ε* = {}",
-                power(copy.exponent)
-            ),
-            "–".to_owned(),
-            format!(
-                "{} Hz, {} m",
-                decimals(1.0 / orbit.period, 7),
-                decimals(orbit.max_abs()[0], 6)
-            ),
-            "drawn in the thesis, not printed".to_owned(),
-        ]
-    }))
+    let all = copies.iter().flat_map(|copy| &copy.branch.orbits);
+    table.row([
+        "stability of all branches".into(),
+        "stable".into(),
+        stability(all),
+        "DIANA called some unstable: it took the multiplier 1 for one outside".to_owned(),
+    ])
 }

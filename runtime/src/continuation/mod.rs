@@ -11,6 +11,7 @@ mod step;
 pub use branch::{Branch, Ending, Point, Settings};
 pub use corrector::{Corrected, Failure, correct};
 pub use link::Link;
+pub(crate) use predictor::tangent;
 
 use nalgebra::{DMatrix, DVector};
 

@@ -7,6 +7,7 @@ mod smoothing;
 
 pub use count::Work;
 pub use smooth::{Design, SmoothField};
+pub(crate) use smoothing::Smoothed;
 pub use smoothing::{Kernel, Smoothing, SmoothingError};
 
 use crate::integrate::Tolerance;

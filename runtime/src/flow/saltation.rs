@@ -49,15 +49,15 @@ impl<const N: usize> Tracked<N> for Motion<N> {
 
 /// The surface h = 0 on which the field changes from `before` to `after`; the state does not jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Saltation<const N: usize> {
+pub(crate) struct Saltation<const N: usize> {
     /// f⁻.
-    pub(super) before: [f64; N],
+    pub(crate) before: [f64; N],
     /// f⁺.
-    pub(super) after: [f64; N],
+    pub(crate) after: [f64; N],
     /// h_y.
-    pub(super) gradient: [f64; N],
+    pub(crate) gradient: [f64; N],
     /// h_r.
-    pub(super) design: f64,
+    pub(crate) design: f64,
 }
 
 impl<const N: usize> Saltation<N> {
@@ -65,7 +65,7 @@ impl<const N: usize> Saltation<N> {
     ///
     /// # Errors
     /// D = h_y f⁻, if the motion `grazes` the surface instead of crossing it and the field jumps there.
-    pub(super) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<(), f64> {
+    pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<(), f64> {
         let jump: [f64; N] = std::array::from_fn(|i| self.after[i] - self.before[i]);
         if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
             return Ok(());

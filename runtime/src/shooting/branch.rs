@@ -34,8 +34,10 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         search: &Search<N>,
         settings: Settings,
     ) -> Result<Self, Failure<FlowError>> {
-        let family = family.with_tolerance(Tolerance::for_accuracy(search.accuracy));
         let magnitude = std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j]));
+        let family = family
+            .with_tolerance(Tolerance::for_accuracy(search.accuracy))
+            .with_magnitude(magnitude);
         let guess = Guess {
             place: orbit.place,
             period: orbit.period,

@@ -13,4 +13,5 @@ pub use guess::{Guess, Settled, settle};
 pub use orbit::Orbit;
 pub use phase::Phase;
 pub use problem::{OrbitProblem, Shot};
+pub(crate) use search::problem;
 pub use search::{OrbitError, Search, anchored, closest, converge};
