@@ -9,6 +9,9 @@ use super::{Kind, Stability};
 /// Halvings of a step after which a change stays unexplained.
 const HALVINGS: u32 = 12;
 
+/// Distance between two changes of the event word, in units of the accuracy, below which they are one.
+const SAME: f64 = 30.0;
+
 /// A bifurcation that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Located<P> {
@@ -84,9 +87,15 @@ pub fn detect<Q: Path>(
         point: point.clone(),
     };
     hunt.step(&spot(0.0, from), &spot(1.0, to), HALVINGS);
-    hunt.found
-        .located
-        .sort_by(|a, b| a.share.total_cmp(&b.share));
+    let located = &mut hunt.found.located;
+    located.sort_by(|a, b| a.share.total_cmp(&b.share));
+    // Events that switch together at one value of r do so in two steps for a tolerance.
+    located.dedup_by(|b, a| {
+        let distance = (b.r - a.r).abs();
+        a.kind.jump().is_none()
+            && b.kind.jump().is_none()
+            && distance <= SAME * accuracy * a.r.abs()
+    });
     hunt.found
 }
 
