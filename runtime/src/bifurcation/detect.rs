@@ -99,6 +99,9 @@ pub fn detect<Q: Path>(
     hunt.found
 }
 
+/// A function of a point that changes sign at a bifurcation.
+type TestFunction<P> = fn(&P) -> f64;
+
 struct Hunt<'a, Q: Path> {
     path: &'a mut Q,
     accuracy: f64,
@@ -164,17 +167,19 @@ impl<Q: Path> Hunt<'_, Q> {
         from: &Spot<Q::Point>,
         to: &Spot<Q::Point>,
     ) -> Result<Vec<Located<Q::Point>>, Q::Error> {
-        let tests: [(Kind, fn(&Q::Point) -> f64); 3] = [
+        let tests: [(Kind, TestFunction<Q::Point>); 3] = [
             (Kind::BranchPoint, |p| fold(&p.floquet().multipliers)),
             (Kind::Flip, |p| flip(&p.floquet().multipliers)),
             (Kind::Torus, |p| torus(&p.floquet().multipliers)),
         ];
-        let changes = |test: fn(&Q::Point) -> f64| test(&from.point) * test(&to.point) < 0.0;
+        let changes = |test: TestFunction<Q::Point>| test(&from.point) * test(&to.point) < 0.0;
         let turns = changes(Q::Point::slope);
         let mut found = Vec::new();
         for (kind, test) in tests.into_iter().filter(|(_, test)| changes(*test)) {
             let (kind, test) = match kind {
-                Kind::BranchPoint if turns => (Kind::Fold, Q::Point::slope as fn(&Q::Point) -> f64),
+                Kind::BranchPoint if turns => {
+                    (Kind::Fold, Q::Point::slope as TestFunction<Q::Point>)
+                }
                 _ => (kind, test),
             };
             let Spot { share, point } = zero(self.path, [from, to], test, self.accuracy)?;
