@@ -1,12 +1,19 @@
 //! Thesis section 3.2: one mass on a moving belt.
 
+mod equilibrium;
+mod errors;
+
 use stickslip::field::{Field, Kernel};
 use stickslip::friction::FrictionLaw;
 use stickslip::shooting::Orbit;
 use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 
+use equilibrium::{figure_8, hopf};
+use errors::{figure_7, figure_11};
+
 use super::ReproduceError;
 use super::cost::Cost;
+use super::exact::{self, Exact};
 use super::follow::{Drawn, End, Followed, draw, family, field, follow, search};
 use super::parallel::parallel;
 use super::words::{decimals, ending, power};
@@ -36,6 +43,11 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         let name = format!("mass on a belt, *ε* = {}", power(copy.exponent));
         costs.push(Cost::of(name, &copy.branch, "about 10 min"));
     }
+    let exact = exact()?;
+    let name = "mass on a belt, exact".to_owned();
+    let points = exact.orbits.len();
+    costs.push(Cost::counted(name, points, (&exact.work, exact.time), "–"));
+    let errors = errors::all()?;
     Ok(Section::new("One mass on a belt")
         .sketch(
             include_str!("sketches/belt_oscillator.svg"),
@@ -52,11 +64,29 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
             "The smooth copies replace sgn(*v*_{rel}) by (2/π) arctan(*ε* *v*_{rel}). They cannot stick: they creep.",
         )
         .figure(figure_5()?)
-        .figure(figure_6(&copies))
-        .figure(figure_9(&copies))
-        .figure(figure_10(&copies))
-        .table(ends(&copies))
+        .figure(figure_6(&copies, &exact))
+        .figure(figure_7(&errors))
+        .figure(figure_8()?)
+        .figure(figure_9(&copies, &exact))
+        .figure(figure_10(&copies, &exact))
+        .figure(figure_11(&errors))
+        .table(errors::table(&errors))
+        .table(ends(&copies)?)
         .table(values(&copies)))
+}
+
+/// The belt oscillator with its declared friction.
+type ExactBelt = Exact<BeltOscillator, 2>;
+
+fn exact() -> Result<ExactBelt, ReproduceError> {
+    let start = (SPEED, [0.0, SPEED]);
+    exact::follow(
+        BeltOscillator::default(),
+        BeltOscillator::v_dr,
+        start,
+        &[LEAST],
+    )
+    .map_err(ReproduceError::at("belt oscillator, exact"))
 }
 
 fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
@@ -131,7 +161,7 @@ fn label(copy: &Copy) -> String {
     format!("*ε* = {} s/m", power(copy.exponent))
 }
 
-fn figure_6(copies: &[Copy]) -> Figure {
+fn figure_6(copies: &[Copy], exact: &ExactBelt) -> Figure {
     let cycles = copies.iter().enumerate().map(|(i, copy)| {
         let path = copy.cycle.path.iter().map(|sample| sample.state).collect();
         Curve::line(label(copy), i + 1, path)
@@ -141,6 +171,7 @@ fn figure_6(copies: &[Copy]) -> Figure {
         Axis::new("velocity *ẋ* (m/s)"),
     )
     .curves(cycles)
+    .curve(Curve::line("exact", 0, exact.path.clone()))
     .curve(Curve::points(
         "unstable equilibrium",
         0,
@@ -168,7 +199,7 @@ fn belt_speed() -> Axis {
     Axis::new("belt speed *v*_{dr} (m/s)").from(0.0, SPEED)
 }
 
-fn figure_9(copies: &[Copy]) -> Figure {
+fn figure_9(copies: &[Copy], exact: &ExactBelt) -> Figure {
     Figure::new(
         "3.9",
         "Absolute maximum of *x*",
@@ -178,11 +209,16 @@ fn figure_9(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(belt_speed(), Axis::new("max |*x*| (m)"))
-            .curves(along(copies, |orbit| orbit.max_abs()[0])),
+            .curves(along(copies, |orbit| orbit.max_abs()[0]))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| orbit.max_abs()[0]),
+            )),
     )
 }
 
-fn figure_10(copies: &[Copy]) -> Figure {
+fn figure_10(copies: &[Copy], exact: &ExactBelt) -> Figure {
     Figure::new(
         "3.10",
         "Free frequency",
@@ -191,28 +227,16 @@ fn figure_10(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(belt_speed(), Axis::new("frequency *f* (Hz)").from(0.0, 0.2))
-            .curves(along(copies, |orbit| 1.0 / orbit.period)),
+            .curves(along(copies, |orbit| 1.0 / orbit.period))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| 1.0 / orbit.period),
+            )),
     )
 }
 
-/// Belt speed below which the copy's equilibrium is stable: ε(1 + δw)/(1 + ε²w²) = δ atan(εw).
-fn hopf(size: f64) -> f64 {
-    let delta = BeltOscillator::default().delta;
-    let slope =
-        |w: f64| size * (1.0 + delta * w) / (1.0 + (size * w).powi(2)) - delta * (size * w).atan();
-    let (mut low, mut high) = (1e-3 / size, 1.0);
-    for _ in 0..100 {
-        let middle = (low * high).sqrt();
-        if slope(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}
-
-fn ends(copies: &[Copy]) -> Table {
+fn ends(copies: &[Copy]) -> Result<Table, ReproduceError> {
     let columns = [
         Column::numbers("*ε* (s/m)"),
         Column::numbers("*v*_{bif} in theory"),
@@ -224,19 +248,24 @@ fn ends(copies: &[Copy]) -> Table {
     let caption = "Where the branches end. Below *v*_{bif} the equilibrium of the copy is stable and there is no cycle: an \
                    artefact of smoothing, for the real equilibrium is unstable at all speeds. The thesis gives \
                    *v*_{bif} ≈ 0.052 m/s for *ε* = 10^{2}; its branches ended when steps became too small.";
-    Table::new("belt-oscillator-ends", caption, columns).rows(copies.iter().map(|copy| {
+    let speeds: Vec<f64> = copies
+        .iter()
+        .map(|copy| hopf(10f64.powi(copy.exponent)))
+        .collect::<Result<_, _>>()?;
+    let table = Table::new("belt-oscillator-ends", caption, columns);
+    Ok(table.rows(copies.iter().zip(speeds).map(|(copy, v_bif)| {
         let orbits = &copy.branch.orbits;
         let last = orbits.last();
         let least = orbits.iter().map(|o| 1.0 / o.period).fold(1.0, f64::min);
         vec![
             power(copy.exponent),
-            decimals(hopf(10f64.powi(copy.exponent)), 7),
+            decimals(v_bif, 7),
             ending(&copy.branch.end, "*v*_{dr}"),
             decimals(last.map_or(f64::NAN, |o| o.max_abs()[0]), 4),
             decimals(last.map_or(f64::NAN, |o| 1.0 / o.period), 5),
             decimals(least, 5),
         ]
-    }))
+    })))
 }
 
 fn values(copies: &[Copy]) -> Table {

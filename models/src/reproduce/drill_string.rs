@@ -1,11 +1,18 @@
 //! Thesis chapter 4: a drill string in torsion.
 
+mod equilibrium;
+mod errors;
+
 use stickslip::field::{Field, Kernel};
 use stickslip::shooting::Orbit;
 use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 
+use equilibrium::{figure_6, hopf};
+use errors::{figure_5, figure_9};
+
 use super::ReproduceError;
 use super::cost::Cost;
+use super::exact::{self, Exact};
 use super::follow::{Drawn, Followed, draw, family, field, follow, search};
 use super::parallel::parallel;
 use super::words::{decimals, ending, power};
@@ -47,6 +54,11 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
             "about 6 min for both",
         ));
     }
+    let exact = exact()?;
+    let name = "drill string, exact, both ways".to_owned();
+    let points = exact.orbits.len();
+    costs.push(Cost::counted(name, points, (&exact.work, exact.time), "–"));
+    let errors = errors::all()?;
     Ok(Section::new("A drill string")
         .sketch(
             include_str!("sketches/drill_string.svg"),
@@ -61,11 +73,29 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         )
         .formula("*ψ*″ + 2*ζ* *ψ*′ + *ψ* = *T*_{c},   *T*_{c} = 0 while the bit turns,   *T*_{c} ≤ *θ* while it sticks (*ψ*′ = *η*)")
         .figure(figure_3()?)
-        .figure(figure_4(&copies))
-        .figure(figure_7(&copies))
-        .figure(figure_8(&copies))
+        .figure(figure_4(&copies, &exact))
+        .figure(figure_5(&errors))
+        .figure(figure_6()?)
+        .figure(figure_7(&copies, &exact))
+        .figure(figure_8(&copies, &exact))
+        .figure(figure_9(&errors))
+        .table(errors::table(&errors))
         .table(ends(&copies))
-        .table(values()))
+        .table(values()?))
+}
+
+/// The drill string with its declared friction.
+type ExactDrill = Exact<DrillString, 2>;
+
+fn exact() -> Result<ExactDrill, ReproduceError> {
+    let start = (SPEED, [0.0, SPEED]);
+    exact::follow(
+        DrillString::default(),
+        DrillString::eta,
+        start,
+        &[LEAST, MOST],
+    )
+    .map_err(ReproduceError::at("drill string, exact"))
 }
 
 fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
@@ -127,13 +157,14 @@ fn label(copy: &Copy) -> String {
     format!("*ε* = {}", power(copy.exponent))
 }
 
-fn figure_4(copies: &[Copy]) -> Figure {
+fn figure_4(copies: &[Copy], exact: &ExactDrill) -> Figure {
     let cycles = copies.iter().enumerate().map(|(i, copy)| {
         let path = copy.cycle.path.iter().map(|sample| sample.state).collect();
         Curve::line(label(copy), i + 1, path)
     });
     let panel = Panel::new(Axis::new("twist *ψ*"), Axis::new("twist rate *ψ*′"))
         .curves(cycles)
+        .curve(Curve::line("exact", 0, exact.path.clone()))
         .curve(Curve::points(
             "stable equilibrium",
             0,
@@ -163,7 +194,7 @@ fn table_speed() -> Axis {
     Axis::new("speed of the rotary table *η*").from(0.0, MOST)
 }
 
-fn figure_7(copies: &[Copy]) -> Figure {
+fn figure_7(copies: &[Copy], exact: &ExactDrill) -> Figure {
     Figure::new(
         "4.7",
         "Absolute maximum of *ψ*",
@@ -173,11 +204,16 @@ fn figure_7(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(table_speed(), Axis::new("max |*ψ*|"))
-            .curves(along(copies, |orbit| orbit.max_abs()[0])),
+            .curves(along(copies, |orbit| orbit.max_abs()[0]))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| orbit.max_abs()[0]),
+            )),
     )
 }
 
-fn figure_8(copies: &[Copy]) -> Figure {
+fn figure_8(copies: &[Copy], exact: &ExactDrill) -> Figure {
     Figure::new(
         "4.8",
         "Free frequency",
@@ -186,7 +222,12 @@ fn figure_8(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(table_speed(), Axis::new("frequency *f*").from(0.0, 0.2))
-            .curves(along(copies, |orbit| 1.0 / orbit.period)),
+            .curves(along(copies, |orbit| 1.0 / orbit.period))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| 1.0 / orbit.period),
+            )),
     )
 }
 
@@ -215,34 +256,15 @@ fn ends(copies: &[Copy]) -> Table {
     }))
 }
 
-/// Speeds between which the copy's equilibrium is unstable: the slope of its friction term is 2ζ.
-fn hopf(size: f64) -> [f64; 2] {
-    let DrillString { theta, zeta, .. } = DrillString::default();
-    // With u = η/ε: 4θ (u − 4)² (u − 1) = 54 ζ ε, once below the maximum at u = 2 and once above.
-    let slope = |u: f64| 4.0 * theta * (u - 4.0).powi(2) * (u - 1.0) - 54.0 * zeta * size;
-    let root = |mut below: f64, mut above: f64| {
-        for _ in 0..100 {
-            let middle = 0.5 * (below + above);
-            if slope(middle) < 0.0 {
-                below = middle;
-            } else {
-                above = middle;
-            }
-        }
-        size * below
-    };
-    [root(4.0, 2.0), root(1.0, 2.0)]
-}
-
-fn values() -> Table {
+fn values() -> Result<Table, ReproduceError> {
     let columns = [
         Column::words("quantity"),
         Column::numbers("thesis"),
         Column::numbers("here"),
         Column::words("remark"),
     ];
-    let [first, second] = hopf(1.0);
-    Table::new(
+    let [first, second] = hopf(1.0)?;
+    Ok(Table::new(
         "drill-string",
         "Drill string: values of the thesis beside ours.",
         columns,
@@ -264,5 +286,5 @@ fn values() -> Table {
         "2*ζθ* + *ψ* = *T*_{c}".into(),
         "2*ζη* + *ψ* = *T*_{c}".into(),
         "a misprint in (4.10): the release at *ψ* = *θ* − 2*ζη* needs *η*".to_owned(),
-    ])
+    ]))
 }

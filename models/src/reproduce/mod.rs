@@ -1,9 +1,12 @@
-//! The thesis's results again, with smoothed friction as it had it: what is drawn and said.
+//! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
 
 mod belt_oscillator;
 mod belt_pair;
 mod cost;
 mod drill_string;
+mod equilibrium;
+mod errors;
+mod exact;
 mod follow;
 mod introduction;
 mod parallel;
