@@ -15,6 +15,7 @@ fn exact<M: Model<N>, const N: usize>(model: &M, start: [f64; N]) -> Orbit<N, Mo
         model: *model,
         design: None,
         tolerance: Tolerance::for_accuracy(1e-11),
+        magnitude: [1.0; N],
     };
     let search = Search {
         start,

@@ -2,23 +2,25 @@
 
 mod equilibrium;
 mod errors;
+mod law;
+mod tables;
 
-use stickslip::field::{Field, Kernel};
-use stickslip::friction::FrictionLaw;
+use stickslip::field::Kernel;
 use stickslip::shooting::Orbit;
-use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel, Section};
 
-use equilibrium::{figure_8, hopf};
+use equilibrium::figure_8;
 use errors::{figure_7, figure_11};
+use law::figure_5;
+use tables::{ends, values};
 
 use super::ReproduceError;
 use super::cost::Cost;
 use super::exact::{self, Exact};
-use super::follow::{Drawn, End, Followed, draw, family, field, follow, search};
+use super::follow::{Drawn, Followed, draw, family, follow, search};
 use super::parallel::parallel;
-use super::words::{decimals, ending, power};
+use super::words::power;
 use crate::BeltOscillator;
-use crate::friction::Weakening;
 
 /// The smoothings are of size 10ⁱ.
 const EXPONENTS: [i32; 6] = [2, 3, 4, 5, 6, 7];
@@ -41,7 +43,7 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .collect::<Result<_, _>>()?;
     for copy in &copies {
         let name = format!("mass on a belt, *ε* = {}", power(copy.exponent));
-        costs.push(Cost::of(name, &copy.branch, "about 10 min"));
+        costs.push(Cost::of(name, &copy.branch, "10 min"));
     }
     let exact = exact()?;
     let name = "mass on a belt, exact".to_owned();
@@ -55,11 +57,11 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         )
         .text(
             "The belt drags the mass along until the spring pulls harder than friction can hold; the mass slips back, \
-             is caught by the belt and dragged along again. Friction weakens with the sliding speed *v*_{rel} = *ẋ* − \
+             is caught by the belt and dragged along again. Friction weakens with the sliding speed *v*_{rel} = *x*′ − \
              *v*_{dr}, which feeds the vibration. Mass, stiffness and the limit of friction are 1 (kg, N/m, N), and *δ* \
              = 3 s/m.",
         )
-        .formula("*m* *ẍ* + *k* *x* = *F*,   *F* = − *F*_{s} sgn(*v*_{rel}) / (1 + *δ* |*v*_{rel}|) while sliding,   |*F*| ≤ *F*_{s} while sticking")
+        .formula("*m* *x*″ + *k* *x* = *F*,   *F* = − *F*_{s} sgn(*v*_{rel}) / (1 + *δ* |*v*_{rel}|) while sliding,   |*F*| ≤ *F*_{s} while sticking")
         .text(
             "The smooth copies replace sgn(*v*_{rel}) by (2/π) arctan(*ε* *v*_{rel}). They cannot stick: they creep.",
         )
@@ -72,6 +74,12 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .figure(figure_11(&errors))
         .table(errors::table(&errors))
         .table(ends(&copies)?)
+        .text(
+            "Close to *v*_{bif} the cycle does not simply shrink: it first creeps along the falling, unstable stretch of \
+             the smoothed friction curve, and changes much while *v*_{dr} hardly changes at all (a *canard*). Shooting \
+             once around the orbit loses its digits there, and ten shorter shots take over; for *ε* = 10^{4} even these \
+             do not reach the end.",
+        )
         .table(values(&copies)))
 }
 
@@ -102,61 +110,6 @@ fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
     })
 }
 
-/// The force of the copy at sliding speed w: what the integrator sees, at x = 0 and m = 1.
-fn force(size: f64, w: f64) -> Result<f64, ReproduceError> {
-    let model = BeltOscillator::default();
-    let field = field(&model, Kernel::Arctan, size).map_err(ReproduceError::at("figure 3.5"))?;
-    Ok(field.f(&[0.0, model.v_dr + w])[1])
-}
-
-/// Sliding speeds up to `most` either way, dense where the copies are steep.
-fn speeds(most: f64) -> impl Iterator<Item = f64> {
-    (-300..=300).map(move |i| {
-        let share = f64::from(i) / 300.0;
-        most * share * share.abs() * share.abs()
-    })
-}
-
-fn figure_5() -> Result<Figure, ReproduceError> {
-    Ok(Figure::new(
-        "3.5",
-        "Friction force *F* and its smooth copies",
-        "Left: friction pushes against the direction of sliding, and weakens with speed; at rest it takes any value \
-         between −1 N and 1 N. Right: the same near rest. The larger *ε*, the closer the copy; but its peak is always \
-         lower than the limit at rest, and its slope there, −(2/π) *ε* *F*_{s}, is what makes the equations stiff.",
-    )
-    .columns(2)
-    .panel(forces(1.0)?)
-    .panel(forces(0.05)?))
-}
-
-fn forces(most: f64) -> Result<Panel, ReproduceError> {
-    let law = Weakening {
-        limit: 1.0,
-        decay: 3.0,
-    };
-    let exact = speeds(most)
-        .filter(|w| *w != 0.0)
-        .map(|w| [w, -w.signum() * law.slip(w.abs())])
-        .collect();
-    let axes = Panel::new(
-        Axis::new("sliding speed *v*_{rel} (m/s)").from(-most, most),
-        Axis::new("friction force *F* (N)").from(-1.2, 1.2),
-    );
-    let mut panel = axes.curve(Curve::line("exact", 0, exact));
-    for (i, exponent) in [2, 3, 4].into_iter().enumerate() {
-        let points = speeds(most)
-            .map(|w| Ok([w, force(10f64.powi(exponent), w)?]))
-            .collect::<Result<_, ReproduceError>>()?;
-        panel = panel.curve(Curve::line(
-            format!("*ε* = {} s/m", power(exponent)),
-            i + 1,
-            points,
-        ));
-    }
-    Ok(panel)
-}
-
 fn label(copy: &Copy) -> String {
     format!("*ε* = {} s/m", power(copy.exponent))
 }
@@ -168,7 +121,7 @@ fn figure_6(copies: &[Copy], exact: &ExactBelt) -> Figure {
     });
     let panel = Panel::new(
         Axis::new("displacement *x* (m)"),
-        Axis::new("velocity *ẋ* (m/s)"),
+        Axis::new("velocity *x*′ (m/s)"),
     )
     .curves(cycles)
     .curve(Curve::line("exact", 0, exact.path.clone()))
@@ -182,7 +135,7 @@ fn figure_6(copies: &[Copy], exact: &ExactBelt) -> Figure {
         "3.6",
         "Periodic solutions at *v*_{dr} = 0.2 m/s",
         "The straight top of each curve is the mass carried by the belt at 0.2 m/s, the arc below it slips. As *ε* \
-         grows the curves tend to one: from 10^{5} on they are hard to tell apart. The smaller *ε*, the sooner the \
+         grows the curves tend to the exact one, in black: from 10^{5} on they are hard to tell from it. The smaller *ε*, the sooner the \
          mass slips, because the copy has lost the top of the friction peak.",
     )
     .panel(panel)
@@ -234,84 +187,4 @@ fn figure_10(copies: &[Copy], exact: &ExactBelt) -> Figure {
                 exact.along(|orbit| 1.0 / orbit.period),
             )),
     )
-}
-
-fn ends(copies: &[Copy]) -> Result<Table, ReproduceError> {
-    let columns = [
-        Column::numbers("*ε* (s/m)"),
-        Column::numbers("*v*_{bif} in theory"),
-        Column::words("the branch ends at"),
-        Column::numbers("max |*x*| there (m)"),
-        Column::numbers("*f* there (Hz)"),
-        Column::numbers("least *f* (Hz)"),
-    ];
-    let caption = "Where the branches end. Below *v*_{bif} the equilibrium of the copy is stable and there is no cycle: an \
-                   artefact of smoothing, for the real equilibrium is unstable at all speeds. The thesis gives \
-                   *v*_{bif} ≈ 0.052 m/s for *ε* = 10^{2}; its branches ended when steps became too small.";
-    let speeds: Vec<f64> = copies
-        .iter()
-        .map(|copy| hopf(10f64.powi(copy.exponent)))
-        .collect::<Result<_, _>>()?;
-    let table = Table::new("belt-oscillator-ends", caption, columns);
-    Ok(table.rows(copies.iter().zip(speeds).map(|(copy, v_bif)| {
-        let orbits = &copy.branch.orbits;
-        let last = orbits.last();
-        let least = orbits.iter().map(|o| 1.0 / o.period).fold(1.0, f64::min);
-        vec![
-            power(copy.exponent),
-            decimals(v_bif, 7),
-            ending(&copy.branch.end, "*v*_{dr}"),
-            decimals(last.map_or(f64::NAN, |o| o.max_abs()[0]), 4),
-            decimals(last.map_or(f64::NAN, |o| 1.0 / o.period), 5),
-            decimals(least, 5),
-        ]
-    })))
-}
-
-fn values(copies: &[Copy]) -> Table {
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    let mut table = Table::new(
-        "belt-oscillator",
-        "One mass on a belt: values of the thesis beside ours.",
-        columns,
-    )
-    .row([
-        "equilibrium at *v*_{dr} = 0.2 (m)",
-        "0.625",
-        "0.625",
-        "*F*_{s}/*k*/(1 + *δ* *v*_{dr}), exactly",
-    ]);
-    if let Some(copy) = copies.first() {
-        let measured = match copy.branch.end {
-            End::Vanishes(r) => decimals(r, 5),
-            _ => "–".to_owned(),
-        };
-        table = table.row([
-            "*v*_{bif} for *ε* = 10^{2} (m/s)".into(),
-            "0.052".into(),
-            measured,
-            "where the followed cycle has shrunk to nothing".to_owned(),
-        ]);
-    }
-    table.rows(copies.iter().map(|copy| {
-        let orbit = &copy.cycle.orbit;
-        vec![
-            format!(
-                "*f*, max |*x*| at *v*_{{dr}} = 0.2, *ε* = {}",
-                power(copy.exponent)
-            ),
-            "–".to_owned(),
-            format!(
-                "{} Hz, {} m",
-                decimals(1.0 / orbit.period, 7),
-                decimals(orbit.max_abs()[0], 6)
-            ),
-            "drawn in the thesis, not printed".to_owned(),
-        ]
-    }))
 }

@@ -67,7 +67,7 @@ pub(super) fn section() -> Result<Section, ReproduceError> {
         )
         .text(
             "Several motions can be stable at the same speed: *in phase*, the masses moving together, or *out of phase*, \
-             roughly against each other. A solution is of *period n* if *Ẋ*_{1} passes *n* times from negative to \
+             roughly against each other. A solution is of *period n* if *X*_{1}′ passes *n* times from negative to \
              positive before it repeats. Doubled periods come from *flip* bifurcations, where an orbit loses its \
              stability to one that goes around twice.",
         )
@@ -77,15 +77,21 @@ pub(super) fn section() -> Result<Section, ReproduceError> {
             "The two displacements against each other: along the diagonal the masses move together. At *V*_{dr} = 0.08 \
              and 0.15 the loop closes only after two turns, at 0.14 after one.",
             in_phase,
-        ).columns(3))
+            [-1.0, 1.5],
+).columns(3))
         .figure(plot(
             "3.14",
             "Solutions out of phase",
-            "From right to left in speed, or from the last panel to the first: one loop, two, four and eight. It is a \
-             cascade of period doublings.",
+            "Read from the last panel to the first, as the belt slows down: one loop, two, four and eight. Each time the \
+             orbit has doubled its period.",
             out_of_phase,
-        ).columns(2))
-        .table(table(&found)))
+            [-0.25, 1.25],
+).columns(2))
+        .table(table(&found))
+        .text(
+            "The equilibrium of the copies is printed in the thesis, (3.15), with the denominator 3.44 (1 + 3 *V*_{dr}); \
+             it is 3.4 (1 + 3 *V*_{dr}), as in (3.14), for 1 + 2*α* = 3.4.",
+        ))
 }
 
 fn find(asked: &Asked) -> Result<Found, ReproduceError> {
@@ -102,17 +108,19 @@ fn find(asked: &Asked) -> Result<Found, ReproduceError> {
     })
 }
 
-fn plot(number: &str, title: &str, caption: &str, found: &[Found]) -> Figure {
+/// One panel for each orbit, all axes between the same `ends`.
+fn plot(number: &str, title: &str, caption: &str, found: &[Found], ends: [f64; 2]) -> Figure {
+    let axis = |label| Axis::new(label).from(ends[0], ends[1]);
     found
         .iter()
         .fold(Figure::new(number, title, caption), |figure, one| {
             let path = one.drawn.path.iter().map(|s| [s.state[0], s.state[2]]);
-            let panel = Panel::new(Axis::new("*X*_{1}"), Axis::new("*X*_{2}"))
+            let panel = Panel::new(axis("*X*_{1}"), axis("*X*_{2}"))
                 .titled(format!(
                     "*V*_{{dr}} = {}, period {}",
                     one.asked.v_dr, one.drawn.orbit.period_count
                 ))
-                .curve(Curve::line("", 1, path.collect()));
+                .curve(Curve::line("", 0, path.collect()));
             figure.panel(panel)
         })
 }

@@ -8,7 +8,7 @@ use super::ReproduceError;
 use super::follow::field;
 
 /// Series of stable equilibria: a solid line; of unstable ones: a dashed line.
-const SERIES: [usize; 2] = [6, 2];
+const SERIES: [usize; 2] = [6, 1];
 
 /// Trace of the Jacobian at an equilibrium of a copy of two states: it is stable where this is negative.
 ///

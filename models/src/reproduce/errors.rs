@@ -60,6 +60,7 @@ pub(super) fn trade<M: Model<N>, const N: usize>(
         model: *model,
         design: None,
         tolerance: Tolerance::for_accuracy(ACCURACY),
+        magnitude: [1.0; N],
     };
     let mut tight = search(start, None);
     tight.accuracy = ACCURACY;
@@ -114,7 +115,7 @@ impl Of {
     const fn marker(self) -> Marker {
         match self {
             Self::Extremum => Marker::Circle,
-            Self::Frequency => Marker::Diamond,
+            Self::Frequency => Marker::Cross,
         }
     }
 
@@ -209,7 +210,7 @@ pub(super) fn table(
             decimals(fit.a, 3),
             significant(p.b, 2),
             significant(fit.b, 3),
-            significant(p.b * size.powf(p.a), 2),
+            significant(p.b * size.powf(p.a), 3),
             significant(fit.b * size.powf(fit.a), 3),
             p.remark.to_owned(),
         ])

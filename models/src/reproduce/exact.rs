@@ -36,6 +36,7 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
         model,
         design: Some(along.index),
         tolerance: Tolerance::for_accuracy(ACCURACY),
+        magnitude: [1.0; N],
     };
     let orbit = closest(&family, from, &search(start, None))?;
     let clock = Instant::now();

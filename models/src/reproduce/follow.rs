@@ -40,8 +40,8 @@ pub(super) enum End {
     Vanishes(f64),
     /// The cycle meets an unstable one at this r and turns back with it.
     Folds(f64),
-    /// Path following gave up at this r, for this reason.
-    GaveUp(f64, String),
+    /// Path following gave up at this r.
+    GaveUp(f64),
 }
 
 /// Why an orbit or a branch of the report is missing.
@@ -150,33 +150,74 @@ fn drawn<M: Model<N>, const N: usize>(
     Ok(Drawn { orbit, path, time })
 }
 
+/// Longer steps would do for the branch, but not for a smooth drawing of it.
+const LARGEST_STEP: f64 = 0.08;
+/// Segments of multiple shooting where simple shooting gives up.
+const SEGMENTS: usize = 10;
+/// Points that are given back before a branch is continued by multiple shooting.
+const GIVEN_BACK: usize = 10;
+
 /// The branch from `orbit` towards r = `to`, until its cycle vanishes or folds back.
+///
+/// Where the motion runs along an unstable part of the friction curve, simple shooting loses its
+/// digits and gives up; multiple shooting takes over from there.
 pub(super) fn follow<M: Model<N>, const N: usize>(
     family: &SmoothFamily<M, N>,
     orbit: &Orbit<N, ()>,
     to: f64,
 ) -> Result<Followed<N>, FollowError> {
     let clock = Instant::now();
-    let settings = Settings::new(orbit.r, to, ACCURACY);
-    let search = search(orbit.place.state, Some(orbit.period));
+    let mut branch = stretch(family, orbit, to, 1)?;
+    if matches!(branch.end, End::GaveUp(..)) {
+        let from = branch.orbits.len().saturating_sub(GIVEN_BACK);
+        if let Ok(rest) = stretch(family, &branch.orbits[from], to, SEGMENTS)
+            && (rest.orbits.len() > GIVEN_BACK || !matches!(rest.end, End::GaveUp(..)))
+        {
+            branch.orbits.truncate(from);
+            branch.orbits.extend(rest.orbits);
+            branch.end = rest.end;
+            branch.work += rest.work;
+        }
+    }
+    branch.time = clock.elapsed();
+    Ok(branch)
+}
+
+/// One branch by shooting over this many segments.
+fn stretch<M: Model<N>, const N: usize>(
+    family: &SmoothFamily<M, N>,
+    orbit: &Orbit<N, ()>,
+    to: f64,
+    segments: usize,
+) -> Result<Followed<N>, FollowError> {
+    let clock = Instant::now();
+    let settings = Settings {
+        largest_step: LARGEST_STEP,
+        ..Settings::new(orbit.r, to, ACCURACY)
+    };
+    let search = Search {
+        segments,
+        ..search(orbit.place.state, Some(orbit.period))
+    };
     let mut branch =
         OrbitBranch::start(family, orbit, &search, settings).map_err(FollowError::Start)?;
-    let mut orbits: Vec<Orbit<N, ()>> = Vec::new();
+    let (mut orbits, mut work) = (Vec::new(), Work::default());
     let mut end = None;
     while end.is_none()
         && let Some(orbit) = branch.next()
     {
+        work += orbit.work;
         orbits.push(orbit);
         end = vanishes(&orbits).or_else(|| folds(&mut orbits, to));
     }
     let last = orbits.last().map_or(orbit.r, |orbit| orbit.r);
     let end = end.unwrap_or_else(|| match branch.ending() {
-        Some(Ending::StepTooSmall(failure)) => End::GaveUp(last, failure.to_string()),
-        Some(Ending::TooManyPoints) => End::GaveUp(last, "too many points".to_owned()),
-        _ => End::Reached(last),
+        Some(Ending::Refused(FlowError::Vanished { .. })) => vanishing(&orbits),
+        None | Some(Ending::ReachedEnd | Ending::ReachedStart) => End::Reached(last),
+        Some(Ending::StepTooSmall(_) | Ending::TooManyPoints | Ending::Refused(_)) => {
+            End::GaveUp(last)
+        }
     });
-    let mut work = Work::default();
-    orbits.iter().for_each(|orbit| work += orbit.work);
     Ok(Followed {
         orbits,
         end,
@@ -186,30 +227,47 @@ pub(super) fn follow<M: Model<N>, const N: usize>(
 }
 
 /// A cycle this small against the first one is about to vanish.
-const SMALL: f64 = 1e-4;
+const SMALL: f64 = 2e-4;
 
-/// Whether the cycle shrinks to an equilibrium, and where: the square of its extent is linear in r there.
+/// Whether the cycle has nearly shrunk to an equilibrium.
 fn vanishes<const N: usize>(orbits: &[Orbit<N, ()>]) -> Option<End> {
-    let [first, .., before, last] = orbits else {
+    let [first, .., last] = orbits else {
         return None;
     };
-    let extent = |orbit: &Orbit<N, ()>| orbit.max[0] - orbit.min[0];
-    if extent(last) > SMALL * extent(first) {
-        return None;
-    }
-    let (a, b) = (extent(before).powi(2), extent(last).powi(2));
-    Some(End::Vanishes(last.r - (last.r - before.r) * b / (b - a)))
+    (extent(last) < SMALL * extent(first)).then(|| vanishing(orbits))
 }
 
-/// Whether the branch has turned back; what lies beyond the fold is taken off.
-fn folds<const N: usize>(orbits: &mut Vec<Orbit<N, ()>>, to: f64) -> Option<End> {
-    let [.., before, last] = orbits.as_slice() else {
-        return None;
+/// Where the cycle will have vanished: the square of its extent is linear in r there.
+fn vanishing<const N: usize>(orbits: &[Orbit<N, ()>]) -> End {
+    let [.., before, last] = orbits else {
+        return End::Vanishes(f64::NAN);
     };
-    let turned = (last.r - before.r) * (to - orbits[0].r) < 0.0;
-    let fold = before.r;
-    turned.then(|| {
-        orbits.pop();
-        End::Folds(fold)
+    let (a, b) = (extent(before).powi(2), extent(last).powi(2));
+    End::Vanishes(last.r - (last.r - before.r) * b / (b - a))
+}
+
+fn extent<const N: usize>(orbit: &Orbit<N, ()>) -> f64 {
+    orbit.max[0] - orbit.min[0]
+}
+
+/// Steps backwards in a row that make a fold: one alone may be noise.
+const BACKWARDS: usize = 3;
+
+/// Whether the branch has turned back, and where; what lies beyond is taken off.
+fn folds<const N: usize>(orbits: &mut Vec<Orbit<N, ()>>, to: f64) -> Option<End> {
+    let direction = (to - orbits.first()?.r).signum();
+    let turn = orbits.len().checked_sub(BACKWARDS + 1)?;
+    let backwards = |pair: &[Orbit<N, ()>]| (pair[1].r - pair[0].r) * direction < 0.0;
+    if !orbits[turn..].windows(2).all(backwards) {
+        return None;
+    }
+    // Behind a fold the cycle is unstable; one that is not has lost its digits.
+    let unstable = orbits.last()?.floquet.stability == Stability::Unstable;
+    orbits.truncate(turn + 1);
+    let r = orbits.last()?.r;
+    Some(if unstable {
+        End::Folds(r)
+    } else {
+        End::GaveUp(r)
     })
 }

@@ -10,6 +10,7 @@ mod exact;
 mod follow;
 mod introduction;
 mod parallel;
+mod smoothing;
 mod van_der_pol;
 mod words;
 
@@ -77,6 +78,8 @@ pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
     let belt_pair = belt_pair::section()?;
     say("Drill string");
     let drill_string = drill_string::section(&mut costs)?;
+    say("What smoothing costs");
+    let smoothing = smoothing::section()?;
     let branches = costs.len();
     let report = Report {
         title: "Stick-slip vibrations, thirty years later".to_owned(),
@@ -89,6 +92,7 @@ pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
             belt_oscillator,
             belt_pair,
             drill_string,
+            smoothing,
             cost::section(costs),
         ],
     };

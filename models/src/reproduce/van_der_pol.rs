@@ -7,13 +7,13 @@ use super::ReproduceError;
 use super::cost::Cost;
 use super::follow::{Drawn, draw, family, follow, search};
 use super::parallel::parallel;
-use super::words::{decimals, scientific};
+use super::words::{decimals, scientific, stability};
 use crate::VanDerPol;
 
 /// How near to ν = 0 the branch is followed: at 0 itself every motion is periodic.
 const LEAST: f64 = 1e-3;
 const MOST: f64 = 15.0;
-const THESIS: &str = "15 min for both";
+const THESIS: &str = "15 min, both";
 
 struct Results {
     cycle: Drawn<2>,
@@ -28,9 +28,9 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .text(
             "The oldest self-sustained oscillation, without any friction, tests the method. Its damping is negative for \
              small displacements and positive for large ones, so that every motion is drawn to one closed curve, the \
-             limit cycle.",
+             limit cycle. (A prime is a derivative with respect to time.)",
         )
-        .formula("*ẍ* + *ν* (*x*^{2} − 1) *ẋ* + *x* = 0")
+        .formula("*x*″ + *ν* (*x*^{2} − 1) *x*′ + *x* = 0")
         .figure(figure_1(&results.cycle))
         .figure(figure_2(&results.orbits))
         .figure(figure_3(&results.orbits))
@@ -60,12 +60,12 @@ fn figure_1(cycle: &Drawn<2>) -> Figure {
     let path = cycle.path.iter().map(|sample| sample.state).collect();
     let panel = Panel::new(
         Axis::new("displacement *x*").from(-3.0, 3.0),
-        Axis::new("velocity *ẋ*").from(-3.0, 3.0),
+        Axis::new("velocity *x*′").from(-3.0, 3.0),
     )
-    .curve(Curve::line("limit cycle", 1, path))
+    .curve(Curve::line("limit cycle", 0, path))
     .curve(Curve::points(
         "unstable equilibrium",
-        0,
+        2,
         Marker::Cross,
         vec![[0.0, 0.0]],
     ));
@@ -84,11 +84,11 @@ fn figure_2(orbits: &[Orbit<2, ()>]) -> Figure {
         Axis::new("absolute maximum").from(0.0, 25.0),
     )
     .curve(Curve::line("max |*x*|", 1, along(|o| o.max_abs()[0])))
-    .curve(Curve::line("max |*ẋ*|", 2, along(|o| o.max_abs()[1])));
+    .curve(Curve::line("max |*x*′|", 2, along(|o| o.max_abs()[1])));
     Figure::new(
         "3.2",
-        "Absolute maxima of *x* and *ẋ*",
-        "The displacement hardly knows about *ν*; the velocity grows almost in proportion. In the thesis max |*ẋ*| \
+        "Absolute maxima of *x* and *x*′",
+        "The displacement hardly knows about *ν*; the velocity grows almost in proportion. In the thesis max |*x*′| \
          ripples for *ν* > 10, because it was read off the output points, which miss the ever sharper peaks. Here it \
          is the maximum of the motion itself, and the ripple is gone.",
     )
@@ -114,11 +114,11 @@ fn figure_3(orbits: &[Orbit<2, ()>]) -> Figure {
     .columns(2)
     .panel(
         Panel::new(nu(), Axis::new("frequency *f* = 1/*T*").from(0.0, 0.2))
-            .curve(Curve::line("frequency", 1, frequency)),
+            .curve(Curve::line("", 0, frequency)),
     )
     .panel(
         Panel::new(nu(), Axis::new("log_{10} |*λ*|"))
-            .curve(Curve::line("trivial multiplier *λ*_{1} = 1", 0, first))
+            .curve(Curve::line("*λ*_{1} = 1, the trivial one", 1, first))
             .curve(Curve::line("*λ*_{2}", 2, second)),
     )
 }
@@ -158,7 +158,7 @@ fn table(results: &Results) -> Table {
         .row([
             "*λ*_{2} at *ν* = 1".into(),
             "0.8597 × 10^{−3}".into(),
-            scientific(multiplier, 4),
+            format!("{} × 10^{{−3}}", decimals(1e3 * multiplier, 6)),
             "equal to all digits printed".to_owned(),
         ])
         .row([
@@ -167,7 +167,12 @@ fn table(results: &Results) -> Table {
             scientific(orbit.floquet.trivial_error, 0),
             "exactly 0 in theory: a measure of accuracy".to_owned(),
         ]);
-    ends(table, &results.orbits)
+    ends(table, &results.orbits).row([
+        "stability for all *ν*".into(),
+        "stable".into(),
+        stability(results.orbits.iter()),
+        "also for *ν* near 0, where *λ*_{2} tends to 1".to_owned(),
+    ])
 }
 
 fn ends(table: Table, orbits: &[Orbit<2, ()>]) -> Table {
@@ -182,13 +187,13 @@ fn ends(table: Table, orbits: &[Orbit<2, ()>]) -> Table {
             format!("at *ν* = {LEAST}; 1/2π = 0.159155"),
         ])
         .row([
-            "max |*ẋ*| for *ν* → 0".into(),
+            "max |*x*′| for *ν* → 0".into(),
             "2".into(),
             decimals(first.max_abs()[1], 6),
             format!("at *ν* = {LEAST}"),
         ])
         .row([
-            "max |*ẋ*| at *ν* = 15".into(),
+            "max |*x*′| at *ν* = 15".into(),
             "about 20".into(),
             decimals(last.max_abs()[1], 4),
             "read off a figure, with its ripple".to_owned(),

@@ -2,6 +2,10 @@
 
 use std::time::Duration;
 
+use stickslip::bifurcation::Stability;
+use stickslip::field::Work;
+use stickslip::shooting::Orbit;
+
 use super::follow::End;
 
 /// `value` with this many decimals, and a true minus sign.
@@ -22,6 +26,16 @@ pub(super) fn scientific(value: f64, count: usize) -> String {
 pub(super) fn significant(value: f64, count: i32) -> String {
     let digits = count - 1 - value.abs().max(1e-300).log10().floor() as i32;
     decimals(value, digits.max(0) as usize)
+}
+
+/// Evaluations of the equations, with or without their derivatives.
+pub(super) const fn evaluations(work: &Work) -> u64 {
+    work.evaluations + work.linearisations
+}
+
+/// The power of ten nearest to a size.
+pub(super) fn exponent(size: f64) -> i32 {
+    size.log10().round() as i32
 }
 
 /// 10 to this power.
@@ -61,17 +75,33 @@ pub(super) fn count(number: u64) -> String {
 /// Where a branch along `name` ends, and why.
 pub(super) fn ending(end: &End, name: &str) -> String {
     match end {
-        End::Reached(r) => format!("end of the range, {name} = {}", short(*r)),
-        End::Vanishes(r) => format!(
-            "the cycle shrinks to the equilibrium at {name} = {}",
-            short(*r)
-        ),
-        End::Folds(r) => format!(
-            "the cycle meets an unstable one (fold) at {name} = {}",
-            short(*r)
-        ),
-        End::GaveUp(r, reason) => format!("stopped at {name} = {}: {reason}", short(*r)),
+        End::Reached(r) => format!("{name} = {}: end of the range", short(*r)),
+        End::Vanishes(r) => {
+            format!("{name} = {}: shrinks to the equilibrium", short(*r))
+        }
+        End::Folds(r) => format!("{name} = {}: meets an unstable cycle (fold)", short(*r)),
+        End::GaveUp(r) => format!("{name} = {}: steps become too small", short(*r)),
     }
+}
+
+/// How many orbits are stable, and what the others are.
+pub(super) fn stability<'a, const N: usize>(
+    orbits: impl Iterator<Item = &'a Orbit<N, ()>>,
+) -> String {
+    let all: Vec<Stability> = orbits.map(|orbit| orbit.floquet.stability).collect();
+    let of = |kind| all.iter().filter(|stability| **stability == kind).count();
+    let stable = of(Stability::Stable);
+    if stable == all.len() {
+        return format!("all {stable} orbits stable");
+    }
+    let others = [
+        (of(Stability::Undecided), "undecided"),
+        (of(Stability::Unstable), "unstable"),
+    ];
+    let others = others.iter().filter(|(number, _)| *number > 0);
+    others.fold(format!("{stable} stable"), |text, (number, word)| {
+        format!("{text}, {number} {word}")
+    })
 }
 
 /// `value` with five significant digits at most.

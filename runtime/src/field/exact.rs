@@ -159,7 +159,10 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
 
     /// A law that changes within a thin layer of speed tightens what its speed is measured against.
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
-        let mut scale = y.map(|component| tolerance.of(component));
+        let magnitude = &self.system.magnitude;
+        let mut scale = std::array::from_fn(|j| {
+            tolerance.absolute * magnitude[j] + tolerance.relative * y[j].abs()
+        });
         let (Some(layers), Some(gradients)) = (&self.layers, self.system.gradients()) else {
             return scale;
         };

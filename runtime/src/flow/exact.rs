@@ -61,6 +61,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         })
     }
 
+    /// The same flow, its states measured against these magnitudes where they pass through zero.
+    #[must_use]
+    pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
+        self.system.magnitude = magnitude;
+        self
+    }
+
     /// The same with another rule for contacts that may both stick and cross.
     #[must_use]
     pub fn with_arrival(mut self, arrival: Arrival) -> Self {

@@ -58,7 +58,7 @@ impl Tolerance {
     /// The error tolerated in a quantity of this magnitude.
     #[must_use]
     pub fn of(&self, magnitude: f64) -> f64 {
-        self.absolute + self.relative * magnitude.abs()
+        (self.absolute + self.relative) * magnitude.abs()
     }
 
     /// A tolerance `factor` times as large.

@@ -6,8 +6,9 @@ mod orbit;
 mod phase;
 mod problem;
 mod search;
+mod watched;
 
-pub use branch::OrbitBranch;
+pub use branch::{OrbitBranch, OrbitPath};
 pub use guess::{Guess, Settled, settle};
 pub use orbit::Orbit;
 pub use phase::Phase;

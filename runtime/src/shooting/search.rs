@@ -67,10 +67,13 @@ pub fn closest<F: Family<N> + Clone, const N: usize>(
     r: f64,
     search: &Search<N>,
 ) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-    let loose = family.with_tolerance(Tolerance::for_accuracy(1e-7)).at(r)?;
+    let loose = family
+        .with_tolerance(Tolerance::for_accuracy(1e-7))
+        .with_magnitude(magnitude_of(&search.start))
+        .at(r)?;
     let start = loose.place(search.start)?;
     if let Some(period) = search.period {
-        let magnitude = search.start.map(|x| if x == 0.0 { 1.0 } else { x.abs() });
+        let magnitude = magnitude_of(&search.start);
         return converge(
             family,
             r,
@@ -91,6 +94,19 @@ pub fn closest<F: Family<N> + Clone, const N: usize>(
         }),
         Settled::Neither(time) => Err(OrbitError::NotSettled { time }),
     }
+}
+
+/// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.
+fn magnitude_of<const N: usize>(start: &[f64; N]) -> [f64; N] {
+    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let other = if largest > 0.0 { largest } else { 1.0 };
+    start.map(|x| {
+        if x.abs() > 1e-3 * other {
+            x.abs()
+        } else {
+            other
+        }
+    })
 }
 
 /// Newton from a guess: on the section if the guess lies there, then to the minimal period, then with
@@ -163,7 +179,9 @@ fn newton<F: Family<N> + Clone, const N: usize>(
     segments: usize,
     effort: Effort,
 ) -> Result<Converged<F, N>, OrbitError> {
-    let family = family.with_tolerance(effort.tolerance);
+    let family = family
+        .with_tolerance(effort.tolerance)
+        .with_magnitude(guess.magnitude);
     if at_rest(&family.at(r)?, guess)? {
         return Err(OrbitError::Equilibrium {
             state: guess.place.state.to_vec(),

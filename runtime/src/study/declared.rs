@@ -42,6 +42,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
             model: Self::model(case),
             design,
             tolerance: Tolerance::for_accuracy(case.accuracy),
+            magnitude: [1.0; N],
         }
     }
 

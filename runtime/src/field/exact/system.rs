@@ -54,6 +54,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) columns: Columns<N>,
     pub(super) lanes: M::Params<M::Lanes>,
     pub(super) constants: Option<Constants<M, N>>,
+    /// Usual magnitudes of the states: what errors are measured against where they pass through zero.
+    pub(crate) magnitude: [f64; N],
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -70,6 +72,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             columns: Columns::of::<M>(design.is_some()),
             constants: Constants::find(&lanes),
             lanes,
+            magnitude: [1.0; N],
         }
     }
 

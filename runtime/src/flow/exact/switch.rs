@@ -20,6 +20,8 @@ pub(super) const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// The guards that fell at one instant.
 pub(super) struct Strike<M: Model<N>, const N: usize> {
     pub(super) fallen: M::PerContact<Option<Guard>>,
+    /// Rates at which they fell, along the motion.
+    rates: M::PerContact<f64>,
     first: usize,
     /// Whether the tolerance does not tell the event from a miss.
     pub(super) grazes: bool,
@@ -38,6 +40,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let at = system.moving(state, &self.modes)?;
         let scales = self.flow.speed_scales(state);
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
+        let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
         let mut grazes = false;
         for (i, mode) in self.modes.as_slice().iter().enumerate() {
             for guard in Guard::of(i, *mode) {
@@ -58,12 +61,14 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 }
                 if was_awaited || at_once {
                     fallen.as_mut()[i] = Some(guard);
+                    rates.as_mut()[i] = value.eps;
                 }
             }
         }
         let first = awaited.guard.contact;
         Ok(Some(Strike {
             fallen,
+            rates,
             first,
             grazes,
         }))
@@ -87,12 +92,16 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         .settle()?;
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
-        self.take(&verdict)?;
+        self.take(&verdict, &strike.rates)?;
         self.count_chatter(strike.first)
     }
 
-    /// Takes the modes that were decided, and notes what changed.
-    pub(super) fn take(&mut self, verdict: &Verdict<M, N>) -> Result<(), FlowError> {
+    /// Takes the modes that were decided after guards fell at these rates, and notes what changed.
+    pub(super) fn take(
+        &mut self,
+        verdict: &Verdict<M, N>,
+        rates: &M::PerContact<f64>,
+    ) -> Result<(), FlowError> {
         let before = self.modes;
         let pairs = before.as_slice().iter().zip(verdict.modes.as_slice());
         for (contact, (old, new)) in pairs.enumerate().filter(|(_, (old, new))| old != new) {
@@ -113,6 +122,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 mode: *new,
                 time: self.time,
                 state: *self.carried.state(),
+                rate: rates.as_ref()[contact],
             });
         }
         self.modes = verdict.modes;

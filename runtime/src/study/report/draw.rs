@@ -82,6 +82,8 @@ fn heading(panel: &Panel, x: f64, y: f64) -> String {
 fn placed(chart: &str, x: f64, y: f64, name: &str) -> String {
     let place = format!(r#"<svg x="{}" y="{}" "#, text::number(x), text::number(y));
     text::svg(chart)
+        // A tick below zero deserves a minus sign and not a hyphen.
+        .replace(">-", ">−")
         .replacen(r#"<svg xmlns="http://www.w3.org/2000/svg" "#, &place, 1)
         .replace("kuva-clip-", &format!("{name}-clip-"))
 }

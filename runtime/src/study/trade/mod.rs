@@ -161,6 +161,7 @@ pub fn trade<M: Model<N>, const N: usize>(
         model: *model,
         design: None,
         tolerance: Tolerance::for_accuracy(1e-11),
+        magnitude: [1.0; N],
     };
     let guess = shoot::guess(orbit);
     let truth = shoot::shoot(&family, 0.0, &guess, Effort::TIGHT)?;
