@@ -6,6 +6,7 @@
 mod branches;
 mod clock;
 mod derivatives;
+mod exact;
 mod flows;
 #[cfg(feature = "diffsol")]
 mod rival;
@@ -23,6 +24,9 @@ fn main() {
     }
     if asked("flows") {
         flows::table();
+    }
+    if asked("exact") {
+        exact::table();
     }
     if asked("branches") {
         branches::table();
