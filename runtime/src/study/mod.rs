@@ -12,6 +12,7 @@ mod declared;
 mod entry;
 mod equilibria;
 mod equilibrium;
+mod modes;
 mod orbit;
 #[cfg(feature = "app")]
 pub mod report;
