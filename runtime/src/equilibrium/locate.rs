@@ -51,10 +51,14 @@ where
     /// Every kind whose test function changes its sign, located once.
     fn crossings(&mut self, a: &Spot<N>, b: &Spot<N>) -> Vec<Found<N>> {
         let mut found = Vec::new();
-        let turns = changes(a, b, Kind::Fold);
+        let turns = turns(a, b);
         for kind in [Kind::Fold, Kind::BranchPoint, Kind::Hopf] {
-            let same_as_fold = kind == Kind::BranchPoint && turns;
-            if same_as_fold || !changes(a, b, kind) {
+            let there = match kind {
+                Kind::Fold => turns,
+                Kind::BranchPoint => !turns && changes(a, b, kind),
+                _ => changes(a, b, kind),
+            };
+            if !there {
                 continue;
             }
             let spot = self.locate(a, b, kind);
@@ -84,20 +88,41 @@ where
         best
     }
 
-    /// The point of the branch over this share of the chord.
+    /// The point of the branch over this share of the way from `a` to `b`.
+    ///
+    /// Between points without a fold r itself measures the way: a branch may bend back over its chord.
     fn between(&mut self, a: &Spot<N>, b: &Spot<N>, share: f64) -> Option<Spot<N>> {
-        let scale = self.problem.scale();
-        let (from, to) = (a.unknowns(), b.unknowns());
+        let mut normal = DVector::zeros(N + 1);
+        normal[N] = (b.r - a.r).signum();
+        let straight = !turns(a, b) && a.r != b.r;
+        let direct = straight.then(|| self.across(&normal, a, b, share));
+        direct
+            .flatten()
+            .or_else(|| self.across(&self.chord(a, b), a, b, share))
+    }
+
+    fn chord(&self, a: &Spot<N>, b: &Spot<N>) -> DVector<f64> {
+        let step = (b.unknowns() - a.unknowns()).component_div(&self.problem.scale());
         let mut chord = DVector::zeros(N + 1);
-        chord
-            .rows_mut(0, N)
-            .copy_from(&(&to - &from).component_div(&scale));
+        chord.rows_mut(0, N).copy_from(&step);
         chord[N] = (b.r - a.r) / self.r_scale;
-        let chord = chord.normalize();
+        chord.normalize()
+    }
+
+    /// The point of the branch on the plane across `normal` through this share of the chord.
+    fn across(
+        &mut self,
+        normal: &DVector<f64>,
+        a: &Spot<N>,
+        b: &Spot<N>,
+        share: f64,
+    ) -> Option<Spot<N>> {
+        let (from, to) = (a.unknowns(), b.unknowns());
         let z = &from + (&to - &from) * share;
         let r = a.r + (b.r - a.r) * share;
-        let there = correct(self.problem, z, r, &chord, self.r_scale, self.accuracy).ok()?;
-        let along = tangent(&there.linearisation, &scale, self.r_scale, &chord)?;
+        let scale = self.problem.scale();
+        let there = correct(self.problem, z, r, normal, self.r_scale, self.accuracy).ok()?;
+        let along = tangent(&there.linearisation, &scale, self.r_scale, normal)?;
         self.spot(&there.z, there.r, &there.linearisation, along[N])
     }
 
@@ -139,6 +164,11 @@ where
 
 fn changes<const N: usize>(a: &Spot<N>, b: &Spot<N>, kind: Kind) -> bool {
     (a.test(kind) >= 0.0) != (b.test(kind) >= 0.0)
+}
+
+/// Whether the branch turns: at a sharp corner the tangent alone may point backwards, but no eigenvalue passes zero.
+fn turns<const N: usize>(a: &Spot<N>, b: &Spot<N>) -> bool {
+    changes(a, b, Kind::Fold) && changes(a, b, Kind::BranchPoint)
 }
 
 /// Whether crossings by these numbers, each up or down, can add up to the change.

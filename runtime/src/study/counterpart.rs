@@ -4,8 +4,8 @@ use std::cell::OnceCell;
 
 use super::case::{Along, Case, Dynamics};
 use super::declared::Declared;
-use super::equilibria::{sliding_modes, sticking_modes};
 use super::equilibrium::{EquilibriumRecord, SpecialEquilibrium};
+use super::modes::{sliding_modes, sticking_modes};
 use crate::bifurcation::Stability;
 use crate::equilibrium::{Found, find, follow, settings, sticking_sets};
 use crate::field::Design;

@@ -14,6 +14,7 @@ mod ends;
 mod entry;
 mod equilibria;
 mod equilibrium;
+mod modes;
 mod orbit;
 pub mod predict;
 #[cfg(feature = "app")]
