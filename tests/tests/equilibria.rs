@@ -204,6 +204,7 @@ fn exact<M: Model<N>, const N: usize>(model: M, along: ParamId<M>) -> ExactFamil
         model,
         design: Some(along.index),
         tolerance: Tolerance::for_accuracy(1e-9),
+        magnitude: [1.0; N],
     }
 }
 

@@ -4,6 +4,8 @@ use super::Kind;
 use super::detect::Located;
 use super::watched::{Margin, Watched};
 
+/// Points at the very end that may be too uncertain to show what they lead to.
+const LATE: usize = 2;
 /// Points that are looked at.
 const POINTS: usize = 8;
 /// A rate that has fallen to this share of its value some points before is about to vanish.
@@ -21,7 +23,11 @@ const UPRIGHT: f64 = 1e3;
 /// which r no longer changes while the orbit does is turning, however sharply.
 pub fn explain<P: Watched>(points: &[P], accuracy: f64) -> Option<Located<P>> {
     let last = &points[points.len().saturating_sub(POINTS)..];
-    missed(last).or_else(|| turning(last, accuracy))
+    let earlier = (0..=LATE).filter_map(|late| last.get(..last.len().checked_sub(late)?));
+    earlier
+        .filter_map(missed)
+        .next()
+        .or_else(|| turning(last, accuracy))
 }
 
 /// The event whose guard falls ever more slowly, where it would no longer fall.

@@ -34,7 +34,9 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         search: &Search<N>,
         settings: Settings,
     ) -> Result<Self, Failure<FlowError>> {
-        let magnitude = std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j]));
+        let half = |j: usize| 0.5 * (orbit.max[j] - orbit.min[j]);
+        // A state that rests along the orbit has no extent to be measured against.
+        let magnitude = std::array::from_fn(|j| if half(j) > 0.0 { half(j) } else { 1.0 });
         let family = family
             .with_tolerance(Tolerance::for_accuracy(search.accuracy))
             .with_magnitude(magnitude);

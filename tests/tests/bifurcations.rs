@@ -1,0 +1,164 @@
+//! Bifurcations of orbits, where they are known in closed form or from an independent method.
+
+use std::f64::consts::TAU;
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::study::{Along, BranchRecord, Case, Dynamics, entry};
+
+model! {
+    /// A circle of radius² 1 ± √(1 + p) that two orbits share: they meet in a fold at p = −1.
+    pub struct TwoCircles {
+        state x = 1.5;
+        state v = 0.0;
+        param p = 0.5;
+        let square = powi(x, 2) + powi(v, 2);
+        der(x) = x * (p + 2.0 * square - powi(square, 2)) - v;
+        der(v) = v * (p + 2.0 * square - powi(square, 2)) + x;
+    }
+}
+
+model! {
+    /// The unit circle, beside which two states turn by 1.3 rad a time unit and grow at the rate p.
+    pub struct Torus {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 0.0;
+        state w = 0.0;
+        param p = -0.1;
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + x;
+        der(u) = p * u - 1.3 * w;
+        der(w) = 1.3 * u + p * w;
+    }
+}
+
+model! {
+    /// The unit circle, beside which one state grows at the rate 0.1 and another decays at the rate p.
+    pub struct Saddle {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 0.0;
+        state w = 0.0;
+        param p = 0.05;
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + x;
+        der(u) = 0.1 * u;
+        der(w) = -p * w;
+    }
+}
+
+model! {
+    /// The unit circle in the middle of three from p = 0 on: a pitchfork.
+    pub struct Pitchfork {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 0.0;
+        param p = -0.1;
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + x;
+        der(u) = p * u - powi(u, 3);
+    }
+}
+
+model! {
+    /// Rössler (1976).
+    pub struct Roessler {
+        state x = 2.645_700_14;
+        state y = 2.151_336_2;
+        state z = 3.186_389_8;
+        param a = 0.2;
+        param b = 0.2;
+        param c = 2.5;
+        der(x) = -y - z;
+        der(y) = x + a * y;
+        der(z) = b + z * (x - c);
+    }
+}
+
+/// The branch of a model from its declared start, along its parameter of this number.
+macro_rules! branch {
+    ($model:ty, $parameter:expr, $from:expr, $to:expr, $period:expr) => {{
+        let model = entry::<$model, _>();
+        let states = model.info().states.iter().map(|state| state.start);
+        let mut case = Case::declared(model.info(), Dynamics::Smooth);
+        case.start = Some(states.collect());
+        case.period = Some($period);
+        case.parameters[$parameter] = $from;
+        case.along = Some(Along {
+            design: Design::Parameter($parameter),
+            from: $from,
+            to: $to,
+        });
+        model.branch(&case, &mut |_| ()).expect("a branch")
+    }};
+}
+
+/// Its special points are these, to 1e-9 of the larger of their r and 1.
+fn shows(branch: &BranchRecord, expected: &[(&str, f64)]) {
+    let found: Vec<_> = branch
+        .special
+        .iter()
+        .map(|s| (s.label.as_str(), s.r))
+        .collect();
+    let same = |((label, r), (name, value)): (&(&str, f64), &(&str, f64))| {
+        label == name && (r - value).abs() <= 1e-9 * value.abs().max(1.0)
+    };
+    let agree = found.len() == expected.len() && found.iter().zip(expected).all(same);
+    assert!(
+        agree,
+        "found {found:?}, not {expected:?}: {}",
+        branch.ended.reason
+    );
+    assert!(branch.ended.located, "{}", branch.ended.reason);
+}
+
+#[test]
+fn a_fold_is_located_and_turned() {
+    let branch = branch!(TwoCircles, 0, 0.5, -2.0, TAU);
+    shows(&branch, &[("LP1", -1.0)]);
+    assert_eq!(branch.ended.word, "equilibrium");
+}
+
+#[test]
+fn a_pair_that_leaves_the_circle_is_a_torus_point() {
+    shows(&branch!(Torus, 0, -0.1, 0.15, TAU), &[("NS1", 0.0)]);
+}
+
+#[test]
+fn a_neutral_saddle_is_no_torus_point() {
+    shows(&branch!(Saddle, 0, 0.05, 0.3, TAU), &[]);
+}
+
+#[test]
+fn a_pitchfork_is_a_branch_point_and_no_fold() {
+    shows(&branch!(Pitchfork, 0, -0.1, 0.15, TAU), &[("BP1", 0.0)]);
+}
+
+/// The value is from DOP853 at 1e-13 with variational equations, and a root search on the multiplier.
+#[test]
+fn roesslers_cycle_doubles_its_period() {
+    let branch = branch!(Roessler, 2, 2.5, 3.0, 5.748_991_18);
+    shows(&branch, &[("PD1", 2.832_445_027_86)]);
+    let multiplier = branch.special[0].multipliers[0];
+    assert!((multiplier.re + 1.0).abs() < 1e-7, "{multiplier}");
+}
+
+/// A tighter accuracy finds the same point, only better.
+#[test]
+fn accuracy_loses_no_point() {
+    let model = entry::<Torus, _>();
+    let mut case = Case::declared(model.info(), Dynamics::Smooth);
+    (case.start, case.period) = (Some(vec![1.0, 0.0, 0.0, 0.0]), Some(TAU));
+    case.along = Some(Along {
+        design: Design::Parameter(0),
+        from: -0.1,
+        to: 0.15,
+    });
+    for accuracy in [1e-6, 1e-8, 1e-10] {
+        case.accuracy = accuracy;
+        let branch = model.branch(&case, &mut |_| ()).expect("a branch");
+        assert_eq!(branch.special.len(), 1, "at {accuracy:e}");
+        assert!(branch.special[0].r.abs() <= accuracy);
+    }
+}
