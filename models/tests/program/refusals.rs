@@ -170,7 +170,6 @@ fn values_out_of_bounds() {
 #[test]
 fn words_that_are_missing_or_too_many() {
     refused(&[
-        ("", &["no command is given", "models, simulate"]),
         (
             "orbit van-der-pol --set",
             &["`--set` needs a value", "NAME=VALUE"],

@@ -1,7 +1,7 @@
 //! A safeguarded secant.
 
 /// Brackets this narrow are not worth another evaluation.
-const NARROW: f64 = 1e-14;
+const NARROW: f64 = 4e-16;
 const TRIALS: usize = 80;
 
 /// Follows the sign change of a test function over the shares 0 to 1 of a step (Illinois), and shows `try_at` each
