@@ -8,7 +8,7 @@ use super::super::words::evaluations;
 /// Errors above this are of no use to anyone.
 const USELESS: f64 = 1.0;
 /// Errors below this are those of the exact orbit against which the others are measured.
-const RESOLUTION: f64 = 1e-11;
+const RESOLUTION: f64 = 1e-10;
 /// A setting that costs more must be better by this factor.
 const BETTER: f64 = 0.9;
 
