@@ -8,10 +8,12 @@ pub mod bifurcation;
 pub mod continuation;
 #[doc(hidden)]
 pub mod declared;
+pub mod equilibrium;
 pub mod field;
 pub mod flow;
 pub mod friction;
 pub mod integrate;
+mod linear;
 pub mod math;
 pub mod model;
 pub mod scalar;

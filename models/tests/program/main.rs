@@ -1,7 +1,9 @@
 //! The program `stickslip`, from outside.
 
 mod answers;
+mod equilibria;
 mod refusals;
+mod trade;
 
 use std::process::Command;
 

@@ -105,6 +105,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         })
     }
 
+    /// The relative speed of each contact, and what of it is rounding error.
+    pub(crate) fn speeds(&self, state: &[f64; N]) -> (M::PerContact<f64>, M::PerContact<f64>) {
+        let scales = self.speed_scales(state);
+        let rounding = Inline::from_fn(|i| NO_SPEED * scales.as_ref()[i]);
+        (self.system.speeds(state), rounding)
+    }
+
     /// The magnitude of the terms of each relative speed: what its rounding error is measured against.
     fn speed_scales(&self, state: &[f64; N]) -> M::PerContact<f64> {
         let (speeds, lanes) = (self.system.speeds(state), self.system.linear_speeds(state));

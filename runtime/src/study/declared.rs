@@ -6,6 +6,7 @@ use super::branch::BranchRecord;
 use super::case::{Case, Dynamics};
 use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
+use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::orbit::{OrbitRecord, Sought};
 use super::seed::{Seed, on_the_belt};
 use super::trade::{Scope, TradeError, trade};
@@ -25,7 +26,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         Self(PhantomData)
     }
 
-    fn model(case: &Case) -> M {
+    pub(super) fn model(case: &Case) -> M {
         let default = M::default().values();
         M::from_values(Inline::from_fn(|i| {
             let given = case.parameters.get(i).copied();
@@ -33,7 +34,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         }))
     }
 
-    fn exact(case: &Case) -> ExactFamily<M, N> {
+    pub(super) fn exact(case: &Case) -> ExactFamily<M, N> {
         let design = match case.along.map(|along| along.design) {
             Some(Design::Parameter(index)) => Some(index),
             Some(Design::Smoothing | Design::None) | None => None,
@@ -46,7 +47,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         }
     }
 
-    fn smooth(case: &Case) -> SmoothFamily<M, N> {
+    pub(super) fn smooth(case: &Case) -> SmoothFamily<M, N> {
         SmoothFamily {
             model: Self::model(case),
             smoothing: case.smoothing(),
@@ -57,11 +58,11 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
     }
 
     /// r, as the families count it, where the case begins.
-    fn beginning(case: &Case) -> f64 {
+    pub(super) fn beginning(case: &Case) -> f64 {
         case.along.map_or(0.0, |along| along.span().0)
     }
 
-    fn start(case: &Case) -> [f64; N] {
+    pub(super) fn start(case: &Case) -> [f64; N] {
         std::array::from_fn(|j| {
             let given = case.start.as_ref().and_then(|start| start.get(j).copied());
             given.unwrap_or(M::INFO.states[j].start)
@@ -190,6 +191,21 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
                 Self::sought_smoothly(case, &Self::smooth(case)).found(r)?
             }
         })
+    }
+
+    fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
+        self.check(case)?;
+        Self::all_equilibria(case)
+    }
+
+    fn equilibria_along(
+        &self,
+        case: &Case,
+        watch: &mut dyn FnMut(&EquilibriumRecord),
+    ) -> Result<EquilibriaRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        Self::equilibria_along(case, along, watch)
     }
 
     fn branch(

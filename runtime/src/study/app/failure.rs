@@ -65,7 +65,10 @@ fn is_usage(error: &StudyError) -> bool {
         StudyError::NothingToSmooth | StudyError::NothingToFollow => return true,
         StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
         StudyError::Trade(TradeError::NoFriction { .. }) => return true,
-        StudyError::Orbit(_) | StudyError::Trade(_) => return false,
+        StudyError::Orbit(_)
+        | StudyError::Trade(_)
+        | StudyError::NoEquilibrium { .. }
+        | StudyError::Equilibrium(_) => return false,
     };
     matches!(flow, FlowError::Parameter(_) | FlowError::Smoothing(_))
 }

@@ -3,21 +3,14 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::PredictError;
+use super::doubt::doubts;
 use super::history::History;
-use super::layer::edge;
 use super::response::{Response, response};
+use crate::field::Smoothing;
 use crate::field::exact::Modes;
-use crate::field::{Kernel, Smoothing};
-use crate::flow::EventKind;
 use crate::model::Model;
 use crate::shooting::Orbit;
 
-/// A layer that takes more than this share of the shorter of stick and slip is not small.
-const SLOW_LAYER: f64 = 0.1;
-/// Factor between leading term and refined prediction above which more terms would matter.
-const APART: f64 = 1.6;
-/// A relative error above this is not small.
-const LARGE: f64 = 0.05;
 /// Rate of a state at its extremum, in units of its magnitude per period, above which it has a corner there.
 const CORNER: f64 = 1e-4;
 
@@ -92,20 +85,17 @@ pub fn predict<M: Model<N>, const N: usize>(
         .enumerate()
         .map(|(j, &time)| shift.peak(&history, &readings, j, time, orbit))
         .collect();
-    let releases = releases(&history);
-    Ok(Prediction {
+    let mut prediction = Prediction {
         smoothing,
         frequency,
         leading,
         max_abs,
         start: shift.start.to_vec(),
-        doubts: doubts(
-            &history,
-            &releases,
-            (frequency, leading.filter(|_| leads(smoothing.kernel))),
-        ),
-        releases,
-    })
+        releases: releases(&history),
+        doubts: Vec::new(),
+    };
+    prediction.doubts = doubts(&history, &prediction);
+    Ok(prediction)
 }
 
 /// The time at which each state has its largest magnitude.
@@ -204,45 +194,4 @@ fn releases<M: Model<N>, const N: usize>(history: &History<M, N>) -> Vec<Release
         })
     });
     found.collect()
-}
-
-/// Whether the releases alone give the leading order: with compact sign types creep is of the same order.
-fn leads(kernel: Kernel) -> bool {
-    kernel.is_bump() || edge(kernel).is_none()
-}
-
-fn doubts<M: Model<N>, const N: usize>(
-    history: &History<M, N>,
-    releases: &[ReleaseLoss],
-    (frequency, leading): (f64, Option<f64>),
-) -> Vec<String> {
-    let mut doubts = Vec::new();
-    let crosses = |kind| matches!(kind, EventKind::Crossing { .. });
-    if history.switches.iter().any(|s| crosses(s.event.kind)) {
-        doubts.push(
-            "a contact crosses without sticking, and what the copy lacks there is left out"
-                .to_owned(),
-        );
-    }
-    for release in releases {
-        if release.layer > SLOW_LAYER * release.room {
-            doubts.push(format!(
-                "the layer of contact {} takes {:.2e} at its release, which is not small against {:.2e}, the shorter of its \
-                 stick and slip",
-                release.contact, release.layer, release.room
-            ));
-        }
-    }
-    if let Some(leading) = leading {
-        let ratio = (leading / frequency).abs();
-        if !(1.0 / APART..=APART).contains(&ratio) {
-            doubts.push(format!(
-                "the leading term alone gives {leading:.2e}, the refined prediction {frequency:.2e}"
-            ));
-        }
-    }
-    if frequency.abs() > LARGE {
-        doubts.push(format!("an error of {frequency:.2e} is not small"));
-    }
-    doubts
 }

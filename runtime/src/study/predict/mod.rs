@@ -5,6 +5,7 @@
 //! orbit, carried to its section by the orbit's own sensitivities; no smoothed motion is integrated.
 
 mod collect;
+mod doubt;
 mod history;
 mod layer;
 mod release;

@@ -67,7 +67,7 @@ fn size(points: &[Point], error: f64, of: impl Fn(&Point) -> f64) -> Option<f64>
         return Some(first.0.exp());
     }
     let pairs = || logs.windows(2).map(|pair| (pair[0], pair[1]));
-    let (a, b) = pairs().find(|(_, b)| b.1 <= goal).or(pairs().last())?;
+    let (a, b) = pairs().find(|(_, b)| b.1 <= goal).or(pairs().next_back())?;
     let size = (a.0 + (b.0 - a.0) * (goal - a.1) / (b.1 - a.1)).exp();
     (size.is_finite() && size > 0.0).then_some(size)
 }

@@ -21,6 +21,15 @@ pub struct Precision {
     pub failed: Vec<(f64, String)>,
 }
 
+impl Precision {
+    /// The system's name: `exact`, or its smoothing.
+    #[must_use]
+    pub fn dynamics(&self) -> String {
+        self.smoothing
+            .map_or_else(|| "exact".to_owned(), |smoothing| smoothing.to_string())
+    }
+}
+
 /// One orbit at one tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrecisionPoint {
