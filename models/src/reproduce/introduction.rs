@@ -24,7 +24,7 @@ pub(super) fn section() -> Section {
         )
         .text(
             "This page repeats that work for the thesis's four systems, with the same smooth curves: its figures, under \
-             its numbers, its values beside ours, and the cost of each branch. Nothing on it is drawn by hand: every \
+             its numbers, its values beside ours, and the cost of each branch. Every \
              curve comes from the models as declared, and lies beside the page as a table of numbers.",
         )
 }
