@@ -13,3 +13,8 @@ pub use belt_oscillator::BeltOscillator;
 pub use belt_pair::BeltPair;
 pub use drill_string::DrillString;
 pub use van_der_pol::VanDerPol;
+
+/// Keeps the README's code true.
+#[cfg(all(doctest, feature = "app"))]
+#[doc = include_str!("../../README.md")]
+struct Readme;

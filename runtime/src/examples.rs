@@ -114,3 +114,32 @@ model! {
         der(v) = F + H - x;
     }
 }
+
+model! {
+    /// Seven plates on each other, each rubbing on the one below: too many for trying all combinations.
+    pub(crate) struct Plates {
+        state v1 = 0.0;
+        state v2 = 0.0;
+        state v3 = 0.0;
+        state v4 = 0.0;
+        state v5 = 0.0;
+        state v6 = 0.0;
+        state v7 = 0.0;
+        param limit = 1.0 where limit >= 0.0;
+        param pull = 1.0;
+        friction f1 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v1;
+        friction f2 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v2 - v1;
+        friction f3 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v3 - v2;
+        friction f4 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v4 - v3;
+        friction f5 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v5 - v4;
+        friction f6 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v6 - v5;
+        friction f7 = Weakening { peak: limit, limit: limit, decay: 0.0 } opposing v7 - v6;
+        der(v1) = f1 - f2 + pull * -0.37;
+        der(v2) = f2 - f3 + pull * 0.74;
+        der(v3) = f3 - f4 + pull * -1.11;
+        der(v4) = f4 - f5 + pull * 1.48;
+        der(v5) = f5 - f6 + pull * -1.85;
+        der(v6) = f6 - f7 + pull * 2.22;
+        der(v7) = f7 + pull * -2.59;
+    }
+}

@@ -8,6 +8,7 @@ pub mod bifurcation;
 pub mod continuation;
 #[doc(hidden)]
 pub mod declared;
+pub mod equilibrium;
 pub mod field;
 pub mod flow;
 pub mod friction;

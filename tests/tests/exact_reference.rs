@@ -18,6 +18,11 @@ const EXTREMA: Want = Want {
     factors: false,
 };
 
+const DERIVATIVES: Want = Want {
+    derivatives: true,
+    ..EXTREMA
+};
+
 /// One period from release to release, after a motion that began at rest on the belt.
 struct Orbit<M: Model<N>, const N: usize> {
     start: Place<N, Modes<M, N>>,
@@ -214,10 +219,14 @@ fn belt_pair_settles_on_the_reference_orbit() {
         .advance(&place, 250.0 * period, Want::default())
         .unwrap()
         .end;
-    let passage = flow.advance(&place, period, EXTREMA).unwrap();
+    let passage = flow.advance(&place, period, DERIVATIVES).unwrap();
     for (a, b) in place.state.iter().zip(&passage.end.state) {
         assert!((a - b).abs() < 1e-8, "{a} {b}");
     }
+    // Both masses stick together for a while: Φ has rank 2, with the multipliers 1 and μ.
+    let derivatives = passage.derivatives.as_ref().unwrap();
+    let trace: f64 = (0..4).map(|i| derivatives.state[i][i]).sum();
+    assert_near(trace - 1.0, -0.896_378_150_579_442_5, 1e-6, "multiplier");
     let max_abs = |i| extreme(&passage, i, 1.0).max(-extreme(&passage, i, -1.0));
     assert_near(max_abs(0), 1.205_037_704_473_456, 1e-8, "max |x1|");
     assert_near(max_abs(2), 1.261_435_646_507_299_6, 1e-8, "max |x2|");

@@ -2,6 +2,7 @@
 
 mod answers;
 mod refusals;
+mod trade;
 
 use std::process::Command;
 

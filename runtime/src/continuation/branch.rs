@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::ZeroProblem;
 use super::corrector::{Corrected, Failure, correct};
+use super::link::Link;
 use super::predictor::tangent;
 use super::step::{angles, growth};
 
@@ -88,6 +89,7 @@ pub struct Branch<P: ZeroProblem> {
     settings: Settings,
     r_scale: f64,
     point: Option<Base>,
+    link: Option<Link<P>>,
     step: f64,
     count: usize,
     ending: Option<Ending<P::Error>>,
@@ -115,7 +117,7 @@ struct Base {
     tangent: DVector<f64>,
 }
 
-impl<P: ZeroProblem> Branch<P> {
+impl<P: ZeroProblem + Clone> Branch<P> {
     /// Converges on (z, r = from) and gives the first point.
     ///
     /// # Errors
@@ -143,6 +145,7 @@ impl<P: ZeroProblem> Branch<P> {
             settings,
             r_scale,
             point: None,
+            link: None,
             step: settings.first_step,
             count: 0,
             ending: (span == 0.0).then_some(Ending::ReachedEnd),
@@ -160,6 +163,12 @@ impl<P: ZeroProblem> Branch<P> {
     #[must_use]
     pub fn ending(&self) -> Option<&Ending<P::Error>> {
         self.ending.as_ref()
+    }
+
+    /// The step to the last point; `None` at the first.
+    #[must_use]
+    pub fn link(&self) -> Option<&Link<P>> {
+        self.link.as_ref()
     }
 
     fn accept(
@@ -260,7 +269,10 @@ impl<P: ZeroProblem> Branch<P> {
         let bend = self.guard(base, &corrected, &scale)?;
         let factor = growth(&corrected.corrections, bend);
         let direction = base.tangent.clone();
+        let problem = self.problem.clone();
+        let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let point = self.accept(corrected, &direction)?;
+        self.link = Some(Link::new(problem, ends, self.r_scale, accuracy));
         self.step = (self.step * factor).min(self.settings.largest_step);
         if last {
             self.ending = Some(Ending::ReachedEnd);
@@ -305,7 +317,7 @@ fn unit(n: usize) -> DVector<f64> {
     normal
 }
 
-impl<P: ZeroProblem> Iterator for Branch<P> {
+impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
     type Item = Point<P::Extra>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -348,6 +360,7 @@ mod tests {
     use nalgebra::DMatrix;
 
     /// z² + r² = 1: two folds.
+    #[derive(Clone)]
     struct Circle;
 
     impl ZeroProblem for Circle {
@@ -402,5 +415,17 @@ mod tests {
         assert_eq!(last.r, 0.7);
         assert!((last.z[0] - (1.0_f64 - 0.49).sqrt()).abs() < 1e-12);
         assert_eq!(branch.ending(), Some(&Ending::ReachedEnd));
+    }
+
+    #[test]
+    fn a_point_between_two_lies_on_the_branch() {
+        let start = DVector::from_element(1, 1.0);
+        let (mut branch, _) = Branch::start(Circle, start, Settings::new(0.0, 2.0, 1e-12)).unwrap();
+        assert!(branch.link().is_none());
+        let last = branch.by_ref().take(4).last().unwrap();
+        let mut link = branch.link().unwrap().clone();
+        let point = link.between(0.3).unwrap();
+        assert!((point.z[0].hypot(point.r) - 1.0).abs() < 1e-12);
+        assert!(point.r < last.r && point.tangent_r > last.tangent_r);
     }
 }

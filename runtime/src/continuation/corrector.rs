@@ -10,6 +10,10 @@ const ITERATIONS: usize = 12;
 /// below that, what is left is the noise of the residual itself.
 const NOISE: f64 = 30.0;
 
+/// A residual this many times above the accuracy is no solution, however small the correction: where
+/// the motion amplifies strongly, a negligible correction can leave a gap that is not.
+const CLOSED: f64 = 1e3;
+
 /// Why a correction failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Failure<E> {
@@ -108,7 +112,7 @@ pub fn correct<P: ZeroProblem>(
         r += correction[n] * r_scale;
         corrections.push(size);
         let stalled = last.is_some_and(|last| size > 0.3 * last) && size <= NOISE * accuracy;
-        if size <= accuracy || stalled {
+        if (size <= accuracy || stalled) && residual <= CLOSED * accuracy {
             return Ok(Corrected {
                 z,
                 r,

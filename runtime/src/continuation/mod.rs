@@ -4,11 +4,14 @@
 
 mod branch;
 mod corrector;
+mod link;
 mod predictor;
 mod step;
 
 pub use branch::{Branch, Ending, Point, Settings};
 pub use corrector::{Corrected, Failure, correct};
+pub use link::Link;
+pub(crate) use predictor::tangent;
 
 use nalgebra::{DMatrix, DVector};
 

@@ -9,7 +9,7 @@ use super::corrector::bordered;
 ///
 /// The border row is the previous tangent, so that folds are regular points. `None` if the bordered
 /// matrix is singular.
-pub(super) fn tangent<Extra>(
+pub(crate) fn tangent<Extra>(
     linearisation: &Linearisation<Extra>,
     scale: &DVector<f64>,
     r_scale: f64,

@@ -11,6 +11,7 @@ mod system;
 use num_dual::Dual64;
 
 use super::{Field, Linear};
+use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
 pub(crate) use affine::{Affine, Snapshot, Square};
@@ -19,6 +20,9 @@ use rule::Branches;
 pub(crate) use solve::solve;
 use system::singular;
 pub use system::{ContactError, ContactState, ExactSystem};
+
+/// Speed, in the model's units, from which a law changes so fast that the tolerance of states is too coarse.
+const THIN: f64 = 0.02;
 
 /// The exact field while every contact keeps its mode.
 pub struct ExactField<'s, M: Model<N>, const N: usize> {
@@ -29,6 +33,8 @@ pub struct ExactField<'s, M: Model<N>, const N: usize> {
     sticking: usize,
     /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
     levers: Option<M::PerContact<[f64; N]>>,
+    /// Speeds within which sliding forces change, if any is so small that errors must be judged by it.
+    layers: Option<M::PerContact<f64>>,
 }
 
 impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
@@ -49,7 +55,10 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             Some(constants) => Some(constants.levers(&modes).ok_or_else(|| singular(&modes))?),
             None => None,
         };
+        let layers = system.layers(state);
+        let thin = layers.as_ref().iter().any(|layer| *layer < THIN);
         Ok(Self {
+            layers: thin.then_some(layers),
             system,
             sticking: modes.sticking().count(),
             modes,
@@ -146,6 +155,29 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
             hold(&mut field, gradient, lever);
         }
         field
+    }
+
+    /// A law that changes within a thin layer of speed tightens what its speed is measured against.
+    fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
+        let magnitude = &self.system.magnitude;
+        let mut scale = std::array::from_fn(|j| {
+            tolerance.absolute * magnitude[j] + tolerance.relative * y[j].abs()
+        });
+        let (Some(layers), Some(gradients)) = (&self.layers, self.system.gradients()) else {
+            return scale;
+        };
+        let speeds = self.system.speeds(y);
+        for (i, gradient) in gradients.iter().enumerate() {
+            let terms = gradient.iter().zip(y).map(|(g, y)| (g * y).abs());
+            let speed = speeds.as_ref()[i].abs();
+            let rounding = f64::EPSILON * (terms.sum::<f64>() + speed);
+            let layer = (tolerance.absolute + tolerance.relative) * layers.as_ref()[i].min(1.0);
+            let allowed = layer + tolerance.relative * speed + rounding;
+            for (scale, slope) in scale.iter_mut().zip(gradient) {
+                *scale = scale.min(allowed / slope.abs());
+            }
+        }
+        scale
     }
 
     #[inline]

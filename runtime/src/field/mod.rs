@@ -7,6 +7,7 @@ mod smoothing;
 
 pub use count::Work;
 pub use smooth::{Design, SmoothField};
+pub(crate) use smoothing::Smoothed;
 pub use smoothing::{Kernel, Smoothing, SmoothingError};
 
 use crate::integrate::Tolerance;
@@ -27,6 +28,14 @@ pub trait Field<const N: usize> {
     /// What the error of each component is measured against at `y`; a friction layer tightens it.
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
         y.map(|component| tolerance.absolute + tolerance.relative * component.abs())
+    }
+
+    /// Whether a step between these states may have carried the motion out of a thin layer that holds it.
+    ///
+    /// A stiff step that jumps such a layer solves its equations all the same, and its error estimate, damped by the
+    /// layer's own stiffness, does not see it: theory section 9.
+    fn leaps(&self, _from: &[f64; N], _to: &[f64; N]) -> bool {
+        false
     }
 
     /// Number of surfaces on which the field is continuous but not smooth; steps are split there.

@@ -33,6 +33,11 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
     magnitude: [f64; N],
 }
 
+/// Layer widths within which a contact is held.
+const INSIDE: f64 = 4.0;
+/// Layer widths that no single step from inside may reach.
+const BEYOND: f64 = 40.0;
+
 /// A smoothing that no contact will ever ask: for models without friction.
 const UNUSED: Smoothing = Smoothing {
     kernel: super::Kernel::Tanh,
@@ -170,6 +175,19 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
         let _ = M::rhs(&params, state, &mut layers);
         layers.scale
+    }
+
+    fn leaps(&self, from: &[f64; N], to: &[f64; N]) -> bool {
+        let mut depths = M::PerContact::from_fn(|_| f64::INFINITY);
+        self.speeds(from, |contact, speed| {
+            depths.as_mut()[contact] = (speed * self.rule.sharpness).abs();
+        });
+        let mut leaps = false;
+        self.speeds(to, |contact, speed| {
+            let away = (speed * self.rule.sharpness).abs();
+            leaps |= depths.as_ref()[contact] <= INSIDE && away > BEYOND;
+        });
+        leaps
     }
 
     fn kinks(&self) -> usize {

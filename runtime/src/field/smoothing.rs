@@ -145,7 +145,7 @@ impl Kernel {
 
     /// φ(z), odd, with φ(∞) = 1. Not for bumps.
     #[inline]
-    fn sign<D: Scalar>(self, z: D) -> D {
+    pub(crate) fn sign<D: Scalar>(self, z: D) -> D {
         let beyond = z.re().abs() >= 1.0;
         match self {
             Self::Arctan => z.atan() * std::f64::consts::FRAC_2_PI,
@@ -249,10 +249,10 @@ impl std::str::FromStr for Smoothing {
 
 /// Gives each contact the force of its smoothed law.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Smoothed<D> {
-    pub(super) kernel: Kernel,
+pub(crate) struct Smoothed<D> {
+    pub(crate) kernel: Kernel,
     /// z = sharpness · w.
-    pub(super) sharpness: D,
+    pub(crate) sharpness: D,
 }
 
 impl<D: Scalar> ContactRule<D> for Smoothed<D> {

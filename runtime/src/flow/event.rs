@@ -15,6 +15,8 @@ pub struct Event<const N: usize> {
     pub time: f64,
     /// The whole state there.
     pub state: [f64; N],
+    /// Rate at which the guard of the contact fell; 0 where it only came near, or where others made it switch.
+    pub rate: f64,
 }
 
 impl<const N: usize> Event<N> {

@@ -1,11 +1,14 @@
 //! The exact flow: friction is set-valued, switching instants are located, derivatives jump through them.
 
+mod approach;
 mod box_qp;
 mod depart;
+mod departure;
 mod extrema;
 mod guard;
 mod observe;
 mod passing;
+mod release;
 mod run;
 mod settle;
 mod switch;
@@ -58,6 +61,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         })
     }
 
+    /// The same flow, its states measured against these magnitudes where they pass through zero.
+    #[must_use]
+    pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
+        self.system.magnitude = magnitude;
+        self
+    }
+
     /// The same with another rule for contacts that may both stick and cross.
     #[must_use]
     pub fn with_arrival(mut self, arrival: Arrival) -> Self {
@@ -93,6 +103,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             state,
             mode: verdict.modes,
         })
+    }
+
+    /// The relative speed of each contact, and what of it is rounding error.
+    pub(crate) fn speeds(&self, state: &[f64; N]) -> (M::PerContact<f64>, M::PerContact<f64>) {
+        let scales = self.speed_scales(state);
+        let rounding = Inline::from_fn(|i| NO_SPEED * scales.as_ref()[i]);
+        (self.system.speeds(state), rounding)
     }
 
     /// The magnitude of the terms of each relative speed: what its rounding error is measured against.

@@ -17,6 +17,12 @@ pub trait Family<const N: usize> {
     /// r is outside what the model declares, or its smoothing would falsify a law there.
     fn at(&self, r: f64) -> Result<Self::Flow, FlowError>;
 
+    /// The same family, its states measured against these magnitudes where they pass through zero.
+    #[must_use]
+    fn with_magnitude(&self, magnitude: [f64; N]) -> Self
+    where
+        Self: Sized;
+
     /// The same family, integrated to another tolerance.
     #[must_use]
     fn with_tolerance(&self, tolerance: Tolerance) -> Self
@@ -62,6 +68,10 @@ impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
         ))
     }
 
+    fn with_magnitude(&self, magnitude: [f64; N]) -> Self {
+        Self { magnitude, ..*self }
+    }
+
     fn with_tolerance(&self, tolerance: Tolerance) -> Self {
         Self { tolerance, ..*self }
     }
@@ -76,6 +86,8 @@ pub struct ExactFamily<M, const N: usize> {
     pub design: Option<usize>,
     /// Local tolerance of the integration.
     pub tolerance: Tolerance,
+    /// Usual magnitudes of the states.
+    pub magnitude: [f64; N],
 }
 
 impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
@@ -87,7 +99,12 @@ impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
             *value = r;
         }
         let design = self.design.map(ParamId::new);
-        ExactFlow::new(&M::from_values(values), design, self.tolerance.explicit())
+        let flow = ExactFlow::new(&M::from_values(values), design, self.tolerance.explicit())?;
+        Ok(flow.with_magnitude(self.magnitude))
+    }
+
+    fn with_magnitude(&self, magnitude: [f64; N]) -> Self {
+        Self { magnitude, ..*self }
     }
 
     fn with_tolerance(&self, tolerance: Tolerance) -> Self {

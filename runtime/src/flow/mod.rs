@@ -4,7 +4,7 @@ pub mod event;
 pub mod exact;
 mod extrema;
 mod family;
-mod saltation;
+pub(crate) mod saltation;
 mod smooth;
 mod word;
 

@@ -2,8 +2,8 @@
 
 use crate::integrate::{Carried, Motion};
 
-/// Rate of a guard, relative to its gradient and to the field, below which an event has no derivative.
-const GRAZING: f64 = 1e-9;
+/// Rate of a guard, relative to its gradient and to the field, which is nothing but rounding error.
+const ROUNDING: f64 = 1e-14;
 /// Relative jump of the field below which nothing jumps.
 const NO_JUMP: f64 = 1e-12;
 
@@ -49,31 +49,31 @@ impl<const N: usize> Tracked<N> for Motion<N> {
 
 /// The surface h = 0 on which the field changes from `before` to `after`; the state does not jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Saltation<const N: usize> {
+pub(crate) struct Saltation<const N: usize> {
     /// f⁻.
-    pub(super) before: [f64; N],
+    pub(crate) before: [f64; N],
     /// f⁺.
-    pub(super) after: [f64; N],
+    pub(crate) after: [f64; N],
     /// h_y.
-    pub(super) gradient: [f64; N],
+    pub(crate) gradient: [f64; N],
     /// h_r.
-    pub(super) design: f64,
+    pub(crate) design: f64,
 }
 
 impl<const N: usize> Saltation<N> {
     /// Takes Φ and p from before the event to after it.
     ///
     /// # Errors
-    /// D = h_y f⁻, if the motion touches the surface instead of crossing it.
-    pub(super) fn apply(&self, motion: &mut Motion<N>) -> Result<(), f64> {
+    /// D = h_y f⁻, if the motion `grazes` the surface instead of crossing it and the field jumps there.
+    pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<(), f64> {
         let jump: [f64; N] = std::array::from_fn(|i| self.after[i] - self.before[i]);
         if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
             return Ok(());
         }
         let rate = dot(&self.gradient, &self.before);
         // A comparison that fails for NaN too.
-        let crosses = rate.abs() > GRAZING * norm(&self.gradient) * norm(&self.before);
-        if !crosses {
+        let crosses = rate.abs() > ROUNDING * norm(&self.gradient) * norm(&self.before);
+        if grazes || !crosses {
             return Err(rate);
         }
         let shift = (dot(&self.gradient, &motion.design) + self.design) / rate;

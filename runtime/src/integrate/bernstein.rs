@@ -131,6 +131,17 @@ impl Bernstein {
         slope
     }
 
+    /// How far the parabola that fits at θ, where p falls, goes on to fall: p'²/2p''; infinite if p'' ≤ 0.
+    #[must_use]
+    pub fn depth(&self, theta: f64) -> f64 {
+        let (slope, bend) = self.derivative().value_and_slope(theta);
+        if bend > 0.0 {
+            0.5 * slope * slope / bend
+        } else {
+            f64::INFINITY
+        }
+    }
+
     /// p(θ)/θⁿ, its lowest n coefficients taken for zero: they vanish where a motion departs from a surface.
     #[must_use]
     pub fn deflated(&self, order: usize) -> Self {

@@ -19,6 +19,8 @@ pub(super) struct Control {
     span: f64,
     /// Logarithm of the last accepted error.
     last_error: f64,
+    /// Length of the last accepted step; NaN before the first.
+    last_length: f64,
     rejected: bool,
     stiff: u32,
     not_stiff: u32,
@@ -30,6 +32,7 @@ impl Control {
             proposal: None,
             span,
             last_error: 1e-4_f64.ln(),
+            last_length: f64::NAN,
             rejected: false,
             stiff: 0,
             not_stiff: 0,
@@ -58,12 +61,18 @@ impl Control {
     }
 
     /// Proposes the length after an accepted step.
+    ///
+    /// Where errors grow from step to step, as before a landing, Gustafsson's prediction takes the trend
+    /// into account; the integral part alone would be rejected every other time.
     pub(super) fn accept(&mut self, length: f64, error: f64) {
         let error = error.max(1e-14).ln();
-        let growth = SAFETY * (INTEGRAL * self.last_error - PROPORTIONAL * error).exp();
+        let steady = INTEGRAL * self.last_error - PROPORTIONAL * error;
+        let trend = (length / self.last_length).ln() + (self.last_error - 2.0 * error) / 8.0;
+        let growth = SAFETY * if trend < steady { trend } else { steady }.exp();
         let most = if self.rejected { 1.0 } else { MOST_GROWTH };
         self.proposal = Some(length * growth.clamp(MOST_SHRINK, most));
         self.last_error = error.max(1e-4_f64.ln());
+        self.last_length = length;
         self.rejected = false;
     }
 

@@ -6,6 +6,7 @@ mod collocation;
 mod control;
 mod dense;
 mod dop853;
+mod estimate;
 pub mod event;
 pub mod explicit;
 mod look;
@@ -52,6 +53,12 @@ impl Tolerance {
             relative: local(self.relative),
             absolute: local(self.absolute),
         }
+    }
+
+    /// The error tolerated in a quantity of this magnitude.
+    #[must_use]
+    pub fn of(&self, magnitude: f64) -> f64 {
+        (self.absolute + self.relative) * magnitude.abs()
     }
 
     /// A tolerance `factor` times as large.

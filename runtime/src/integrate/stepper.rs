@@ -4,24 +4,24 @@ use super::IntegrationError;
 use super::carried::Carried;
 use super::control::Control;
 use super::dense::Dense;
-use super::dop853::{DENSE, END, ERROR_3, ERROR_5, MORE, STAGES, Weights};
+use super::dop853::{DENSE, END, MORE, STAGES, Weights};
 use super::explicit::Settings;
 use crate::field::{Field, Work};
 
 /// Makes steps of DOP853, one at a time.
 #[derive(Debug, Clone)]
 pub struct Stepper<'f, F, V, const N: usize> {
-    field: &'f F,
-    settings: Settings,
-    control: Control,
-    time: f64,
-    length: f64,
-    from: V,
-    end: V,
+    pub(super) field: &'f F,
+    pub(super) settings: Settings,
+    pub(super) control: Control,
+    pub(super) time: f64,
+    pub(super) length: f64,
+    pub(super) from: V,
+    pub(super) end: V,
     /// Slopes of the twelve stages, and the one at the end of the step.
-    slopes: [V; 13],
+    pub(super) slopes: [V; 13],
     /// Where the twelfth stage looked, for the test of stiffness.
-    last_look: [f64; N],
+    pub(super) last_look: [f64; N],
     /// What has been counted so far.
     pub work: Work,
 }
@@ -67,6 +67,11 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         &self.end
     }
 
+    /// The slope where the step begins.
+    pub fn from_slope(&self) -> &V {
+        &self.slopes[0]
+    }
+
     /// The slope at the end of the step.
     pub fn end_slope(&self) -> &V {
         &self.slopes[12]
@@ -106,6 +111,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             self.spend()?;
             self.trial(length);
             let error = self.error();
+
             if error <= 1.0 && self.close() {
                 self.control.accept(length, error);
                 return self.judge_stiffness();
@@ -188,56 +194,6 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         self.end.is_finite() && self.slopes[12].is_finite()
     }
 
-    /// Local error of the step over what is tolerated, combined from orders 5 and 3 as Hairer does.
-    fn error(&self) -> f64 {
-        let (from, end) = (self.from.state(), self.end.state());
-        let fifth = self.state_sum(ERROR_5);
-        let third = self.state_sum(ERROR_3);
-        let tolerance = &self.settings.tolerance;
-        let (before, after) = (
-            self.field.scale(from, tolerance),
-            self.field.scale(end, tolerance),
-        );
-        let (mut sum_5, mut sum_3) = (0.0, 0.0);
-        for i in 0..N {
-            let scale = before[i].max(after[i]);
-            sum_5 += (fifth[i] / scale).powi(2);
-            sum_3 += (third[i] / scale).powi(2);
-        }
-        let both = ((sum_5 + 0.01 * sum_3) * N as f64).sqrt();
-        self.length * ratio(sum_5, both)
-    }
-
-    fn state_sum(&self, weights: Weights) -> [f64; N] {
-        let mut sum = [0.0; N];
-        for &(j, weight) in weights {
-            sum.add(weight, self.slopes[j].state());
-        }
-        sum
-    }
-
-    /// The proposed length, or Hairer's guess from the field and its change along a small Euler step.
-    fn first_length(&mut self) -> f64 {
-        if let Some(length) = self.control.proposal {
-            return length;
-        }
-        let (y, f) = (*self.from.state(), *self.slopes[0].state());
-        let scale = self.field.scale(&y, &self.settings.tolerance);
-        let norm = |v: &[f64; N]| -> f64 {
-            let scaled = v.iter().zip(&scale).map(|(v, scale)| v / scale);
-            (scaled.map(|s| s * s).sum::<f64>() / N as f64).sqrt()
-        };
-        let (size, slope) = (norm(&y), norm(&f));
-        let euler = self.control.euler_length(size, slope);
-        let mut look = y;
-        look.add(euler, &f);
-        let mut change = look.slope(self.field, &mut Work::default());
-        change.add(-1.0, &f);
-        let bend = norm(&change) / euler;
-        self.work.evaluations += 1;
-        self.control.guess(euler, slope, bend)
-    }
-
     fn spend(&mut self) -> Result<(), IntegrationError> {
         let steps = self.work.steps + self.work.rejected;
         if steps < self.settings.steps {
@@ -248,21 +204,6 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             time: self.time,
             state: self.from.state().to_vec(),
         })
-    }
-
-    /// Hairer's test: h times the dominant eigenvalue, estimated from the last two stages.
-    fn judge_stiffness(&mut self) -> Result<(), IntegrationError> {
-        let (mut slopes, mut looks) = (0.0, 0.0);
-        for i in 0..N {
-            let slope = self.slopes[12].state()[i] - self.slopes[11].state()[i];
-            slopes += slope * slope;
-            looks += (self.end.state()[i] - self.last_look[i]).powi(2);
-        }
-        let stiffness = self.length * ratio(slopes, looks).sqrt();
-        if self.control.is_stiff(stiffness, self.settings.stiff_steps) {
-            return Err(IntegrationError::Stiff { time: self.time });
-        }
-        Ok(())
     }
 
     fn too_small(&self, step: f64, error: f64) -> IntegrationError {
@@ -329,9 +270,4 @@ fn combine<V: Carried<N>, const N: usize>(
     let mut end = *from;
     end.add(length, &sum);
     end
-}
-
-/// a/b, and 0 where both vanish.
-fn ratio(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a / b }
 }

@@ -4,7 +4,8 @@ use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
 use super::problem::{OrbitProblem, Shot};
 use super::search::{Search, problem};
-use crate::continuation::{Branch, Ending, Failure, Point, Settings};
+use crate::bifurcation::Path;
+use crate::continuation::{Branch, Ending, Failure, Link, Point, Settings};
 use crate::field::Work;
 use crate::flow::{Family, Flow, FlowError};
 use crate::integrate::Tolerance;
@@ -30,8 +31,10 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         search: &Search<N>,
         settings: Settings,
     ) -> Result<Self, Failure<FlowError>> {
-        let family = family.with_tolerance(Tolerance::for_accuracy(search.accuracy));
         let magnitude = std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j]));
+        let family = family
+            .with_tolerance(Tolerance::for_accuracy(search.accuracy))
+            .with_magnitude(magnitude);
         let guess = Guess {
             place: orbit.place,
             period: orbit.period,
@@ -60,18 +63,66 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         self.branch.ending()
     }
 
+    /// What lies between the last two orbits; `None` at the first.
+    #[must_use]
+    pub fn path(&self) -> Option<OrbitPath<F, N>> {
+        let link = self.branch.link()?.clone();
+        let counted = link.problem.work;
+        Some(OrbitPath {
+            link,
+            accuracy: self.accuracy,
+            counted,
+        })
+    }
+
     fn read(&mut self, point: &Point<Shot<N, Mode<F, N>>>) -> Orbit<N, Mode<F, N>> {
         let total = self.branch.problem.work;
         let work = total.since(&self.counted);
         self.counted = total;
-        let family = &self.branch.problem.family;
-        let solution = Solution {
-            shot: &point.extra,
-            z: &point.z,
-            r: point.r,
-            residual: point.residual,
-        };
-        Orbit::read(family, solution, self.accuracy, work)
+        read(&self.branch.problem.family, point, self.accuracy, work)
+    }
+}
+
+fn read<F: Family<N>, const N: usize>(
+    family: &F,
+    point: &Point<Shot<N, Mode<F, N>>>,
+    accuracy: f64,
+    work: Work,
+) -> Orbit<N, Mode<F, N>> {
+    let solution = Solution {
+        shot: &point.extra,
+        z: &point.z,
+        r: point.r,
+        residual: point.residual,
+    };
+    let mut orbit = Orbit::read(family, solution, accuracy, work);
+    orbit.slope = point.tangent_r;
+    orbit
+}
+
+/// The orbits between two neighbouring ones of a branch.
+pub struct OrbitPath<F: Family<N>, const N: usize> {
+    link: Link<OrbitProblem<F, N>>,
+    accuracy: f64,
+    counted: Work,
+}
+
+impl<F: Family<N> + Clone, const N: usize> OrbitPath<F, N> {
+    /// Work of all orbits found on it.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        self.link.problem.work.since(&self.counted)
+    }
+}
+
+impl<F: Family<N> + Clone, const N: usize> Path for OrbitPath<F, N> {
+    type Point = Orbit<N, Mode<F, N>>;
+    type Error = Failure<FlowError>;
+
+    fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error> {
+        let point = self.link.between(share)?;
+        let family = &self.link.problem.family;
+        Ok(read(family, &point, self.accuracy, Work::default()))
     }
 }
 

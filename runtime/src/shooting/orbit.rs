@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::problem::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
-use crate::flow::{Factor, Family, Flow, Place, Segment};
+use crate::flow::{Event, Factor, Family, Flow, Place, Segment};
 
 /// A periodic orbit.
 #[derive(Debug, Clone)]
@@ -30,6 +30,10 @@ pub struct Orbit<const N: usize, Mode> {
     pub error_estimate: f64,
     /// Stretches in constant mode.
     pub segments: Vec<Segment<Mode>>,
+    /// What happened at the contacts, or nearly did; nothing for a smooth system.
+    pub events: Vec<Event<N>>,
+    /// r-component of the unit tangent of its branch, in scaled coordinates; 1 off any branch.
+    pub slope: f64,
     /// Work of finding it.
     pub work: Work,
 }
@@ -84,6 +88,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
         let (min, max) = shot.extent();
         let passages = shot.passages.iter();
         let segments: Vec<Segment<Mode>> = passages
+            .clone()
             .flat_map(|passage| passage.segments.clone())
             .collect();
         let sticking = |segment: &Segment<Mode>| F::Flow::sticking(&segment.mode);
@@ -107,7 +112,11 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
             ),
             residual,
             error_estimate: accuracy.max(residual),
+            events: passages
+                .flat_map(|passage| passage.events.clone())
+                .collect(),
             segments,
+            slope: 1.0,
             work,
         }
     }

@@ -67,10 +67,13 @@ pub fn closest<F: Family<N> + Clone, const N: usize>(
     r: f64,
     search: &Search<N>,
 ) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-    let loose = family.with_tolerance(Tolerance::for_accuracy(1e-7)).at(r)?;
+    let loose = family
+        .with_tolerance(Tolerance::for_accuracy(1e-7))
+        .with_magnitude(magnitude_of(&search.start))
+        .at(r)?;
     let start = loose.place(search.start)?;
     if let Some(period) = search.period {
-        let magnitude = search.start.map(|x| if x == 0.0 { 1.0 } else { x.abs() });
+        let magnitude = magnitude_of(&search.start);
         return converge(
             family,
             r,
@@ -93,6 +96,19 @@ pub fn closest<F: Family<N> + Clone, const N: usize>(
     }
 }
 
+/// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.
+fn magnitude_of<const N: usize>(start: &[f64; N]) -> [f64; N] {
+    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let other = if largest > 0.0 { largest } else { 1.0 };
+    start.map(|x| {
+        if x.abs() > 1e-3 * other {
+            x.abs()
+        } else {
+            other
+        }
+    })
+}
+
 /// Newton from a guess: on the section if the guess lies there, then to the minimal period, then with
 /// a tighter tolerance, which gives the error estimate.
 ///
@@ -107,26 +123,30 @@ pub fn converge<F: Family<N> + Clone, const N: usize>(
     let Search {
         accuracy, segments, ..
     } = *search;
-    let rough_accuracy = accuracy.max(1e-7);
-    let effort = Effort {
-        accuracy: rough_accuracy,
-        tolerance: rough_accuracy,
-        factors: false,
+    let fine = Tolerance::for_accuracy(accuracy);
+    let rough = Tolerance::for_accuracy(accuracy.max(1e-7));
+    let effort = |accuracy: f64, tolerance: Tolerance, factors: bool| Effort {
+        accuracy,
+        tolerance,
+        factors,
     };
-    let rough = newton(family, r, guess, segments, effort)?;
+    let rough = newton(
+        family,
+        r,
+        guess,
+        segments,
+        effort(accuracy.max(1e-7), rough, false),
+    )?;
     let guess = anchored(family, r, &rough.0)?;
-    let effort = Effort {
-        accuracy,
-        tolerance: 30.0 * accuracy,
-        factors: false,
-    };
-    let loose = newton(family, r, &guess, segments, effort)?;
-    let effort = Effort {
-        accuracy,
-        tolerance: accuracy,
-        factors: N > 2,
-    };
-    let (tight, problem) = newton(family, r, &guess.moved(&loose.0), segments, effort)?;
+    let loose = newton(family, r, &guess, segments, effort(accuracy, fine, false))?;
+    let guess = guess.moved(&loose.0);
+    let (tight, problem) = newton(
+        family,
+        r,
+        &guess,
+        segments,
+        effort(accuracy, fine.times(0.1), N > 2),
+    )?;
     let mut work = problem.work;
     work += loose.1.work;
     work += rough.1.work;
@@ -147,7 +167,7 @@ type Converged<F, const N: usize> = (Found<F, N>, OrbitProblem<F, N>);
 #[derive(Debug, Clone, Copy)]
 struct Effort {
     accuracy: f64,
-    tolerance: f64,
+    tolerance: Tolerance,
     factors: bool,
 }
 
@@ -159,7 +179,9 @@ fn newton<F: Family<N> + Clone, const N: usize>(
     segments: usize,
     effort: Effort,
 ) -> Result<Converged<F, N>, OrbitError> {
-    let family = family.with_tolerance(Tolerance::for_accuracy(effort.tolerance));
+    let family = family
+        .with_tolerance(effort.tolerance)
+        .with_magnitude(guess.magnitude);
     if at_rest(&family.at(r)?, guess)? {
         return Err(OrbitError::Equilibrium {
             state: guess.place.state.to_vec(),

@@ -1,12 +1,17 @@
 //! A branch of periodic orbits, and all that is reported of it.
 
-use nalgebra::Complex;
-
 use super::case::Along;
 use super::orbit::{OrbitRecord, Sought};
+use super::special::{Special, Specials};
+use crate::bifurcation::{Findings, Kind, Unexplained, detect, explain};
 use crate::continuation::{Ending, Settings};
-use crate::flow::{Family, FlowError};
-use crate::shooting::{OrbitBranch, OrbitError};
+use crate::flow::{Family, Flow, FlowError};
+use crate::shooting::{Orbit, OrbitBranch, OrbitError};
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+/// A branch whose period has grown this many times has none in the end.
+const ENDLESS: f64 = 1e6;
 
 /// A branch as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,21 +24,6 @@ pub struct BranchRecord {
     pub special: Vec<Special>,
     /// Why it ended.
     pub ended: Ended,
-}
-
-/// A point of a branch where something changes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Special {
-    /// What changes: `fold`, `flip`, `torus`, `grazing-sliding`, ...
-    pub kind: &'static str,
-    /// Kind and number, for instance `PD1`.
-    pub label: String,
-    /// The design variable, in the user's own values.
-    pub r: f64,
-    /// The period there.
-    pub period: f64,
-    /// The multipliers there.
-    pub multipliers: Vec<Complex<f64>>,
 }
 
 /// Why a branch ended.
@@ -60,47 +50,105 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
         let mut branch = OrbitBranch::start(self.family, &first, &self.search, settings)
             .map_err(OrbitError::Newton)?;
         let mut points: Vec<OrbitRecord> = Vec::new();
-        for orbit in branch.by_ref() {
+        let mut orbits: Vec<Orbit<N, Mode<F, N>>> = Vec::new();
+        let mut specials = Specials::new(along);
+        while let Some(orbit) = branch.next() {
             let mut point = self.record(&orbit);
             if points.is_empty() {
                 point.work += first.work;
             }
+            if let (Some(mut path), Some(before)) = (branch.path(), orbits.last()) {
+                specials.take(detect(&mut path, before, &orbit, self.search.accuracy));
+                point.work += path.work();
+            }
             watch(&point);
+            let endless = point.period > ENDLESS * first.period;
             points.push(point);
+            orbits.push(orbit);
+            if endless {
+                break;
+            }
+        }
+        let mut ended = branch.ending().map_or_else(Ended::endless, Ended::from);
+        if let Some(Ending::StepTooSmall(_)) = branch.ending()
+            && let Some(reason) = explain(&orbits, self.search.accuracy)
+        {
+            ended = Ended::at(reason.kind, along.value(reason.r));
+            specials.take(Findings::of(reason));
         }
         Ok(BranchRecord {
             along,
             points,
-            special: Vec::new(),
-            ended: Ended::from(branch.ending()),
+            ended: specials.unexplained().map_or(ended, Ended::unexplained),
+            special: specials.finish(),
         })
     }
 }
 
-impl From<Option<&Ending<FlowError>>> for Ended {
-    fn from(ending: Option<&Ending<FlowError>>) -> Self {
+impl Ended {
+    /// A bifurcation beyond which no orbit continues the branch, or none that can be reached.
+    fn at(kind: Kind, r: f64) -> Self {
+        let reason = match kind {
+            Kind::Fold => format!("it turns at {r}, too sharply to be followed round"),
+            _ => format!(
+                "it meets a {} point at {r}: no orbit continues it",
+                kind.name()
+            ),
+        };
+        Self {
+            word: kind.name(),
+            located: true,
+            reason,
+        }
+    }
+
+    /// A change that no bifurcation accounts for.
+    fn unexplained(change: &Unexplained) -> Self {
+        let ([from, to], [before, after]) = (change.between, change.unstable);
+        let reason = &change.reason;
+        Self {
+            word: "unexplained-change",
+            located: false,
+            reason: format!(
+                "between {from} and {to} its {before} unstable multipliers become {after}, or its events change, and no \
+                 bifurcation was located there: {reason}"
+            ),
+        }
+    }
+
+    /// The period grows without bound, as it does towards rest.
+    fn endless() -> Self {
+        Self {
+            word: "infinite-period",
+            located: true,
+            reason: format!("its period has grown more than {ENDLESS:e} times"),
+        }
+    }
+}
+
+impl From<&Ending<FlowError>> for Ended {
+    fn from(ending: &Ending<FlowError>) -> Self {
         let (word, located, reason) = match ending {
-            Some(Ending::ReachedEnd) => ("reached-end", true, "its end is reached".to_owned()),
-            Some(Ending::ReachedStart) => (
+            Ending::ReachedEnd => ("reached-end", true, "its end is reached".to_owned()),
+            Ending::ReachedStart => (
                 "reached-start",
                 true,
                 "it turned and came back to where it began".to_owned(),
             ),
-            Some(Ending::StepTooSmall(failure)) => (
+            Ending::StepTooSmall(failure) => (
                 "step-too-small",
                 false,
                 format!("no step is small enough: {failure}"),
             ),
-            Some(Ending::TooManyPoints) => (
+            Ending::TooManyPoints => (
                 "too-many-points",
                 false,
                 "it has more points than are allowed".to_owned(),
             ),
-            Some(Ending::Refused(error @ FlowError::Vanished { .. })) => {
+            Ending::Refused(error @ FlowError::Vanished { .. }) => {
                 ("equilibrium", true, error.to_string())
             }
-            Some(Ending::Refused(error)) => ("refused", false, error.to_string()),
-            None => ("stopped", false, "it was stopped".to_owned()),
+            Ending::Refused(error) => ("refused", false, error.to_string()),
         };
         Self {
             word,

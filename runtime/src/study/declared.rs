@@ -4,9 +4,12 @@ use std::marker::PhantomData;
 
 use super::branch::BranchRecord;
 use super::case::{Case, Dynamics};
+use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
+use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::orbit::{OrbitRecord, Sought};
 use super::seed::{Seed, on_the_belt};
+use super::trade::{Scope, TradeError, trade};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
 use crate::field::Design;
 use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, word};
@@ -23,7 +26,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         Self(PhantomData)
     }
 
-    fn model(case: &Case) -> M {
+    pub(super) fn model(case: &Case) -> M {
         let default = M::default().values();
         M::from_values(Inline::from_fn(|i| {
             let given = case.parameters.get(i).copied();
@@ -31,7 +34,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         }))
     }
 
-    fn exact(case: &Case) -> ExactFamily<M, N> {
+    pub(super) fn exact(case: &Case) -> ExactFamily<M, N> {
         let design = match case.along.map(|along| along.design) {
             Some(Design::Parameter(index)) => Some(index),
             Some(Design::Smoothing | Design::None) | None => None,
@@ -40,10 +43,11 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
             model: Self::model(case),
             design,
             tolerance: Tolerance::for_accuracy(case.accuracy),
+            magnitude: [1.0; N],
         }
     }
 
-    fn smooth(case: &Case) -> SmoothFamily<M, N> {
+    pub(super) fn smooth(case: &Case) -> SmoothFamily<M, N> {
         SmoothFamily {
             model: Self::model(case),
             smoothing: case.smoothing(),
@@ -54,11 +58,11 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
     }
 
     /// r, as the families count it, where the case begins.
-    fn beginning(case: &Case) -> f64 {
+    pub(super) fn beginning(case: &Case) -> f64 {
         case.along.map_or(0.0, |along| along.span().0)
     }
 
-    fn start(case: &Case) -> [f64; N] {
+    pub(super) fn start(case: &Case) -> [f64; N] {
         std::array::from_fn(|j| {
             let given = case.start.as_ref().and_then(|start| start.get(j).copied());
             given.unwrap_or(M::INFO.states[j].start)
@@ -79,7 +83,10 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         }
         let mut seeds = match case.dynamics {
             Dynamics::Exact => on_the_belt(&Self::model(case), start),
-            Dynamics::Smoothed(_) => Self::exact_orbit(case).into_iter().collect(),
+            Dynamics::Smoothed(_) => Self::exact_orbit(case).map_or_else(Vec::new, |seed| {
+                // A copy may be out of reach of Newton and yet settle from there.
+                vec![seed, Seed::at(seed.start)]
+            }),
             Dynamics::Smooth => Vec::new(),
         };
         seeds.push(declared);
@@ -186,6 +193,21 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         })
     }
 
+    fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
+        self.check(case)?;
+        Self::all_equilibria(case)
+    }
+
+    fn equilibria_along(
+        &self,
+        case: &Case,
+        watch: &mut dyn FnMut(&EquilibriumRecord),
+    ) -> Result<EquilibriaRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        Self::equilibria_along(case, along, watch)
+    }
+
     fn branch(
         &self,
         case: &Case,
@@ -201,5 +223,23 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
                 Self::sought_smoothly(case, &Self::smooth(case)).branch(along, watch)?
             }
         })
+    }
+
+    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
+        let at = |case: Case| {
+            let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
+            let trade = trade(&Self::model(&case), &exact, scope)?;
+            Ok(End {
+                parameters: case.parameters.clone(),
+                trade,
+            })
+        };
+        if M::INFO.contacts.is_empty() {
+            return Err(TradeError::NoFriction {
+                model: M::INFO.command,
+            }
+            .into());
+        }
+        TradeRecord::gather(case, at)
     }
 }

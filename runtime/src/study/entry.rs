@@ -3,8 +3,12 @@
 use super::branch::BranchRecord;
 use super::case::Case;
 use super::declared::Declared;
+use super::ends::TradeRecord;
+use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::orbit::OrbitRecord;
+use super::trade::{Scope, TradeError};
 use super::trajectory::Trajectory;
+use crate::continuation::Failure;
 use crate::flow::FlowError;
 use crate::model::{Model, ModelInfo};
 use crate::shooting::OrbitError;
@@ -32,6 +36,22 @@ pub trait Entry: Send + Sync {
     /// None was found.
     fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError>;
 
+    /// The equilibria that are found, and for exact dynamics the sets of sticking ones.
+    ///
+    /// # Errors
+    /// None was found.
+    fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError>;
+
+    /// The branch of equilibria along the design variable of the case; `watch` sees each point as it is found.
+    ///
+    /// # Errors
+    /// There is no equilibrium to begin with.
+    fn equilibria_along(
+        &self,
+        case: &Case,
+        watch: &mut dyn FnMut(&EquilibriumRecord),
+    ) -> Result<EquilibriaRecord, StudyError>;
+
     /// The branch of orbits along the design variable of the case; `watch` sees each point as it is found.
     ///
     /// # Errors
@@ -41,6 +61,12 @@ pub trait Entry: Send + Sync {
         case: &Case,
         watch: &mut dyn FnMut(&OrbitRecord),
     ) -> Result<BranchRecord, StudyError>;
+
+    /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.
+    ///
+    /// # Errors
+    /// There is no friction, or no exact orbit.
+    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError>;
 }
 
 /// Why a case has no answer.
@@ -52,6 +78,20 @@ pub enum StudyError {
     /// A branch was asked for, but not along what.
     #[error("a branch needs a design variable to be followed along")]
     NothingToFollow,
+    /// The errors of smoothing cannot be measured.
+    #[error(transparent)]
+    Trade(#[from] TradeError),
+    /// No equilibrium was found.
+    #[error(
+        "no equilibrium that could be followed was found from {starts} starts; `--start` says where to look first"
+    )]
+    NoEquilibrium {
+        /// From how many places it was looked for.
+        starts: usize,
+    },
+    /// An equilibrium cannot be followed.
+    #[error("the equilibrium cannot be followed: {0}")]
+    Equilibrium(Failure<FlowError>),
     /// No orbit was found.
     #[error(transparent)]
     Orbit(#[from] OrbitError),

@@ -7,18 +7,30 @@
 pub mod app;
 mod branch;
 mod case;
+mod choice;
+mod counterpart;
 mod declared;
+mod ends;
 mod entry;
+mod equilibria;
+mod equilibrium;
 mod orbit;
+pub mod predict;
 #[cfg(feature = "app")]
 pub mod report;
 mod seed;
+mod special;
+pub mod trade;
 mod trajectory;
 
-pub use branch::{BranchRecord, Ended, Special};
+pub use branch::{BranchRecord, Ended};
 pub use case::{Along, Case, Dynamics};
+pub use choice::{Choice, choose};
+pub use ends::{End, TradeRecord};
 pub use entry::{Entry, StudyError, entry};
+pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use orbit::OrbitRecord;
+pub use special::Special;
 pub use trajectory::Trajectory;
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.

@@ -59,10 +59,10 @@ impl<const N: usize> Columns<N> {
         };
         for seed in self.seeds.iter().take(self.groups) {
             let field = along(seed);
-            for row in 0..N {
-                linear.f[row] = field[row].re;
-                for column in 0..N {
-                    linear.jacobian[row][column] += seed[column] * field[row].eps;
+            linear.f = field.map(|f| f.re);
+            for (row, f) in linear.jacobian.iter_mut().zip(&field) {
+                for (entry, one) in row.iter_mut().zip(seed) {
+                    *entry += one * f.eps;
                 }
             }
         }

@@ -54,6 +54,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) columns: Columns<N>,
     pub(super) lanes: M::Params<M::Lanes>,
     pub(super) constants: Option<Constants<M, N>>,
+    /// Usual magnitudes of the states: what errors are measured against where they pass through zero.
+    pub(crate) magnitude: [f64; N],
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -70,6 +72,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             columns: Columns::of::<M>(design.is_some()),
             constants: Constants::find(&lanes),
             lanes,
+            magnitude: [1.0; N],
         }
     }
 
@@ -208,6 +211,13 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         rule.speed
     }
 
+    /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
+    pub(super) fn layers(&self, state: &[f64; N]) -> M::PerContact<f64> {
+        let mut rule = Layers::<M, N>(Inline::from_fn(|_| f64::INFINITY));
+        let _ = M::rhs(&self.directional, state.map(Dual64::from), &mut rule);
+        rule.0
+    }
+
     /// stick and slip(0⁺) of every contact.
     pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
         let mut rule = AtRest::<M, N>(Inline::from_fn(|_| (0.0, 0.0)));
@@ -225,6 +235,20 @@ impl<M: Model<N>, const N: usize> ContactRule<f64> for AtRest<M, N> {
             *place = (law.stick(), law.slip(0.0));
         }
         0.0
+    }
+}
+
+/// Notes how fast every sliding force changes at speed 0.
+struct Layers<M: Model<N>, const N: usize>(M::PerContact<f64>);
+
+impl<M: Model<N>, const N: usize> ContactRule<Dual64> for Layers<M, N> {
+    fn force<L: FrictionLaw<Dual64>>(&mut self, contact: usize, law: &L, _: Dual64) -> Dual64 {
+        let slip = law.slip(Dual64::from(0.0).derivative());
+        let layer = (slip.re / slip.eps).abs();
+        if let (Some(place), true) = (self.0.as_mut().get_mut(contact), layer > 0.0) {
+            *place = layer;
+        }
+        Dual64::from(0.0)
     }
 }
 

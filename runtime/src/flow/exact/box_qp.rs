@@ -116,3 +116,6 @@ impl<M: Model<N>, const N: usize> BoxProblem<'_, M, N> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -55,6 +55,6 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             let_go,
         }
         .settle()?;
-        self.take(&verdict)
+        self.take(&verdict, &Inline::from_fn(|_| 0.0))
     }
 }

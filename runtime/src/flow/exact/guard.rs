@@ -59,6 +59,8 @@ pub(super) struct Sighting {
     pub(super) theta: f64,
     /// Up to where it has not risen again.
     pub(super) until: f64,
+    /// How far below zero its parabola there reaches before it turns back; infinite if it does not turn.
+    pub(super) depth: f64,
 }
 
 /// The guards of each contact, at most two, as polynomials.
@@ -134,10 +136,12 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             let theta = from + width * theta;
             if self.fall.is_none_or(|fall| theta < fall.theta) {
                 let until = from + width * until;
+                let depth = polynomial.depth((theta - from) / width);
                 self.fall = Some(Sighting {
                     guard,
                     theta,
                     until,
+                    depth,
                 });
             }
         }
@@ -150,6 +154,7 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
                         guard,
                         theta,
                         until: theta,
+                        depth: 0.0,
                     });
                 }
             }

@@ -31,6 +31,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                     mode: self.modes.as_slice()[contact],
                     time: self.time + length,
                     state,
+                    rate: 0.0,
                 });
             }
         }

@@ -48,7 +48,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             time,
             before,
             after: *after,
-            fallen: strike.fallen,
+            strike,
         };
         crossing.carry(motion)
     }
@@ -86,13 +86,20 @@ struct Passing<'a, M: Model<N>, const N: usize> {
     time: f64,
     before: Modes<M, N>,
     after: Modes<M, N>,
-    fallen: M::PerContact<Option<Guard>>,
+    strike: &'a Strike<M, N>,
 }
 
 impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
     /// Carries Φ and p to the other side, in any order of simultaneous events if all agree.
     fn carry(&self, motion: &mut Motion<N>) -> Result<(), FlowError> {
-        let order: Vec<Guard> = self.fallen.as_ref().iter().copied().flatten().collect();
+        let order: Vec<Guard> = self
+            .strike
+            .fallen
+            .as_ref()
+            .iter()
+            .copied()
+            .flatten()
+            .collect();
         let start = *motion;
         self.chain(motion, order.iter())?;
         if order.len() > 1 {
@@ -138,7 +145,7 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
             };
             let time = self.time;
             saltation
-                .apply(motion)
+                .apply(motion, self.strike.grazes)
                 .map_err(|rate| SensitivityUndefined::Grazing {
                     contact,
                     time,

@@ -33,6 +33,8 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     pub(super) scales: M::PerContact<f64>,
     pub(super) events: Vec<Event<N>>,
     pub(super) work: Work,
+    /// Rate of each |w| at the beginning of the last step, and the length of that step.
+    pub(super) rates: (M::PerContact<f64>, f64),
     segment_from: f64,
     segments: Vec<Segment<Modes<M, N>>>,
     pub(super) extrema: Extrema<N>,
@@ -63,6 +65,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             scales: flow.speed_scales(&from.state),
             events: Vec::new(),
             work: Work::default(),
+            rates: (Inline::from_fn(|_| 0.0), f64::NAN),
             segment_from: 0.0,
             segments: Vec::new(),
             extrema: Extrema::new(),
@@ -152,8 +155,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         stepper: &mut Steps<'_, 'f, M, V, N>,
         field: &ExactField<'f, M, N>,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
+        let limit = self.approach(stepper).min(self.span - self.time);
         stepper
-            .attempt(self.span - self.time)
+            .attempt(limit)
             .map_err(|error| self.explain(error))?;
         let mut dense = stepper.dense();
         let mut nearest = Vec::new();
@@ -177,6 +181,11 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             self.time + stepper.length()
         };
         self.departure = Inline::from_fn(|_| Departure::default());
+        self.rates.1 = if strike.is_none() {
+            stepper.length()
+        } else {
+            f64::NAN
+        };
         let mut end = *stepper.end();
         let drift = field.correction(end.state(), &self.flow.system.speeds(end.state()));
         end.state_mut().add(-1.0, &drift);

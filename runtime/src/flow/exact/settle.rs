@@ -1,6 +1,5 @@
 //! The mode of every contact at rest: which stick, which slide, and how those leave the surface (3.2 to 3.4).
 
-use super::box_qp::BoxProblem;
 use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::flow::FlowError;
 use crate::model::Model;
@@ -8,14 +7,8 @@ use crate::scalar::Inline;
 
 /// Relative excess over its limit above which a force cannot hold, and distance below which it is at it.
 pub(super) const EDGE: f64 = 1e-11;
-/// Rate of a speed, relative to what friction can do, below which the next derivative decides.
-const NO_RATE: f64 = 1e-12;
-/// The same where the rate is known to vanish but for rounding errors.
-const ROUNDED_RATE: f64 = 1e-9;
 /// Contacts among which all combinations are searched.
 const SEARCHED: usize = 6;
-/// Relative difference of two utilisations that makes a tie.
-const TIE: f64 = 1e-12;
 
 /// What becomes of a contact that stops although it may also go on in the other direction.
 ///
@@ -125,11 +118,11 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
         Ok(best)
     }
 
-    fn contacts(&self) -> impl Iterator<Item = usize> {
+    pub(super) fn contacts(&self) -> impl Iterator<Item = usize> {
         (0..self.resting.as_ref().len()).filter(|&i| self.resting.as_ref()[i])
     }
 
-    fn all_stick(&self) -> Modes<M, N> {
+    pub(super) fn all_stick(&self) -> Modes<M, N> {
         let before = self.before.as_slice();
         Modes::from_fn(|i| {
             if self.resting.as_ref()[i] {
@@ -173,134 +166,5 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
             }
         }
         tangential
-    }
-
-    /// Whether stick > slip(0⁺), so that a released contact does not leave tangentially.
-    fn weakens(&self, contact: usize) -> bool {
-        let limits = self.system.limits_at_rest(&self.state);
-        let (stick, slip) = limits.as_ref()[contact];
-        stick - slip > EDGE * stick
-    }
-
-    /// Lets one more contact go, or all that a box problem finds at limits that sliding does not lower.
-    fn release(
-        &self,
-        verdict: &mut Verdict<M, N>,
-        tangential: &mut M::PerContact<bool>,
-    ) -> Result<bool, FlowError> {
-        if verdict.modes.sticking().next().is_none() {
-            return Ok(false);
-        }
-        let snapshot = self.system.snapshot(&self.state, &verdict.modes)?;
-        let force = |i: usize| snapshot.force.as_ref()[i];
-        let stick = |i: usize| snapshot.stick.as_ref()[i];
-        if verdict
-            .modes
-            .sticking()
-            .any(|i| force(i).abs() > stick(i) * (1.0 + EDGE))
-        {
-            self.release_overloaded(verdict, &snapshot.force);
-            return Ok(true);
-        }
-        let edge = |i: &usize| force(*i).abs() >= stick(*i) * (1.0 - EDGE);
-        let edges: Vec<usize> = verdict.modes.sticking().filter(edge).collect();
-        if edges.is_empty() {
-            return Ok(false);
-        }
-        let moving = self.system.moving(&self.state, &verdict.modes)?;
-        for i in edges {
-            let way = force(i).signum();
-            let rise = way * moving.force.as_ref()[i].eps - moving.stick.as_ref()[i].eps;
-            if rise > 0.0 {
-                verdict.modes.set(i, Mode::sliding(-way));
-                tangential.as_mut()[i] = !self.weakens(i);
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    fn release_overloaded(&self, verdict: &mut Verdict<M, N>, held: &M::PerContact<f64>) {
-        let affine = self.system.affine(&self.state, &verdict.modes);
-        let modes = verdict.modes;
-        let problem = BoxProblem::<M, N> {
-            compliance: &affine.compliance,
-            rate: &affine.rate,
-            limit: &affine.stick,
-            members: &|i| modes.as_slice()[i] == Mode::Stick,
-        };
-        let signs = problem.bound_signs();
-        let limit = |i: usize| affine.stick.as_ref()[i];
-        let use_of = |i: usize| held.as_ref()[i].abs() / limit(i);
-        let bound = || modes.sticking().filter(|&i| signs.as_ref()[i] != 0.0);
-        let first_of = |contacts: &mut dyn Iterator<Item = usize>| {
-            contacts.reduce(|a, b| {
-                if use_of(b) > use_of(a) * (1.0 + TIE) {
-                    b
-                } else {
-                    a
-                }
-            })
-        };
-        if let Some(first) = first_of(&mut bound().filter(|&i| self.weakens(i))) {
-            let tie = |i: usize| i != first && use_of(i) >= use_of(first) * (1.0 - TIE);
-            verdict.notes.as_mut()[first].tied = bound().any(tie);
-            verdict
-                .modes
-                .set(first, Mode::sliding(-signs.as_ref()[first]));
-        } else if bound().next().is_some() {
-            for i in bound() {
-                verdict.modes.set(i, Mode::sliding(-signs.as_ref()[i]));
-            }
-        } else if let Some(first) = first_of(&mut modes.sticking()) {
-            verdict
-                .modes
-                .set(first, Mode::sliding(-held.as_ref()[first]));
-        }
-    }
-
-    /// The first derivative of w that does not vanish must have the sign of the new mode (3.3).
-    fn judge_departures(
-        &self,
-        verdict: &mut Verdict<M, N>,
-        tangential: &M::PerContact<bool>,
-    ) -> Result<(), FlowError> {
-        let slides = |i: &usize| verdict.modes.as_slice()[*i] != Mode::Stick;
-        let leaving: Vec<usize> = self.contacts().filter(slides).collect();
-        if leaving.is_empty() {
-            return Ok(());
-        }
-        let moving = self.system.moving(&self.state, &verdict.modes)?;
-        let second = self
-            .system
-            .second_rates(&self.state, &verdict.modes, &moving.field);
-        let able = self.system.affine(&self.state, &self.all_stick());
-        for contact in leaving {
-            let mode = verdict.modes.as_slice()[contact];
-            let compliance = able.compliance.as_ref()[contact].as_ref()[contact];
-            let scale = compliance
-                * (able.stick.as_ref()[contact] + verdict.notes.as_ref()[contact].margin.abs());
-            let rate = moving.speed.as_ref()[contact].eps;
-            let second_rate = second.as_ref()[contact];
-            let threshold = if tangential.as_ref()[contact] {
-                ROUNDED_RATE
-            } else {
-                NO_RATE
-            };
-            let flat = rate.abs() <= threshold * scale;
-            let (order, decisive) = if flat { (2, second_rate) } else { (1, rate) };
-            if mode.sign() * decisive <= 0.0 || !decisive.is_finite() {
-                return Err(FlowError::InconsistentMode {
-                    contact,
-                    time: self.time,
-                    mode,
-                    speed: moving.speed.as_ref()[contact].re,
-                    rate,
-                    second_rate,
-                });
-            }
-            verdict.notes.as_mut()[contact].departure = order;
-        }
-        Ok(())
     }
 }

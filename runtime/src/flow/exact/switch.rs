@@ -11,16 +11,20 @@ use crate::model::Model;
 use crate::scalar::Inline;
 
 /// Value of a guard, relative to its scale, up to which it has fallen where it was to fall.
-const FALLEN: f64 = 1e-9;
+const FALLEN: f64 = 1e-12;
+/// Depth to which a guard falls, in units of what is tolerated, up to which it only grazes.
+const GRAZE: f64 = 1.0;
 /// Rounding error of a guard, relative to its scale.
 pub(super) const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Relative difference in time up to which events are one.
-const AT_ONCE: f64 = 64.0 * f64::EPSILON;
 
 /// The guards that fell at one instant.
 pub(super) struct Strike<M: Model<N>, const N: usize> {
     pub(super) fallen: M::PerContact<Option<Guard>>,
+    /// Rates at which they fell, along the motion.
+    rates: M::PerContact<f64>,
     first: usize,
+    /// Whether the tolerance does not tell the event from a miss.
+    pub(super) grazes: bool,
 }
 
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
@@ -36,7 +40,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let at = system.moving(state, &self.modes)?;
         let scales = self.flow.speed_scales(state);
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
-        let now = (self.time + stepper.length()) * AT_ONCE;
+        let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
+        let mut grazes = false;
         for (i, mode) in self.modes.as_slice().iter().enumerate() {
             for guard in Guard::of(i, *mode) {
                 let value = guard.value(&self.modes, &at);
@@ -45,18 +50,28 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 } else {
                     at.stick.as_ref()[i].re + at.force.as_ref()[i].re.abs()
                 };
-                let at_once = value.eps < 0.0 && value.re <= ROUNDING * scale - now * value.eps;
+                let tolerated = self.flow.settings.tolerance.of(scale);
+                let at_once = value.eps < 0.0 && value.re <= tolerated;
                 let was_awaited = guard == awaited.guard;
                 if was_awaited && value.re > FALLEN * scale {
                     return Ok(None);
                 }
+                if was_awaited {
+                    grazes = awaited.depth <= GRAZE * tolerated;
+                }
                 if was_awaited || at_once {
                     fallen.as_mut()[i] = Some(guard);
+                    rates.as_mut()[i] = value.eps;
                 }
             }
         }
         let first = awaited.guard.contact;
-        Ok(Some(Strike { fallen, first }))
+        Ok(Some(Strike {
+            fallen,
+            rates,
+            first,
+            grazes,
+        }))
     }
 
     /// Passes to the modes after an event.
@@ -77,12 +92,16 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         .settle()?;
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
-        self.take(&verdict)?;
+        self.take(&verdict, &strike.rates)?;
         self.count_chatter(strike.first)
     }
 
-    /// Takes the modes that were decided, and notes what changed.
-    pub(super) fn take(&mut self, verdict: &Verdict<M, N>) -> Result<(), FlowError> {
+    /// Takes the modes that were decided after guards fell at these rates, and notes what changed.
+    pub(super) fn take(
+        &mut self,
+        verdict: &Verdict<M, N>,
+        rates: &M::PerContact<f64>,
+    ) -> Result<(), FlowError> {
         let before = self.modes;
         let pairs = before.as_slice().iter().zip(verdict.modes.as_slice());
         for (contact, (old, new)) in pairs.enumerate().filter(|(_, (old, new))| old != new) {
@@ -103,6 +122,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 mode: *new,
                 time: self.time,
                 state: *self.carried.state(),
+                rate: rates.as_ref()[contact],
             });
         }
         self.modes = verdict.modes;

@@ -21,7 +21,12 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
         .subcommand(models())
         .subcommand(simulate())
         .subcommand(orbit())
-        .subcommand(branch());
+        .subcommand(branch())
+<<<<<<< HEAD
+        .subcommand(trade());
+=======
+        .subcommand(equilibria());
+>>>>>>> eq
     if app.reproduction.is_some() {
         command = command.args(to_reproduce()).subcommand(
             Command::new("reproduce")
@@ -64,10 +69,36 @@ fn branch() -> Command {
         .about("Follow a periodic orbit along a parameter, or along the size of the smoothing")
         .args(shared())
         .arg(period())
+        .arg(along())
+}
+
+fn equilibria() -> Command {
+    Command::new("equilibria")
+        .about("List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds")
+        .args(shared())
+        .arg(along())
+}
+
+fn along() -> Arg {
+    valued(
+        "along",
+        "NAME=A..B",
+        "What to follow, from A to B; `smooth=A..B` follows the smoothing",
+    )
+}
+
+fn trade() -> Command {
+    Command::new("trade")
+        .about("Measure what each smoothing gets wrong, and what it costs, against the exact system")
+        .after_help(
+            "--smooth restricts this to one copy; with --accuracy the cheapest settings that meet it are sought",
+        )
+        .args(shared())
+        .arg(period())
         .arg(valued(
             "along",
             "NAME=A..B",
-            "What to follow, from A to B; `smooth=A..B` follows the smoothing",
+            "A parameter, to be judged at both A and B: the worst end counts",
         ))
 }
 

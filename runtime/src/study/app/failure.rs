@@ -6,6 +6,7 @@ use crate::flow::FlowError;
 use crate::model::ModelInfo;
 use crate::shooting::OrbitError;
 use crate::study::StudyError;
+use crate::study::trade::TradeError;
 
 /// A failure with the message for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -63,7 +64,11 @@ fn is_usage(error: &StudyError) -> bool {
     let flow = match error {
         StudyError::NothingToSmooth | StudyError::NothingToFollow => return true,
         StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
-        StudyError::Orbit(_) => return false,
+        StudyError::Trade(TradeError::NoFriction { .. }) => return true,
+        StudyError::Orbit(_)
+        | StudyError::Trade(_)
+        | StudyError::NoEquilibrium { .. }
+        | StudyError::Equilibrium(_) => return false,
     };
     matches!(flow, FlowError::Parameter(_) | FlowError::Smoothing(_))
 }

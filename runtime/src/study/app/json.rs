@@ -1,16 +1,20 @@
 //! Answers as JSON.
 
+mod equilibrium;
 mod motion;
+mod trade;
 mod work;
 
 use serde::ser::{Serialize, Serializer};
 
+pub(super) use equilibrium::{Equilibria, EquilibriumBranch};
 pub(super) use motion::Motion;
+pub(super) use trade::Trade;
 use work::Counts;
 
 use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
-use crate::study::{BranchRecord, Case, OrbitRecord, Special};
+use crate::study::{Along, BranchRecord, Case, OrbitRecord, Special};
 
 /// Values by name, in the order of declaration.
 pub(super) struct Named<'a, T>(Vec<(&'a str, T)>);
@@ -85,10 +89,18 @@ pub(super) struct Orbit<'a> {
     units: Named<'a, &'static str>,
     residual: f64,
     error_estimate: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    method: Option<String>,
     work: Counts,
 }
 
 impl<'a> Orbit<'a> {
+    /// The same with the method that was chosen, and why.
+    pub(super) fn with_method(mut self, reason: String) -> Self {
+        self.method = Some(reason);
+        self
+    }
+
     pub(super) fn new(info: &'a ModelInfo, orbit: &'a OrbitRecord) -> Self {
         let named = |values: &[f64]| states(info, values.to_vec());
         Self {
@@ -116,6 +128,7 @@ impl<'a> Orbit<'a> {
             units: units(info),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,
+            method: None,
             work: Counts::from(&orbit.work),
         }
     }
@@ -142,6 +155,16 @@ struct Range<'a> {
     name: &'a str,
     from: f64,
     to: f64,
+}
+
+impl<'a> Range<'a> {
+    fn new(info: &'a ModelInfo, along: &Along) -> Self {
+        Self {
+            name: along.name(info),
+            from: along.from,
+            to: along.to,
+        }
+    }
 }
 
 /// A special point.
@@ -175,11 +198,7 @@ impl<'a> Branch<'a> {
             model: info.command,
             dynamics: case.dynamics.to_string(),
             parameters: parameters(info, &case.parameters),
-            along: Range {
-                name: along.name(info),
-                from: along.from,
-                to: along.to,
-            },
+            along: Range::new(info, along),
             points: branch
                 .points
                 .iter()

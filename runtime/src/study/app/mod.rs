@@ -2,6 +2,7 @@
 
 mod arguments;
 mod branch;
+mod equilibria;
 mod failure;
 mod json;
 mod models;
@@ -13,6 +14,7 @@ mod reproduce;
 mod simulate;
 mod spreadsheet;
 mod text;
+mod trade;
 mod usage;
 mod words;
 
@@ -95,6 +97,11 @@ impl App {
             Some(("simulate", options)) => simulate::perform(self, options),
             Some(("orbit", options)) => orbit::perform(self, options),
             Some(("branch", options)) => branch::perform(self, options),
+<<<<<<< HEAD
+            Some(("trade", options)) => trade::perform(self, options),
+=======
+            Some(("equilibria", options)) => equilibria::perform(self, options),
+>>>>>>> eq
             Some(("reproduce", options)) => reproduce::perform(self, options),
             _ => reproduce::perform(self, matches),
         }

@@ -5,13 +5,13 @@ use clap::ArgMatches;
 use super::App;
 use super::failure::Failure;
 use super::json;
-use super::options::{Request, request};
+use super::options::{Request, request, text};
 use super::progress::Progress;
 use super::spreadsheet::Spreadsheet;
 use super::text::{digits, label, number, parameters, table, time_unit};
 use crate::field::Work;
 use crate::model::ModelInfo;
-use crate::study::{Case, OrbitRecord};
+use crate::study::{Case, OrbitRecord, choose};
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let Request {
@@ -33,8 +33,12 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         sheets.push(("orbit", Spreadsheet::motion(info, &motion)));
     }
     drop(progress);
-    let text = describe(info, &case, &orbit);
-    output.deliver("orbit", &text, &json::Orbit::new(info, &orbit), &sheets)
+    // `--exact` asks for what would be chosen anyway.
+    let asked = text(options, "smooth").is_some();
+    let choice = choose(info, asked.then_some(case.dynamics), case.accuracy);
+    let text = describe(info, &case, &orbit) + &format!("\n  {}\n", choice.reason);
+    let document = json::Orbit::new(info, &orbit).with_method(choice.reason);
+    output.deliver("orbit", &text, &document, &sheets)
 }
 
 fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use crate::model::ModelInfo;
-use crate::study::{OrbitRecord, Trajectory};
+use crate::study::{EquilibriumRecord, OrbitRecord, Trajectory};
 
 /// A table of words and numbers with a head.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,6 +25,11 @@ impl Spreadsheet {
             .into_inner()
             .map_err(|error| failed(error.to_string()))?;
         String::from_utf8(bytes).map_err(|error| failed(error.to_string()))
+    }
+
+    /// A table of these rows, the first its head.
+    pub(super) fn of(rows: Vec<Vec<String>>) -> Self {
+        Self { rows }
     }
 
     /// A motion, one row for each time.
@@ -50,6 +55,35 @@ impl Spreadsheet {
         let mut rows = vec![head(info, name)];
         rows.extend(orbits.iter().map(row));
         Self { rows }
+    }
+
+    /// Equilibria, one row for each; `name` is what is followed, if anything is.
+    pub(super) fn equilibria(info: &ModelInfo, name: &str, all: &[EquilibriumRecord]) -> Self {
+        let states = info.states.iter().map(|state| state.name.to_owned());
+        let mut head: Vec<String> = (!name.is_empty())
+            .then(|| name.to_owned())
+            .into_iter()
+            .collect();
+        head.extend(states);
+        for i in 1..=info.states.len() {
+            head.extend(["re", "im"].map(|part| format!("eigenvalue_{i}_{part}")));
+        }
+        head.extend(["stability", "mode", "artefact"].map(str::to_owned));
+        let row = |one: &EquilibriumRecord| {
+            let mut row: Vec<String> = one.r.iter().chain(&one.state).map(full).collect();
+            for i in 0..info.states.len() {
+                let value = one.eigenvalues.get(i);
+                let parts = [value.map(|value| value.re), value.map(|value| value.im)];
+                row.extend(parts.map(|part| part.as_ref().map(full).unwrap_or_default()));
+            }
+            row.push(one.stability.name().to_owned());
+            row.push(one.mode.clone().unwrap_or_default());
+            row.push(one.artefact.to_string());
+            row
+        };
+        Self {
+            rows: std::iter::once(head).chain(all.iter().map(row)).collect(),
+        }
     }
 }
 
@@ -93,6 +127,6 @@ fn row(orbit: &OrbitRecord) -> Vec<String> {
 }
 
 /// All digits of a number.
-fn full(value: &f64) -> String {
+pub(super) fn full(value: &f64) -> String {
     format!("{value:?}")
 }

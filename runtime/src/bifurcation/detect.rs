@@ -1,0 +1,213 @@
+//! What happens between two neighbouring points of a branch, with bookkeeping: theory section 8.1.
+
+use super::locate::zero;
+use super::test_function::{flip, fold, is_torus, torus};
+use super::watched::{Path, Spot, Watched};
+use super::word_change::word_change;
+use super::{Kind, Stability};
+
+/// Halvings of a step after which a change stays unexplained.
+const HALVINGS: u32 = 12;
+
+/// A bifurcation that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Located<P> {
+    /// Which.
+    pub kind: Kind,
+    /// The design variable there.
+    pub r: f64,
+    /// The orbit there, or the nearest on the side from which the branch came.
+    pub point: P,
+    share: f64,
+}
+
+impl<P> Located<P> {
+    pub(super) fn at(kind: Kind, r: f64, point: P) -> Self {
+        Self {
+            kind,
+            r,
+            point,
+            share: 1.0,
+        }
+    }
+}
+
+/// A change in the number of unstable multipliers, or of the event word, with no bifurcation to explain it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unexplained {
+    /// The design variable before and after.
+    pub between: [f64; 2],
+    /// Number of unstable multipliers before and after.
+    pub unstable: [usize; 2],
+    /// Why it was not looked at more closely.
+    pub reason: String,
+}
+
+/// All that was found on one step of a branch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Findings<P> {
+    /// Bifurcations, in their order along the branch.
+    pub located: Vec<Located<P>>,
+    /// What they do not explain.
+    pub unexplained: Vec<Unexplained>,
+}
+
+impl<P> Findings<P> {
+    /// One bifurcation, and all is explained.
+    #[must_use]
+    pub fn of(located: Located<P>) -> Self {
+        Self {
+            located: vec![located],
+            unexplained: Vec::new(),
+        }
+    }
+}
+
+/// Finds the bifurcations between two neighbouring points: by the signs of test functions and by the
+/// event words; a step on which they do not account for the change of stability is halved.
+pub fn detect<Q: Path>(
+    path: &mut Q,
+    from: &Q::Point,
+    to: &Q::Point,
+    accuracy: f64,
+) -> Findings<Q::Point> {
+    let mut hunt = Hunt {
+        path,
+        accuracy,
+        found: Findings {
+            located: Vec::new(),
+            unexplained: Vec::new(),
+        },
+    };
+    let spot = |share, point: &Q::Point| Spot {
+        share,
+        point: point.clone(),
+    };
+    hunt.step(&spot(0.0, from), &spot(1.0, to), HALVINGS);
+    hunt.found
+        .located
+        .sort_by(|a, b| a.share.total_cmp(&b.share));
+    hunt.found
+}
+
+struct Hunt<'a, Q: Path> {
+    path: &'a mut Q,
+    accuracy: f64,
+    found: Findings<Q::Point>,
+}
+
+impl<Q: Path> Hunt<'_, Q> {
+    fn step(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        if !from.point.same_word(&to.point) {
+            return self.change(from, to, halvings);
+        }
+        let events = self.smooth(from, to);
+        match events {
+            Ok(events) if accounts(&events, &from.point, &to.point) => {
+                self.found.located.extend(events);
+            }
+            _ if halvings == 0 => self.give_up(from, to, "the step cannot be halved any more"),
+            _ => self.halve(from, to, halvings - 1),
+        }
+    }
+
+    fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        let share = 0.5 * (from.share + to.share);
+        match self.path.at(share) {
+            Ok(point) => {
+                let middle = Spot { share, point };
+                self.step(from, &middle, halvings);
+                self.step(&middle, to, halvings);
+            }
+            Err(error) => self.give_up(from, to, &error.to_string()),
+        }
+    }
+
+    /// A step on which the word changes: up to the change, the change, and what lies beyond.
+    fn change(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        let change = word_change(self.path, from, to, self.accuracy);
+        let (before, after) = (change.before, change.after);
+        if before.share > from.share {
+            self.step(from, &before, halvings);
+        }
+        if change.sharp {
+            self.found.located.push(Located {
+                kind: change.kind,
+                r: 0.5 * (before.point.r() + after.point.r()),
+                share: before.share,
+                point: before.point,
+            });
+        } else {
+            self.give_up(
+                &before,
+                &after,
+                "the events change, and no orbit was found between",
+            );
+        }
+        if after.share < to.share {
+            self.step(&after, to, halvings);
+        }
+    }
+
+    /// The smooth bifurcations that test functions show between two spots.
+    fn smooth(
+        &mut self,
+        from: &Spot<Q::Point>,
+        to: &Spot<Q::Point>,
+    ) -> Result<Vec<Located<Q::Point>>, Q::Error> {
+        let tests: [(Kind, fn(&Q::Point) -> f64); 3] = [
+            (Kind::BranchPoint, |p| fold(&p.floquet().multipliers)),
+            (Kind::Flip, |p| flip(&p.floquet().multipliers)),
+            (Kind::Torus, |p| torus(&p.floquet().multipliers)),
+        ];
+        let changes = |test: fn(&Q::Point) -> f64| test(&from.point) * test(&to.point) < 0.0;
+        let turns = changes(Q::Point::slope);
+        let mut found = Vec::new();
+        for (kind, test) in tests.into_iter().filter(|(_, test)| changes(*test)) {
+            let (kind, test) = match kind {
+                Kind::BranchPoint if turns => (Kind::Fold, Q::Point::slope as fn(&Q::Point) -> f64),
+                _ => (kind, test),
+            };
+            let Spot { share, point } = zero(self.path, [from, to], test, self.accuracy)?;
+            if kind != Kind::Torus || is_torus(&point.floquet().multipliers) {
+                found.push(Located {
+                    kind,
+                    r: point.r(),
+                    share,
+                    point,
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    fn give_up(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, reason: &str) {
+        let pair = [&from.point, &to.point];
+        self.found.unexplained.push(Unexplained {
+            between: pair.map(Watched::r),
+            unstable: pair.map(|point| point.floquet().unstable),
+            reason: reason.to_owned(),
+        });
+    }
+}
+
+/// Whether the bifurcations account for the change in the number of unstable multipliers; where that
+/// number is not certain, they do.
+fn accounts<P: Watched>(events: &[Located<P>], from: &P, to: &P) -> bool {
+    let (from, to) = (from.floquet(), to.floquet());
+    if [from, to]
+        .map(|f| f.stability)
+        .contains(&Stability::Undecided)
+    {
+        return true;
+    }
+    let change = to.unstable as i64 - from.unstable as i64;
+    let mut sums = vec![0];
+    for jump in events.iter().filter_map(|event| event.kind.jump()) {
+        sums = sums
+            .iter()
+            .flat_map(|sum| [sum - jump, sum + jump])
+            .collect();
+    }
+    sums.contains(&change)
+}

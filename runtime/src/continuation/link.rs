@@ -1,0 +1,92 @@
+//! What lies between two neighbouring points of a branch.
+
+use nalgebra::DVector;
+
+use super::branch::Point;
+use super::corrector::{Failure, correct};
+use super::predictor::tangent;
+use super::{Corrected, ZeroProblem};
+
+/// Distance from the chord, relative to its length, beyond which a point lies on another branch.
+const OFF: f64 = 0.5;
+
+/// One step of a branch: its ends, and the problem as it was when the step was made.
+#[derive(Debug, Clone)]
+pub struct Link<P> {
+    /// The problem, with what it fixed between its ends.
+    pub problem: P,
+    ends: [(DVector<f64>, f64); 2],
+    /// Unit vector from end to end, in scaled coordinates with r last.
+    chord: DVector<f64>,
+    length: f64,
+    r_scale: f64,
+    accuracy: f64,
+}
+
+impl<P: ZeroProblem> Link<P> {
+    pub(super) fn new(
+        problem: P,
+        ends: [(DVector<f64>, f64); 2],
+        r_scale: f64,
+        accuracy: f64,
+    ) -> Self {
+        let [from, to] = &ends;
+        let chord = scaled(&problem.scale(), r_scale, &(&to.0 - &from.0), to.1 - from.1);
+        let length = chord.norm();
+        Self {
+            problem,
+            chord: chord / length,
+            length,
+            ends,
+            r_scale,
+            accuracy,
+        }
+    }
+
+    /// The point of the branch in the plane across the chord at this share of it, 0 < share < 1.
+    ///
+    /// # Errors
+    /// The corrector failed, or went to another branch.
+    pub fn between(&mut self, share: f64) -> Result<Point<P::Extra>, Failure<P::Error>> {
+        let [from, to] = &self.ends;
+        let z = &from.0 + (&to.0 - &from.0) * share;
+        let r = from.1 + (to.1 - from.1) * share;
+        let (problem, chord) = (&mut self.problem, &self.chord);
+        let found = correct(problem, z.clone(), r, chord, self.r_scale, self.accuracy)?;
+        let scale = self.problem.scale();
+        let off = scaled(&scale, self.r_scale, &(&found.z - z), found.r - r).norm();
+        if off > OFF * self.length {
+            let beta = (off / self.length).atan();
+            return Err(Failure::Angle {
+                beta_1: beta,
+                beta_2: beta,
+                r: found.r,
+            });
+        }
+        let direction = tangent(&found.linearisation, &scale, self.r_scale, chord)
+            .ok_or(Failure::Singular { r: found.r })?;
+        let Corrected {
+            z,
+            r,
+            linearisation,
+            residual,
+            corrections,
+        } = found;
+        Ok(Point {
+            tangent_r: direction[z.len()],
+            z,
+            r,
+            extra: linearisation.extra,
+            residual,
+            newton: corrections.len() as u64,
+        })
+    }
+}
+
+fn scaled(scale: &DVector<f64>, r_scale: f64, z: &DVector<f64>, r: f64) -> DVector<f64> {
+    let n = z.len();
+    DVector::from_fn(
+        n + 1,
+        |i, _| if i == n { r / r_scale } else { z[i] / scale[i] },
+    )
+}

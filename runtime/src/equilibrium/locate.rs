@@ -1,0 +1,148 @@
+//! Special points between two points of a branch, located on the branch itself.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::root::root;
+use super::special::{Found, Kind, Spot};
+use super::{Confined, EquilibriumProblem, Spectrum};
+use crate::continuation::{Linearisation, ZeroProblem, correct, tangent};
+use crate::flow::{Family, Velocity};
+
+/// Bisections of a step within which every change of stability must be explained.
+const DEPTH: usize = 16;
+
+/// A problem, and in what units its branch is measured.
+pub(super) struct Locator<'a, F: Family<N>, const N: usize> {
+    pub(super) problem: &'a mut EquilibriumProblem<F, N>,
+    pub(super) r_scale: f64,
+    pub(super) accuracy: f64,
+}
+
+impl<F: Family<N>, const N: usize> Locator<'_, F, N>
+where
+    F::Flow: Confined<N>,
+{
+    /// What happens from `a` to `b`, in this order; `Err` with the narrowest stretch over which the stability changes
+    /// without a reason that was found.
+    pub(super) fn events(&mut self, a: &Spot<N>, b: &Spot<N>) -> Result<Vec<Found<N>>, (f64, f64)> {
+        self.search(a, b, DEPTH)
+    }
+
+    fn search(
+        &mut self,
+        a: &Spot<N>,
+        b: &Spot<N>,
+        depth: usize,
+    ) -> Result<Vec<Found<N>>, (f64, f64)> {
+        let found = self.crossings(a, b);
+        let crossings = found.iter().filter_map(|found| found.kind.crossing());
+        let change = a.spectrum.unstable.abs_diff(b.spectrum.unstable);
+        if explains(change, &crossings.collect::<Vec<_>>()) {
+            return Ok(found);
+        }
+        let unexplained = (a.r, b.r);
+        let middle = (depth > 0).then(|| self.between(a, b, 0.5)).flatten();
+        let middle = middle.ok_or(unexplained)?;
+        let mut all = self.search(a, &middle, depth - 1)?;
+        all.extend(self.search(&middle, b, depth - 1)?);
+        Ok(all)
+    }
+
+    /// Every kind whose test function changes its sign, located once.
+    fn crossings(&mut self, a: &Spot<N>, b: &Spot<N>) -> Vec<Found<N>> {
+        let mut found = Vec::new();
+        let turns = changes(a, b, Kind::Fold);
+        for kind in [Kind::Fold, Kind::BranchPoint, Kind::Hopf] {
+            let same_as_fold = kind == Kind::BranchPoint && turns;
+            if same_as_fold || !changes(a, b, kind) {
+                continue;
+            }
+            let spot = self.locate(a, b, kind);
+            let neutral = kind == Kind::Hopf && spot.spectrum.critical_frequency().is_none();
+            if !neutral {
+                found.push(Found { kind, spot });
+            }
+        }
+        found
+    }
+
+    /// The zero of the test function of `kind` between `a` and `b`, on different sides of it.
+    pub(super) fn locate(&mut self, a: &Spot<N>, b: &Spot<N>, kind: Kind) -> Spot<N> {
+        let mut best = if a.test(kind).abs() < b.test(kind).abs() {
+            a.clone()
+        } else {
+            b.clone()
+        };
+        root(a.test(kind), b.test(kind), |share| {
+            let spot = self.between(a, b, share)?;
+            let test = spot.test(kind);
+            if test.abs() <= best.test(kind).abs() {
+                best = spot;
+            }
+            Some(test)
+        });
+        best
+    }
+
+    /// The point of the branch over this share of the chord.
+    fn between(&mut self, a: &Spot<N>, b: &Spot<N>, share: f64) -> Option<Spot<N>> {
+        let scale = self.problem.scale();
+        let (from, to) = (a.unknowns(), b.unknowns());
+        let mut chord = DVector::zeros(N + 1);
+        chord
+            .rows_mut(0, N)
+            .copy_from(&(&to - &from).component_div(&scale));
+        chord[N] = (b.r - a.r) / self.r_scale;
+        let chord = chord.normalize();
+        let z = &from + (&to - &from) * share;
+        let r = a.r + (b.r - a.r) * share;
+        let there = correct(self.problem, z, r, &chord, self.r_scale, self.accuracy).ok()?;
+        let along = tangent(&there.linearisation, &scale, self.r_scale, &chord)?;
+        self.spot(&there.z, there.r, &there.linearisation, along[N])
+    }
+
+    fn spot(
+        &self,
+        z: &DVector<f64>,
+        r: f64,
+        at: &Linearisation<Velocity<N>>,
+        tangent_r: f64,
+    ) -> Option<Spot<N>> {
+        spot(self.problem, z, r, &at.extra, tangent_r, at.residual.norm())
+    }
+}
+
+/// A converged point with all that is told of it.
+pub(super) fn spot<F: Family<N>, const N: usize>(
+    problem: &EquilibriumProblem<F, N>,
+    z: &DVector<f64>,
+    r: f64,
+    velocity: &Velocity<N>,
+    tangent_r: f64,
+    residual: f64,
+) -> Option<Spot<N>>
+where
+    F::Flow: Confined<N>,
+{
+    let place = problem.place(z);
+    let jacobian = DMatrix::from_fn(N, N, |i, j| velocity.jacobian[i][j]);
+    Some(Spot {
+        state: place.state,
+        r,
+        spectrum: Spectrum::of(&jacobian),
+        residual,
+        margins: problem.family.at(r).ok()?.margins(&place),
+        tangent_r,
+        determinant: Spot::<N>::determinant_of(&jacobian),
+    })
+}
+
+fn changes<const N: usize>(a: &Spot<N>, b: &Spot<N>, kind: Kind) -> bool {
+    (a.test(kind) >= 0.0) != (b.test(kind) >= 0.0)
+}
+
+/// Whether crossings by these numbers, each up or down, can add up to the change.
+fn explains(change: usize, crossings: &[usize]) -> bool {
+    let total: usize = crossings.iter().sum();
+    change <= total && (total - change) % 2 == 0
+}

@@ -1,0 +1,24 @@
+//! Equilibria: found, followed, and judged by their eigenvalues. Knows nothing of orbits.
+//!
+//! A mode of friction fixes a smooth field, f(y, r) = 0 in it is a zero problem, and the equilibrium is one of the
+//! system as long as its contacts slide the way the mode says.
+
+mod branch;
+mod confined;
+mod locate;
+mod newton;
+mod problem;
+mod root;
+mod special;
+mod spectrum;
+mod starts;
+mod sticking;
+
+pub use branch::{Branch, End, follow, settings};
+pub use confined::Confined;
+pub use newton::{Equilibrium, find, settle};
+pub use problem::EquilibriumProblem;
+pub use special::{Found, Kind, Spot};
+pub use spectrum::Spectrum;
+pub use starts::starts;
+pub use sticking::{StickingSet, sticking_sets};

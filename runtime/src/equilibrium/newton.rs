@@ -1,0 +1,130 @@
+//! Equilibria at one value of the design variable: Newton, damped, from many places.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Confined, EquilibriumProblem, Spectrum};
+use crate::continuation::ZeroProblem;
+use crate::flow::{Family, Flow, Place};
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+const ITERATIONS: usize = 100;
+/// Newton's step is halved at most down to this share.
+const LEAST_DAMPING: f64 = 1.0 / 1024.0;
+/// Corrections below this share of the states are rounding error.
+const CONVERGED: f64 = 1e-13;
+/// A correction that no longer shrinks has converged if it is below this.
+const STALLED: f64 = 1e-9;
+/// Two equilibria closer than this are one.
+const SAME: f64 = 1e-7;
+
+/// An equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium<const N: usize, Mode> {
+    /// Where, and in which mode.
+    pub place: Place<N, Mode>,
+    /// Its eigenvalues.
+    pub spectrum: Spectrum,
+}
+
+/// Every equilibrium at r that Newton reaches from one of `starts` in one of `modes`, each once, and only those
+/// whose contacts slide as the mode says. `modes` gives the modes worth trying from a start.
+pub fn find<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    starts: &[[f64; N]],
+    modes: impl Fn(&[f64; N]) -> Vec<Mode<F, N>>,
+) -> Vec<Equilibrium<N, Mode<F, N>>>
+where
+    F::Flow: Confined<N>,
+{
+    let mut found: Vec<Equilibrium<N, Mode<F, N>>> = Vec::new();
+    for start in starts {
+        for mode in modes(start) {
+            if let Some(new) = settle(
+                family,
+                r,
+                &Place {
+                    state: *start,
+                    mode,
+                },
+            ) && !found.iter().any(|old| same(&old.place, &new.place))
+            {
+                found.push(new);
+            }
+        }
+    }
+    found
+}
+
+/// The equilibrium that Newton reaches from a place, staying in its mode; `None` if there is none, or if its
+/// contacts do not slide as the mode says.
+pub fn settle<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    from: &Place<N, Mode<F, N>>,
+) -> Option<Equilibrium<N, Mode<F, N>>>
+where
+    F::Flow: Confined<N>,
+{
+    let mut problem = EquilibriumProblem::new(family.clone(), from.mode, &from.state);
+    let z = newton(&mut problem, DVector::from_column_slice(&from.state), r)?;
+    let place = problem.place(&z);
+    let flow = family.at(r).ok()?;
+    flow.check(&place).ok()?;
+    let inside = flow.margins(&place).iter().all(|(_, margin)| *margin > 0.0);
+    let jacobian = flow.velocity(&place).ok()?.jacobian;
+    inside.then(|| Equilibrium {
+        place,
+        spectrum: Spectrum::of(&DMatrix::from_fn(N, N, |i, j| jacobian[i][j])),
+    })
+}
+
+fn same<const N: usize, Mode: PartialEq>(a: &Place<N, Mode>, b: &Place<N, Mode>) -> bool {
+    let near = |j: usize| {
+        let size = a.state[j].abs().max(b.state[j].abs()).max(1.0);
+        (a.state[j] - b.state[j]).abs() <= SAME * size
+    };
+    a.mode == b.mode && (0..N).all(near)
+}
+
+/// Deuflhard's natural test: a damped step must shrink the correction that the same Jacobian would make next.
+fn newton<P: ZeroProblem>(problem: &mut P, mut z: DVector<f64>, r: f64) -> Option<DVector<f64>> {
+    let mut before = f64::INFINITY;
+    let scale = problem.scale();
+    let size = |step: &DVector<f64>, z: &DVector<f64>| {
+        let relative = |j: usize| step[j] / z[j].abs().max(scale[j]);
+        (0..step.len())
+            .map(|j| relative(j).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    for _ in 0..ITERATIONS {
+        let here = problem.evaluate(&z, r).ok()?;
+        let factors = here.jacobian.lu();
+        let step = factors.solve(&-&here.residual)?;
+        let length = size(&step, &z);
+        if !length.is_finite() {
+            return None;
+        }
+        if length <= CONVERGED || (length <= STALLED && length > 0.5 * before) {
+            return Some(z + step);
+        }
+        before = length;
+        let mut damping = 1.0;
+        z = loop {
+            let tried = &z + &step * damping;
+            let next = problem.evaluate(&tried, r).ok();
+            let next = next.and_then(|there| factors.solve(&there.residual));
+            let shrinks = |next: DVector<f64>| size(&next, &z) <= (1.0 - 0.25 * damping) * length;
+            if length <= STALLED || next.is_some_and(shrinks) {
+                break tried;
+            }
+            damping *= 0.5;
+            if damping < LEAST_DAMPING {
+                return None;
+            }
+        };
+    }
+    None
+}

@@ -1,0 +1,64 @@
+use super::*;
+use crate::examples::{Pair, Plates};
+use crate::field::exact::{ExactSystem, Mode, Modes};
+
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Random rates and limits; G is that of the model, or full and positive definite.
+fn on_random_problems<M: Model<N>, const N: usize>(
+    count: u32,
+    judge: impl Fn(&BoxProblem<'_, M, N>),
+) {
+    let mut dice = Dice(7);
+    let system = ExactSystem::new(&M::default(), None);
+    let all = Modes::from_fn(|_| Mode::Stick);
+    for run in 0..count {
+        let mut affine = system.affine(&[0.0; N], &all);
+        let contacts = affine.rate.as_ref().len();
+        affine.rate = Inline::from_fn(|_| 4.0 * dice.roll());
+        affine.stick = Inline::from_fn(|_| 1.0 + dice.roll());
+        if run % 2 == 0 {
+            let factor: Vec<f64> = (0..contacts * contacts).map(|_| dice.roll()).collect();
+            let product = |i: usize, j: usize| -> f64 {
+                (0..contacts)
+                    .map(|k| factor[i * contacts + k] * factor[j * contacts + k])
+                    .sum()
+            };
+            affine.compliance = Inline::from_fn(|i| {
+                Inline::from_fn(|j| product(i, j) + if i == j { 0.3 } else { 0.0 })
+            });
+        }
+        judge(&BoxProblem {
+            compliance: &affine.compliance,
+            rate: &affine.rate,
+            limit: &affine.stick,
+            members: &|_| true,
+        });
+    }
+}
+
+#[test]
+fn combinations_meet_the_conditions() {
+    on_random_problems::<Pair, 4>(200, |problem| {
+        assert!(problem.violation(&problem.bound_signs()) < 1e-13);
+    });
+}
+
+#[test]
+fn iteration_finds_the_same_contacts_at_their_limits() {
+    on_random_problems::<Plates, 7>(40, |problem| {
+        let (iterated, tried) = (problem.bound_signs(), problem.enumerate());
+        assert_eq!(iterated.as_ref(), tried.as_ref());
+        assert!(problem.violation(&iterated) < 1e-12);
+    });
+}

@@ -1,0 +1,89 @@
+//! Kinks of the field inside a step: steps end on them.
+
+use super::super::collocation::Collocation;
+use super::stages::Trial;
+use super::{Radau, add};
+use crate::field::Field;
+
+/// A kink function this small means that the kink is reached; this large, that it was missed.
+const KINK_REACHED: f64 = 1e-7;
+const KINK_MISSED: f64 = 1e-4;
+
+/// What a step meets.
+#[expect(clippy::large_enum_variant, reason = "a step allocates nothing")]
+pub(super) enum Kink<const N: usize, const S: usize> {
+    /// No kink of the field.
+    None,
+    /// A kink, at which this shorter step ends.
+    At(Trial<N, S>),
+    /// A kink at about this fraction, to which no step leads: the step has jumped something.
+    Missed(f64),
+}
+
+impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
+    /// Looks for the first kink of the field inside a step.
+    pub(super) fn stop_at_kink(
+        &mut self,
+        trial: &Trial<N, S>,
+        collocation: &Collocation<N, S>,
+    ) -> Kink<N, S> {
+        let (start, end) = (trial.start, trial.end());
+        let mut first: Option<(f64, usize)> = None;
+        for index in 0..self.field.kinks() {
+            let (a, b) = (self.field.kink(index, &start), self.field.kink(index, &end));
+            if a.abs() > KINK_REACHED && a * b < 0.0 {
+                let theta = bisect(
+                    |theta| self.field.kink(index, &add(&start, &collocation.at(theta))),
+                    a,
+                );
+                if first.is_none_or(|(earliest, _)| theta < earliest) {
+                    first = Some((theta, index));
+                }
+            }
+        }
+        let Some((theta, index)) = first else {
+            return Kink::None;
+        };
+        match self.locate_kink(trial, collocation, theta, index) {
+            Some(shorter) => Kink::At(shorter),
+            None => Kink::Missed(theta),
+        }
+    }
+
+    /// The step to kink number `index`, which the polynomial sees at `theta`.
+    fn locate_kink(
+        &mut self,
+        trial: &Trial<N, S>,
+        collocation: &Collocation<N, S>,
+        theta: f64,
+        index: usize,
+    ) -> Option<Trial<N, S>> {
+        let along = |theta: f64| add(&trial.start, &collocation.at(theta));
+        let mut shorter = self.solve_within(trial, collocation, theta)?;
+        // One secant step on the step map; the polynomial supplies the slope.
+        let value = self.field.kink(index, &shorter.end());
+        let nearby = self.field.kink(index, &along(theta * (1.0 - 1e-4)));
+        let slope = (self.field.kink(index, &along(theta)) - nearby) / (1e-4 * theta);
+        let better = theta - value / slope;
+        if value.abs() > KINK_REACHED && better > 0.0 && better < 1.0 {
+            shorter = self.solve_within(trial, collocation, better)?;
+        }
+        // The stage equations have other solutions that leave a layer at once; they fail here.
+        let reached = self.field.kink(index, &shorter.end()).abs() <= KINK_MISSED;
+        (reached && self.error(&shorter) <= 1.0).then_some(shorter)
+    }
+}
+
+/// Where along [0, 1] a function that starts at `from` ≠ 0 and ends with the other sign vanishes.
+fn bisect(value: impl Fn(f64) -> f64, from: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if value(middle) * from > 0.0 {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+    0.5 * (low + high)
+}

@@ -1,0 +1,101 @@
+//! What is watched of an orbit along its branch.
+
+use super::orbit::Orbit;
+use crate::bifurcation::{Floquet, Kind, Margin, Watched};
+use crate::field::exact::Mode as ContactMode;
+use crate::flow::{Event, EventKind};
+
+impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
+    fn r(&self) -> f64 {
+        self.r
+    }
+
+    fn period(&self) -> f64 {
+        self.period
+    }
+
+    fn slope(&self) -> f64 {
+        self.slope
+    }
+
+    fn floquet(&self) -> &Floquet {
+        &self.floquet
+    }
+
+    fn same_word(&self, other: &Self) -> bool {
+        let (a, b) = (stretches(self), stretches(other));
+        let turned = |by: usize| (0..a.len()).all(|i| a[i].0 == b[(i + by) % b.len()].0);
+        a.len() == b.len() && (0..a.len().max(1)).any(turned)
+    }
+
+    fn word_length(&self) -> usize {
+        stretches(self).len()
+    }
+
+    fn near_misses(&self) -> Vec<Margin> {
+        let margin = |event: &Event<N>| {
+            let (kind, value) = match event.kind {
+                EventKind::Crossing { margin, .. } => (Kind::CrossingSliding, margin),
+                EventKind::Landing { margin, .. } => (Kind::SwitchingSliding, margin),
+                EventKind::Nearest { margin } if event.mode == ContactMode::Stick => {
+                    (Kind::AddingSliding, margin)
+                }
+                EventKind::Nearest { margin } => (Kind::GrazingSliding, margin),
+                EventKind::Release { .. } => return None,
+            };
+            let contact = event.contact;
+            Some(Margin {
+                kind,
+                contact,
+                value: value.abs(),
+            })
+        };
+        self.events.iter().filter_map(margin).collect()
+    }
+
+    fn close_calls(&self) -> Vec<Margin> {
+        // A guard that hardly reaches zero falls there like the square root of what it has to spare.
+        let graze = |event: &Event<N>| {
+            let kind = match event.kind {
+                EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
+                EventKind::Release { .. } => Kind::AddingSliding,
+                EventKind::Nearest { .. } => return None,
+            };
+            (event.rate < 0.0).then_some(Margin {
+                kind,
+                contact: event.contact,
+                value: event.rate * event.rate,
+            })
+        };
+        let stretches = stretches(self);
+        let shortest = stretches.iter().map(|(_, duration)| *duration);
+        let shortest = shortest.min_by(f64::total_cmp).map(|value| Margin {
+            kind: Kind::VanishingSegment,
+            contact: 0,
+            value,
+        });
+        self.events
+            .iter()
+            .filter_map(graze)
+            .chain(shortest)
+            .collect()
+    }
+}
+
+/// Modes and durations once around; what the start divides is one stretch.
+fn stretches<const N: usize, Mode: Copy + PartialEq>(orbit: &Orbit<N, Mode>) -> Vec<(Mode, f64)> {
+    let mut stretches: Vec<(Mode, f64)> = Vec::with_capacity(orbit.segments.len());
+    for segment in &orbit.segments {
+        match stretches.last_mut() {
+            Some(last) if last.0 == segment.mode => last.1 += segment.duration,
+            _ => stretches.push((segment.mode, segment.duration)),
+        }
+    }
+    if let [first, .., last] = stretches.as_mut_slice()
+        && first.0 == last.0
+    {
+        first.1 += last.1;
+        stretches.pop();
+    }
+    stretches
+}

@@ -1,0 +1,272 @@
+//! The equilibria of a declared model: of its exact system, of its copies, and what the one says of the other.
+
+use super::branch::Ended;
+use super::case::{Along, Case, Dynamics};
+use super::counterpart::Counterpart;
+use super::declared::Declared;
+use super::entry::StudyError;
+use super::equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
+use crate::equilibrium::{
+    Branch, Confined, End, Equilibrium, Found, Kind, Spectrum, Spot, StickingSet, find, follow,
+    settings, starts, sticking_sets,
+};
+use crate::field::exact::{ExactSystem, Mode, Modes};
+use crate::flow::{Family, Flow, Place, Segment, word};
+use crate::model::Model;
+
+/// Contacts whose modes are tried in every combination.
+const COMBINED: usize = 5;
+
+/// Told of each point of a branch.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord);
+
+impl<M: Model<N>, const N: usize> Declared<M, N> {
+    /// Every equilibrium that is found, and for exact dynamics every set of sticking ones.
+    pub(super) fn all_equilibria(case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
+        let places = starts(Self::start(case));
+        let r = Self::beginning(case);
+        let found = match case.dynamics {
+            Dynamics::Exact => {
+                let model = Self::model(case);
+                let sliding = find(&Self::exact(case), r, &places, |y| sliding_modes(&model, y));
+                let sets = sticking_sets(&model, &places, &sticking_modes())?;
+                let sliding = sliding
+                    .iter()
+                    .map(|one| record(case, one, spelt(one.place.mode)));
+                let sets = sets.iter().map(|set| set_record(case, set));
+                sliding.chain(sets).collect()
+            }
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                let found = find(&Self::smooth(case), r, &places, |_| vec![()]);
+                let records = found.iter().map(|one| record(case, one, None));
+                records
+                    .map(|record| Self::compared(case, record))
+                    .collect::<Vec<_>>()
+            }
+        };
+        if found.is_empty() {
+            return Err(StudyError::NoEquilibrium {
+                starts: places.len(),
+            });
+        }
+        Ok(found)
+    }
+
+    /// Follows the first equilibrium that is found.
+    pub(super) fn equilibria_along(
+        case: &Case,
+        along: Along,
+        watch: Watch<'_>,
+    ) -> Result<EquilibriaRecord, StudyError> {
+        match case.dynamics {
+            Dynamics::Exact => {
+                let model = Self::model(case);
+                let modes = |y: &[f64; N]| sliding_modes(&model, y);
+                let spelt = |mode| spelt::<M, N>(mode);
+                let family = Self::exact(case);
+                let first = Self::first(case, &family, modes)?;
+                Self::followed(case, along, &family, (&first, spelt(first.mode)), watch)
+            }
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                let family = Self::smooth(case);
+                let first = Self::first(case, &family, |_| vec![()])?;
+                let mut branch = Self::followed(case, along, &family, (&first, None), watch)?;
+                let exact = Counterpart::<M, N>::new(case);
+                for point in &mut branch.special {
+                    point.artefact = exact.lacks(along, point);
+                }
+                Ok(branch)
+            }
+        }
+    }
+
+    fn first<F: Family<N> + Clone>(
+        case: &Case,
+        family: &F,
+        modes: impl Fn(&[f64; N]) -> Vec<<F::Flow as Flow<N>>::Mode>,
+    ) -> Result<Place<N, <F::Flow as Flow<N>>::Mode>, StudyError>
+    where
+        F::Flow: Confined<N>,
+    {
+        let places = starts(Self::start(case));
+        let found = places
+            .iter()
+            .find_map(|start| find(family, Self::beginning(case), &[*start], &modes).pop());
+        let none = StudyError::NoEquilibrium {
+            starts: places.len(),
+        };
+        found.map(|first| first.place).ok_or(none)
+    }
+
+    fn followed<F: Family<N> + Clone>(
+        case: &Case,
+        along: Along,
+        family: &F,
+        (first, mode): (&Place<N, <F::Flow as Flow<N>>::Mode>, Option<String>),
+        watch: Watch<'_>,
+    ) -> Result<EquilibriaRecord, StudyError>
+    where
+        F::Flow: Confined<N>,
+    {
+        let (from, to) = along.span();
+        let mut points = Vec::new();
+        let mut take = |spot: &Spot<N>| {
+            let at = case.at(along.value(spot.r));
+            let point = EquilibriumRecord {
+                r: Some(along.value(spot.r)),
+                ..plain(&at, spot.state.to_vec(), &spot.spectrum, mode.clone())
+            };
+            let point = Self::compared(&at, point);
+            watch(&point);
+            points.push(point);
+        };
+        let branch = follow(family, first, settings(from, to), &mut take)
+            .map_err(StudyError::Equilibrium)?;
+        Ok(EquilibriaRecord {
+            along,
+            special: numbered(along, &branch.special),
+            ended: ended::<M, N>(&branch),
+            work: branch.work,
+            points,
+        })
+    }
+
+    /// The record of an equilibrium of a copy, compared with the exact system.
+    fn compared(case: &Case, mut record: EquilibriumRecord) -> EquilibriumRecord {
+        if case.smoothing().is_some() {
+            record.artefact = Counterpart::<M, N>::new(case).differs(&record);
+        }
+        record
+    }
+}
+
+fn numbered<const N: usize>(along: Along, found: &[Found<N>]) -> Vec<SpecialEquilibrium> {
+    let label = |i: usize| {
+        let kind = found[i].kind;
+        let number = found[..=i]
+            .iter()
+            .filter(|other| other.kind == kind)
+            .count();
+        format!("{}{number}", kind.letters())
+    };
+    let special = |(i, Found { kind, spot }): (usize, &Found<N>)| {
+        let frequency = spot.spectrum.critical_frequency();
+        let frequency = frequency.filter(|_| *kind == Kind::Hopf);
+        SpecialEquilibrium {
+            kind: kind.name(),
+            label: label(i),
+            r: along.value(spot.r),
+            state: spot.state.to_vec(),
+            eigenvalues: spot.spectrum.eigenvalues.clone(),
+            period: frequency.map(|omega| std::f64::consts::TAU / omega),
+            artefact: false,
+        }
+    };
+    found.iter().enumerate().map(special).collect()
+}
+
+fn ended<M: Model<N>, const N: usize>(branch: &Branch<N>) -> Ended {
+    match &branch.end {
+        End::Followed(ending) => Ended::from(ending),
+        End::Boundary(contact) => {
+            let name = M::INFO
+                .contacts
+                .get(*contact)
+                .map_or("?", |contact| contact.name);
+            Ended {
+                word: Kind::BoundaryEquilibrium.name(),
+                located: true,
+                reason: format!(
+                    "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
+                ),
+            }
+        }
+        End::Unexplained(from, to) => Ended {
+            word: "unexplained-change",
+            located: false,
+            reason: format!(
+                "its stability changes between {from} and {to}, and no bifurcation was found there"
+            ),
+        },
+    }
+}
+
+fn plain(
+    case: &Case,
+    state: Vec<f64>,
+    spectrum: &Spectrum,
+    mode: Option<String>,
+) -> EquilibriumRecord {
+    EquilibriumRecord {
+        r: None,
+        parameters: case.parameters.clone(),
+        dynamics: case.dynamics,
+        state,
+        eigenvalues: spectrum.eigenvalues.clone(),
+        stability: spectrum.stability,
+        mode,
+        set: None,
+        artefact: false,
+    }
+}
+
+fn record<Mode, const N: usize>(
+    case: &Case,
+    found: &Equilibrium<N, Mode>,
+    mode: Option<String>,
+) -> EquilibriumRecord {
+    plain(case, found.place.state.to_vec(), &found.spectrum, mode)
+}
+
+fn set_record<M: Model<N>, const N: usize>(
+    case: &Case,
+    set: &StickingSet<M, N>,
+) -> EquilibriumRecord {
+    let extent = Extent {
+        dimension: set.dimension,
+        low: set.low.to_vec(),
+        high: set.high.to_vec(),
+    };
+    EquilibriumRecord {
+        set: (set.dimension > 0).then_some(extent),
+        ..plain(case, set.state.to_vec(), &set.spectrum, spelt(set.mode))
+    }
+}
+
+/// A mode as a word of one letter for each contact.
+fn spelt<M: Model<N>, const N: usize>(mode: Modes<M, N>) -> Option<String> {
+    let segment = Segment {
+        mode,
+        duration: 0.0,
+    };
+    (!M::INFO.contacts.is_empty()).then(|| word::<M, N>(&[segment]))
+}
+
+/// The modes in which every contact slides, first the one in which it does at `state`.
+pub(super) fn sliding_modes<M: Model<N>, const N: usize>(
+    model: &M,
+    state: &[f64; N],
+) -> Vec<Modes<M, N>> {
+    let system = ExactSystem::new(model, None);
+    let speeds = system.speeds(state);
+    let count = M::INFO.contacts.len();
+    let turns = if count > COMBINED { 1 } else { 1 << count };
+    let turned = |k: usize, i: usize| if k >> i & 1 == 0 { 1.0 } else { -1.0 };
+    (0..turns)
+        .map(|k| Modes::from_fn(|i| Mode::sliding(turned(k, i) * speeds.as_ref()[i])))
+        .collect()
+}
+
+/// The modes in which at least one contact sticks: in every combination, or all of them.
+pub(super) fn sticking_modes<M: Model<N>, const N: usize>() -> Vec<Modes<M, N>> {
+    const LETTERS: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
+    let count = M::INFO.contacts.len();
+    if count > COMBINED {
+        return vec![Modes::from_fn(|_| Mode::Stick)];
+    }
+    let letter = |k: usize, i: usize| LETTERS[k / 3_usize.pow(i as u32) % 3];
+    (0..3_usize.pow(count as u32))
+        .map(|k| Modes::from_fn(|i| letter(k, i)))
+        .filter(|modes: &Modes<M, N>| modes.sticking().next().is_some())
+        .collect()
+}

@@ -1,0 +1,76 @@
+//! Equilibria, and all that is reported of them.
+
+use nalgebra::Complex;
+
+use super::branch::Ended;
+use super::case::{Along, Dynamics};
+use crate::bifurcation::Stability;
+use crate::field::Work;
+
+/// An equilibrium, or a set of sticking ones, as it is reported, whatever model it belongs to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EquilibriumRecord {
+    /// The design variable, if one is followed, in the user's own values.
+    pub r: Option<f64>,
+    /// Values of all parameters.
+    pub parameters: Vec<f64>,
+    /// How friction acts.
+    pub dynamics: Dynamics,
+    /// Where; for a set, a state in it.
+    pub state: Vec<f64>,
+    /// Eigenvalues, largest real part first; of a set, those that lead away from it while its contacts stick.
+    pub eigenvalues: Vec<Complex<f64>>,
+    /// What they say.
+    pub stability: Stability,
+    /// The mode of each contact, for exact dynamics.
+    pub mode: Option<String>,
+    /// How far a set reaches; `None` for a single state.
+    pub set: Option<Extent>,
+    /// Whether only the smooth copy has it like this: the exact system has none there, or one of other stability.
+    pub artefact: bool,
+}
+
+/// How far a set of sticking equilibria reaches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extent {
+    /// How many directions it has: 1 for an interval.
+    pub dimension: usize,
+    /// Smallest value of each state.
+    pub low: Vec<f64>,
+    /// Largest value of each state.
+    pub high: Vec<f64>,
+}
+
+/// A point of a branch of equilibria where something changes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpecialEquilibrium {
+    /// What changes: `fold`, `hopf`, `branch-point` or `boundary-equilibrium`.
+    pub kind: &'static str,
+    /// Kind and number, for instance `HB1`.
+    pub label: String,
+    /// The design variable, in the user's own values.
+    pub r: f64,
+    /// Where.
+    pub state: Vec<f64>,
+    /// Eigenvalues there.
+    pub eigenvalues: Vec<Complex<f64>>,
+    /// Period of the small orbits that begin at a Hopf point.
+    pub period: Option<f64>,
+    /// Whether only the smooth copy has it.
+    pub artefact: bool,
+}
+
+/// A branch of equilibria as it is reported.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EquilibriaRecord {
+    /// What was followed.
+    pub along: Along,
+    /// Its points in the order in which they were found.
+    pub points: Vec<EquilibriumRecord>,
+    /// Where something changes.
+    pub special: Vec<SpecialEquilibrium>,
+    /// Why it ended.
+    pub ended: Ended,
+    /// What it cost.
+    pub work: Work,
+}

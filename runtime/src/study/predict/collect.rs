@@ -1,0 +1,197 @@
+//! From the responses at the section to errors of frequency and extrema (theory 7.2, step 5).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::PredictError;
+use super::doubt::doubts;
+use super::history::History;
+use super::response::{Response, response};
+use crate::field::Smoothing;
+use crate::field::exact::Modes;
+use crate::model::Model;
+use crate::shooting::Orbit;
+
+/// Rate of a state at its extremum, in units of its magnitude per period, above which it has a corner there.
+const CORNER: f64 = 1e-4;
+
+/// The errors that a smoothing would make, relative and signed: copy/exact − 1.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prediction {
+    /// The smoothing.
+    pub smoothing: Smoothing,
+    /// Error of the frequency.
+    pub frequency: f64,
+    /// The same by the leading term of each release alone; `None` where it has no closed form.
+    pub leading: Option<f64>,
+    /// Error of the largest magnitude of each state; `None` where that is reached at a corner, or while a contact sticks.
+    pub max_abs: Vec<Option<f64>>,
+    /// Shift of the start of the orbit, orthogonal to the field there.
+    pub start: Vec<f64>,
+    /// The releases of one period.
+    pub releases: Vec<ReleaseLoss>,
+    /// Why the prediction is not to be trusted; empty in the asymptotic range.
+    pub doubts: Vec<String>,
+}
+
+/// What one release costs the copy (7.1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReleaseLoss {
+    /// Number of the contact.
+    pub contact: usize,
+    /// When, from the start of the orbit.
+    pub time: f64,
+    /// A = G |λ̇|.
+    pub acceleration: f64,
+    /// Effective G.
+    pub compliance: f64,
+    /// Δw; 0 for bumps.
+    pub offset: f64,
+    /// Delay of the release; 0 for sign types.
+    pub delay: f64,
+    /// The time that the layer takes.
+    pub layer: f64,
+    /// The shorter of the stick before it and the slip after it.
+    pub room: f64,
+}
+
+/// Predicts the errors of the copy of `model` with this smoothing from its exact orbit.
+///
+/// # Errors
+/// See [`PredictError`].
+pub fn predict<M: Model<N>, const N: usize>(
+    model: &M,
+    orbit: &Orbit<N, Modes<M, N>>,
+    smoothing: Smoothing,
+) -> Result<Prediction, PredictError> {
+    let mut history = History::of(model, orbit)?;
+    if history.switches.iter().all(|s| s.release.is_none()) {
+        return Err(PredictError::NeverSticks);
+    }
+    let peaks = peaks(&history, orbit);
+    let times: Vec<f64> = times(&history, &peaks);
+    let leading = match history.lose(model, &smoothing, true) {
+        Ok(()) => {
+            let readings = response(model, &history, smoothing, &times, true)?;
+            Some(-Shift::of(&history, &readings)?.period / history.period)
+        }
+        Err(_) => None,
+    };
+    history.lose(model, &smoothing, false)?;
+    let readings = response(model, &history, smoothing, &times, false)?;
+    let shift = Shift::of(&history, &readings)?;
+    let frequency = -shift.period / history.period;
+    let max_abs = peaks
+        .iter()
+        .enumerate()
+        .map(|(j, &time)| shift.peak(&history, &readings, j, time, orbit))
+        .collect();
+    let mut prediction = Prediction {
+        smoothing,
+        frequency,
+        leading,
+        max_abs,
+        start: shift.start.to_vec(),
+        releases: releases(&history),
+        doubts: Vec::new(),
+    };
+    prediction.doubts = doubts(&history, &prediction);
+    Ok(prediction)
+}
+
+/// The time at which each state has its largest magnitude.
+fn peaks<M: Model<N>, const N: usize>(
+    history: &History<M, N>,
+    orbit: &Orbit<N, Modes<M, N>>,
+) -> [f64; N] {
+    std::array::from_fn(|j| {
+        let start = (orbit.place.state[j].abs(), 0.0);
+        let extrema = history.passage.extrema.iter().filter(|e| e.index == j);
+        let all = extrema.map(|e| (e.state[j].abs(), e.time));
+        all.fold(start, |a, b| if b.0 > a.0 { b } else { a }).1
+    })
+}
+
+fn times<M: Model<N>, const N: usize>(history: &History<M, N>, peaks: &[f64; N]) -> Vec<f64> {
+    let mut times = peaks.to_vec();
+    times.push(history.period);
+    times.retain(|&t| t > 0.0);
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+/// How far the copy's orbit lies from the exact one.
+struct Shift<const N: usize> {
+    start: [f64; N],
+    period: f64,
+}
+
+impl<const N: usize> Shift<N> {
+    /// The fixed point moves by (I − DP)⁻¹ q_P; bordered by the field, which gives the period as well.
+    fn of<M: Model<N>>(
+        history: &History<M, N>,
+        readings: &[Response<N>],
+    ) -> Result<Self, PredictError> {
+        let last = readings.last().ok_or(PredictError::Singular)?;
+        let f = last.velocity;
+        let matrix = DMatrix::from_fn(N + 1, N + 1, |i, j| match (i == N, j == N) {
+            (true, true) => 0.0,
+            (true, false) => f[j],
+            (false, true) => f[i] * history.period,
+            (false, false) => last.tangent[i][j] - f64::from(i == j),
+        });
+        let mut right = DVector::zeros(N + 1);
+        for (i, value) in last.deviation.iter().enumerate() {
+            right[i] = -value;
+        }
+        let solution = matrix.lu().solve(&right).ok_or(PredictError::Singular)?;
+        Ok(Self {
+            start: std::array::from_fn(|j| solution[j]),
+            period: solution[N] * history.period,
+        })
+    }
+
+    /// Relative error of the largest magnitude of state j, reached at `time`.
+    fn peak<M: Model<N>>(
+        &self,
+        history: &History<M, N>,
+        readings: &[Response<N>],
+        j: usize,
+        time: f64,
+        orbit: &Orbit<N, Modes<M, N>>,
+    ) -> Option<f64> {
+        let at = readings
+            .iter()
+            .find(|r| r.time == time || time == 0.0 && r.time == history.period)?;
+        let corner =
+            (at.velocity[j] * history.period).abs() > CORNER * (orbit.max[j] - orbit.min[j]);
+        let near = |t: f64| (t - time).abs() < 1e-9 * history.period;
+        if corner || history.switches.iter().any(|s| near(s.event.time)) {
+            return None;
+        }
+        let moved = if time == 0.0 {
+            self.start[j]
+        } else {
+            let row = at.tangent[j].iter().zip(&self.start);
+            row.map(|(t, d)| t * d).sum::<f64>() + at.deviation[j]
+        };
+        Some(moved / at.state[j])
+    }
+}
+
+fn releases<M: Model<N>, const N: usize>(history: &History<M, N>) -> Vec<ReleaseLoss> {
+    let found = history.switches.iter().filter_map(|switch| {
+        let (release, loss) = switch.release.zip(switch.loss)?;
+        Some(ReleaseLoss {
+            contact: release.local.contact,
+            time: release.time,
+            acceleration: release.local.acceleration,
+            compliance: release.local.compliance,
+            offset: loss.offset,
+            delay: loss.delay,
+            layer: loss.layer,
+            room: release.stuck.min(release.slides),
+        })
+    });
+    found.collect()
+}

@@ -1,0 +1,68 @@
+//! Whether a prediction is to be trusted: whether what is taken as small is small.
+
+use super::collect::{Prediction, ReleaseLoss};
+use super::history::History;
+use super::layer::edge;
+use crate::field::Kernel;
+use crate::flow::EventKind;
+use crate::model::Model;
+
+/// A layer that takes more than this share of the shorter of stick and slip is not small.
+const SLOW_LAYER: f64 = 0.1;
+/// Factor between leading term and refined prediction above which more terms would matter.
+const APART: f64 = 1.6;
+/// A relative error above this is not small.
+const LARGE: f64 = 0.03;
+
+/// Whether the releases alone give the leading order: with compact sign types creep is of the same order.
+fn leads(kernel: Kernel) -> bool {
+    kernel.is_bump() || edge(kernel).is_none()
+}
+
+/// Every reason why `prediction` is outside its asymptotic range.
+pub(super) fn doubts<M: Model<N>, const N: usize>(
+    history: &History<M, N>,
+    prediction: &Prediction,
+) -> Vec<String> {
+    let slow = |r: &&ReleaseLoss| r.layer > SLOW_LAYER * r.room;
+    let layers = prediction.releases.iter().filter(slow).map(layer);
+    crossing(history)
+        .into_iter()
+        .chain(layers)
+        .chain(apart(prediction))
+        .chain(large(prediction))
+        .collect()
+}
+
+fn layer(release: &ReleaseLoss) -> String {
+    format!(
+        "the layer of contact {} takes {:.2e} at its release, which is not small against {:.2e}, the shorter of its stick \
+         and slip",
+        release.contact, release.layer, release.room
+    )
+}
+
+fn crossing<M: Model<N>, const N: usize>(history: &History<M, N>) -> Option<String> {
+    let crosses = |kind| matches!(kind, EventKind::Crossing { .. });
+    let any = history.switches.iter().any(|s| crosses(s.event.kind));
+    any.then(|| {
+        "a contact crosses without sticking, and what the copy lacks there is left out".to_owned()
+    })
+}
+
+fn apart(prediction: &Prediction) -> Option<String> {
+    let (kernel, frequency) = (prediction.smoothing.kernel, prediction.frequency);
+    let leading = prediction.leading.filter(|_| leads(kernel))?;
+    let ratio = (leading / frequency).abs();
+    (!(1.0 / APART..=APART).contains(&ratio)).then(|| {
+        format!(
+            "the leading term alone gives {leading:.2e}, the refined prediction {frequency:.2e}"
+        )
+    })
+}
+
+fn large(prediction: &Prediction) -> Option<String> {
+    let all = prediction.max_abs.iter().flatten();
+    let largest = all.fold(prediction.frequency.abs(), |most, e| most.max(e.abs()));
+    (largest > LARGE).then(|| format!("an error of {largest:.2e} is not small"))
+}

@@ -1,0 +1,64 @@
+//! The error that a smoothing makes, predicted from the exact orbit alone (theory 7.2).
+//!
+//! A copy differs from the exact system in three ways: it creeps where a contact sticks, it loses time or gains speed
+//! at each release, and its sliding friction is not yet quite the exact one. Each is a perturbation of the exact
+//! orbit, carried to its section by the orbit's own sensitivities; no smoothed motion is integrated.
+
+mod collect;
+mod doubt;
+mod history;
+mod layer;
+mod release;
+mod response;
+mod scalar;
+mod virtual_field;
+
+pub use collect::{Prediction, ReleaseLoss, predict};
+
+use crate::field::Smoothing;
+use crate::field::exact::ContactError;
+use crate::flow::FlowError;
+use crate::integrate::IntegrationError;
+
+/// Why no error can be predicted.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PredictError {
+    /// The exact orbit never sticks.
+    #[error("the exact orbit never sticks, so that no release makes an error of leading order")]
+    NeverSticks,
+    /// The copy would still be creeping when the exact contact sticks again.
+    #[error(
+        "with `{smoothing}` contact {contact} would not let go before the exact one sticks again: far from the \
+         asymptotic range"
+    )]
+    NeverReleased {
+        /// Number of the contact.
+        contact: usize,
+        /// The smoothing.
+        smoothing: Smoothing,
+    },
+    /// The exact orbit touches a surface, so that it has no derivative.
+    #[error(
+        "contact {contact} grazes at t = {time} (rate {rate:e}): the orbit has no derivative there"
+    )]
+    Grazing {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// Rate of the guard.
+        rate: f64,
+    },
+    /// The orbit's shooting matrix is singular: it is at a fold.
+    #[error("the orbit is at a fold: its response to a perturbation is not bounded")]
+    Singular,
+    /// The exact motion cannot be followed.
+    #[error(transparent)]
+    Flow(#[from] FlowError),
+    /// The forces at rest are not determined.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// A scalar problem cannot be integrated.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+}

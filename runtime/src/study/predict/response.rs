@@ -1,0 +1,215 @@
+//! How one period of an exact orbit responds to what a copy does differently, to first order.
+
+use std::ops::ControlFlow;
+
+use super::PredictError;
+use super::history::{History, Switch, TIGHT};
+use super::virtual_field::VirtualField;
+use crate::field::exact::{Mode, Modes};
+use crate::field::{Smoothing, Work};
+use crate::flow::saltation::Saltation;
+use crate::integrate::Motion;
+use crate::integrate::explicit::{Settings, integrate};
+use crate::model::Model;
+use crate::scalar::{Inline, Lanes};
+
+/// Halvings by which the end of a stretch of sticking is approached, where creep grows fastest.
+const HALVINGS: i32 = 24;
+
+/// Φ and the copy's deviation p at one time of the period.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Response<const N: usize> {
+    pub(super) time: f64,
+    pub(super) state: [f64; N],
+    pub(super) tangent: [[f64; N]; N],
+    pub(super) deviation: [f64; N],
+    /// f there.
+    pub(super) velocity: [f64; N],
+}
+
+/// A walk through the period.
+struct Walk<'a, M: Model<N>, const N: usize> {
+    model: &'a M,
+    history: &'a History<M, N>,
+    smoothing: Smoothing,
+    /// Only the releases count: neither creep nor tails.
+    leading: bool,
+    time: f64,
+    modes: Modes<M, N>,
+    motion: Motion<N>,
+}
+
+/// The response at `times` (in order, the last is the period) to the losses in `history`.
+pub(super) fn response<M: Model<N>, const N: usize>(
+    model: &M,
+    history: &History<M, N>,
+    smoothing: Smoothing,
+    times: &[f64],
+    leading: bool,
+) -> Result<Vec<Response<N>>, PredictError> {
+    let mut walk = Walk {
+        model,
+        history,
+        smoothing,
+        leading,
+        time: 0.0,
+        modes: history.modes,
+        motion: Motion::from(history.start),
+    };
+    walk.settle([0.0; N])?;
+    let mut tangent = walk.motion.tangent;
+    walk.project_columns(&mut tangent)?;
+    walk.motion.tangent = tangent;
+    let mut readings = Vec::new();
+    let mut next = 0;
+    for instant in history.instants(times) {
+        walk.advance(instant)?;
+        if times.contains(&instant) {
+            readings.push(walk.reading()?);
+        }
+        while let Some(switch) = history.switches.get(next)
+            && switch.event.time <= instant
+        {
+            walk.pass(switch)?;
+            next += 1;
+        }
+    }
+    Ok(readings)
+}
+
+impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
+    fn field(&self) -> Result<VirtualField<'a, M, N>, PredictError> {
+        let (system, state) = (&self.history.system, &self.motion.state);
+        let field = VirtualField::new(system, self.model, self.smoothing, self.modes, state)?;
+        Ok(if self.leading {
+            field
+        } else {
+            // Asked for in the middle of a stretch, so that no end of one decides by rounding.
+            let inside = self.time + 1e-9 * self.history.period;
+            field.with(self.history.caps(inside), self.history.tails(inside))
+        })
+    }
+
+    fn advance(&mut self, until: f64) -> Result<(), PredictError> {
+        let field = self.field()?;
+        let span = until - self.time;
+        let pieces = if self.modes.sticking().next().is_some() {
+            HALVINGS
+        } else {
+            0
+        };
+        let mut work = Work::default();
+        let mut left = span;
+        for piece in 0..=pieces {
+            let length = if piece == pieces { left } else { 0.5 * left };
+            left -= length;
+            let settings = Settings::new(TIGHT);
+            self.motion = integrate(&field, settings, self.motion, length, &mut work, |_| {
+                ControlFlow::Continue(())
+            })?;
+        }
+        self.time = until;
+        Ok(())
+    }
+
+    /// p = q + L c.
+    fn deviation(&self) -> Result<[f64; N], PredictError> {
+        let field = self.field()?;
+        let state = &self.motion.state;
+        let lifted = field.lift(state, &field.creep(state));
+        Ok(std::array::from_fn(|j| self.motion.design[j] + lifted[j]))
+    }
+
+    fn reading(&self) -> Result<Response<N>, PredictError> {
+        let state = self.motion.state;
+        let velocity = self.history.system.snapshot(&state, &self.modes)?.field;
+        Ok(Response {
+            time: self.time,
+            state,
+            tangent: self.motion.tangent,
+            deviation: self.deviation()?,
+            velocity,
+        })
+    }
+
+    /// Goes on from the deviation p: takes out of it what contacts that stick determine by their creep.
+    fn settle(&mut self, deviation: [f64; N]) -> Result<(), PredictError> {
+        let field = self.field()?;
+        let state = self.motion.state;
+        let off = field.lift(&state, &field.rates(&state, &deviation));
+        self.motion.design = std::array::from_fn(|j| deviation[j] - off[j]);
+        Ok(())
+    }
+
+    fn project_columns(&self, tangent: &mut [[f64; N]; N]) -> Result<(), PredictError> {
+        let field = self.field()?;
+        let state = self.motion.state;
+        for column in 0..N {
+            let along = std::array::from_fn(|row| tangent[row][column]);
+            let off = field.lift(&state, &field.rates(&state, &along));
+            for (row, change) in tangent.iter_mut().zip(off) {
+                row[column] -= change;
+            }
+        }
+        Ok(())
+    }
+
+    /// Passes a switch: its saltation (5a), and what a release loses.
+    fn pass(&mut self, switch: &Switch<M, N>) -> Result<(), PredictError> {
+        self.motion.state = switch.event.state;
+        let (i, state) = (switch.event.contact, switch.event.state);
+        let mut deviation = self.deviation()?;
+        if let Some(loss) = &switch.loss {
+            let field = self.field()?;
+            let mut shift: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
+            let way = switch.after.as_slice()[i].sign();
+            shift.as_mut()[i] = way * loss.offset - field.rates(&state, &deviation).as_ref()[i];
+            let jump = field.lift(&state, &shift);
+            deviation = std::array::from_fn(|j| deviation[j] + jump[j]);
+        }
+        self.motion.design = deviation;
+        let saltation = self.saltation(switch)?;
+        saltation
+            .apply(&mut self.motion, false)
+            .map_err(|rate| PredictError::Grazing {
+                contact: i,
+                time: switch.event.time,
+                rate,
+            })?;
+        self.modes = switch.after;
+        let deviation = self.motion.design;
+        self.settle(deviation)?;
+        let mut tangent = self.motion.tangent;
+        self.project_columns(&mut tangent)?;
+        self.motion.tangent = tangent;
+        Ok(())
+    }
+
+    fn saltation(&self, switch: &Switch<M, N>) -> Result<Saltation<N>, PredictError> {
+        let (i, state, system) = (
+            switch.event.contact,
+            &switch.event.state,
+            &self.history.system,
+        );
+        let linear = system.linear(state, &switch.before)?;
+        let before = switch.before.as_slice()[i];
+        let (gradient, design) = if before == Mode::Stick {
+            let side = -switch.after.as_slice()[i].sign();
+            let guard = linear.stick.as_ref()[i] - linear.force.as_ref()[i] * side;
+            // A delay of the release raises the limit by what the force grows meanwhile.
+            let raised = switch
+                .release
+                .zip(switch.loss)
+                .map_or(0.0, |(release, loss)| release.load_rate * loss.delay);
+            (guard.slopes().0, raised)
+        } else {
+            (linear.speed.as_ref()[i].slopes().0, 0.0)
+        };
+        Ok(Saltation {
+            before: system.snapshot(state, &switch.before)?.field,
+            after: system.snapshot(state, &switch.after)?.field,
+            gradient,
+            design,
+        })
+    }
+}

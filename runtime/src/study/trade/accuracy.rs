@@ -1,0 +1,121 @@
+//! The cheapest setting that meets an accuracy.
+
+use super::copy::{Copies, Found};
+use super::precision::at;
+use super::shoot::{Effort, Shooting};
+use super::{Cost, Curve, Point, smoothing};
+use crate::field::Smoothing;
+use crate::flow::Family;
+use crate::model::Model;
+
+/// Share of the accuracy that the smoothing alone may use.
+const SHARE: f64 = 0.9;
+/// Sizes tried on the way to the one that is needed.
+const TRIES: usize = 8;
+/// How near to that share the smoothing's error must come.
+const NEAR: f64 = 0.98;
+
+/// The smoothing that meets an accuracy at least cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Need {
+    /// The copy whose frequency and extrema meet it, verified by a run.
+    pub smoothing: Smoothing,
+    /// The size at which its frequency alone would meet it, on the curve of the measured copies.
+    pub frequency_size: f64,
+    /// Its largest error by smoothing alone.
+    pub error: f64,
+    /// How it is integrated.
+    pub setting: Setting,
+}
+
+/// How a system is integrated to meet an accuracy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setting {
+    /// The loosest tolerance, by half decades, that does.
+    pub tolerance: f64,
+    /// Smoothing and integration together.
+    pub error: f64,
+    /// What one period costs.
+    pub cost: Cost,
+}
+
+/// The loosest tolerance at which an orbit meets `accuracy` against `truth`.
+pub(super) fn cheapest<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    tight: &Shooting<N>,
+    truth: &Shooting<N>,
+    accuracy: f64,
+) -> Result<Setting, String> {
+    let tolerances = (4..=22).map(|half| 0.1_f64.powf(0.5 * f64::from(half)));
+    let met = tolerances
+        .filter_map(|tolerance| at(family, tight, truth, tolerance).ok())
+        .find(|point| point.total <= accuracy);
+    met.map(|point| Setting {
+        tolerance: point.tolerance,
+        error: point.total,
+        cost: point.cost,
+    })
+    .ok_or_else(|| format!("no tolerance meets {accuracy:e}"))
+}
+
+/// The size at which the measured errors, joined by straight lines in logarithms, fall to `error`.
+fn size(points: &[Point], error: f64, of: impl Fn(&Point) -> f64) -> Option<f64> {
+    let logs: Vec<(f64, f64)> = points.iter().map(|p| (p.size.ln(), of(p).ln())).collect();
+    let goal = error.ln();
+    let (first, rest) = logs.split_first()?;
+    if first.1 <= goal || rest.is_empty() {
+        return Some(first.0.exp());
+    }
+    let pairs = || logs.windows(2).map(|pair| (pair[0], pair[1]));
+    let (a, b) = pairs().find(|(_, b)| b.1 <= goal).or(pairs().next_back())?;
+    let size = (a.0 + (b.0 - a.0) * (goal - a.1) / (b.1 - a.1)).exp();
+    (size.is_finite() && size > 0.0).then_some(size)
+}
+
+fn largest(point: &Point) -> f64 {
+    let all = point.max_abs.iter().map(|e| e.abs());
+    all.fold(point.frequency.abs(), f64::max)
+}
+
+impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
+    /// The size that a kernel needs for `accuracy`, verified, and the cheapest way to integrate it.
+    pub(super) fn need(
+        &self,
+        curve: &Curve,
+        found: &[Found<N>],
+        accuracy: f64,
+    ) -> Result<Need, String> {
+        let none = || "no copy has the orbit".to_owned();
+        let frequency_size =
+            size(&curve.points, accuracy, |p| p.frequency.abs()).ok_or_else(none)?;
+        let goal = SHARE * accuracy;
+        let mut points = curve.points.clone();
+        let mut finer = found.last().copied();
+        let mut best = None;
+        for _ in 0..TRIES {
+            let size = size(&points, goal * NEAR.sqrt(), largest).ok_or_else(none)?;
+            let (point, shooting) = self.point(smoothing(curve.kernel, size), finer.as_ref())?;
+            let error = largest(&point);
+            finer = Some((smoothing(curve.kernel, size), shooting));
+            if error <= goal {
+                best = Some((size, error, shooting));
+                if error >= NEAR * NEAR * goal || size == points[0].size {
+                    break;
+                }
+            }
+            let towards = |p: &Point| smoothing(curve.kernel, p.size).sharpness();
+            let place = points.partition_point(|p| towards(p) < towards(&point));
+            points.insert(place, point);
+        }
+        let (size, error, shooting) =
+            best.ok_or_else(|| format!("no size was found at which the errors fall to {goal:e}"))?;
+        let smoothing = smoothing(curve.kernel, size);
+        let family = self.family(smoothing, Effort::TIGHT.tolerance);
+        Ok(Need {
+            smoothing,
+            frequency_size,
+            error,
+            setting: cheapest(&family, &shooting, self.truth, accuracy)?,
+        })
+    }
+}

@@ -1,0 +1,208 @@
+//! The orbit's smooth copies, from the nearest to the exact law to the farthest.
+
+use super::shoot::{Effort, Shooting, cost, follow, shoot};
+use super::{Curve, Fit, Point, Scope, smoothing};
+use crate::field::exact::Modes;
+use crate::field::{Design, Kernel, SmoothField, Smoothing, Work};
+use crate::flow::{Place, SmoothFamily};
+use crate::integrate::Tolerance;
+use crate::model::Model;
+use crate::shooting::{Guess, Orbit};
+use crate::study::predict::{Prediction, predict};
+
+/// Tolerances tried in this order: where a layer is thin, a looser one can leave less noise for Newton.
+const EFFORTS: [Effort; 4] = [
+    Effort::TIGHT,
+    Effort::at(1e-10, 1e-9),
+    Effort::at(1e-8, 1e-9),
+    Effort::at(1e-10, 1e-8),
+];
+/// Ratio of periods above which an orbit is another one.
+const OTHER: f64 = 2.0;
+
+/// Everything known before the first copy is sought.
+pub(super) struct Copies<'a, M: Model<N>, const N: usize> {
+    pub(super) model: &'a M,
+    pub(super) orbit: &'a Orbit<N, Modes<M, N>>,
+    pub(super) truth: &'a Shooting<N>,
+    /// stick · G.
+    pub(super) stiffness: f64,
+}
+
+/// A copy that has the orbit.
+pub(super) type Found<const N: usize> = (Smoothing, Shooting<N>);
+
+impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
+    pub(super) fn family(&self, smoothing: Smoothing, tolerance: Tolerance) -> SmoothFamily<M, N> {
+        SmoothFamily {
+            model: *self.model,
+            smoothing: Some(smoothing),
+            design: Design::None,
+            tolerance,
+            magnitude: [1.0; N],
+        }
+    }
+
+    /// All copies of one kernel.
+    pub(super) fn curve(&self, kernel: Kernel, scope: &Scope) -> (Curve, Vec<Found<N>>) {
+        let sizes = if kernel.is_bump() {
+            &scope.bump_sizes
+        } else {
+            &scope.sign_sizes
+        };
+        let mut curve = Curve {
+            kernel,
+            refused: self.refusal(kernel),
+            points: Vec::new(),
+            lost: Vec::new(),
+            frequency: None,
+            max_abs: Vec::new(),
+            need: None,
+        };
+        let mut found: Vec<Found<N>> = Vec::new();
+        if curve.refused.is_some() {
+            return (curve, found);
+        }
+        for &size in sizes.iter().rev() {
+            let smoothing = smoothing(kernel, size);
+            match self.point(smoothing, found.last()) {
+                Ok((point, shooting)) => {
+                    curve.points.push(point);
+                    found.push((smoothing, shooting));
+                }
+                Err(reason) => curve.lost.push((size, reason)),
+            }
+        }
+        curve.points.reverse();
+        curve.lost.reverse();
+        found.reverse();
+        let errors = |of: &dyn Fn(&Point) -> f64| {
+            Fit::through(curve.points.iter().map(|point| (point.size, of(point))))
+        };
+        curve.frequency = errors(&|point| point.frequency);
+        curve.max_abs = (0..N).map(|j| errors(&|point| point.max_abs[j])).collect();
+        (curve, found)
+    }
+
+    fn refusal(&self, kernel: Kernel) -> Option<crate::field::SmoothingError> {
+        SmoothField::new(self.model, Some(smoothing(kernel, 1.0)), Design::None).err()
+    }
+
+    /// One copy, measured and predicted.
+    pub(super) fn point(
+        &self,
+        smoothing: Smoothing,
+        finer: Option<&Found<N>>,
+    ) -> Result<(Point, Shooting<N>), String> {
+        let predicted = predict(self.model, self.orbit, smoothing);
+        let (shooting, effort) = self.find(smoothing, predicted.as_ref().ok(), finer)?;
+        let (frequency, max_abs) = shooting.errors(self.truth);
+        let family = self.family(smoothing, effort.tolerance);
+        let point = Point {
+            size: smoothing.size,
+            stiffness: smoothing.steepness() * smoothing.sharpness() * self.stiffness,
+            frequency,
+            max_abs,
+            resolution: shooting.resolution,
+            cost: cost(&family, &shooting).map_err(|error| error.to_string())?,
+            found: shooting.work,
+            predicted: predicted.map_err(|error| error.to_string()),
+        };
+        Ok((point, shooting))
+    }
+
+    /// Newton from where the copy is predicted, from the exact orbit, then from the next finer copy, by
+    /// following it in the logarithm of its size.
+    fn find(
+        &self,
+        smoothing: Smoothing,
+        predicted: Option<&Prediction>,
+        finer: Option<&Found<N>>,
+    ) -> Result<(Shooting<N>, Effort), String> {
+        let exact = self.guess(self.truth);
+        let shifted = predicted.map(|prediction| Guess {
+            place: Place {
+                state: std::array::from_fn(|j| exact.place.state[j] + prediction.start[j]),
+                mode: (),
+            },
+            period: exact.period * (1.0 - prediction.frequency),
+            ..exact
+        });
+        let beside = finer.map(|(_, copy)| self.guess(copy));
+        let mut last = String::new();
+        for guess in shifted.into_iter().chain([exact]).chain(beside) {
+            match self.converge(smoothing, &guess) {
+                Ok(found) => return Ok(found),
+                Err(reason) => last = reason,
+            }
+        }
+        let Some((from, copy)) = finer else {
+            return Err(last);
+        };
+        let (guess, work) = self.follow(*from, smoothing, copy)?;
+        let (mut shooting, effort) = self.converge(smoothing, &guess)?;
+        shooting.work += work;
+        Ok((shooting, effort))
+    }
+
+    fn guess(&self, shooting: &Shooting<N>) -> Guess<N, ()> {
+        Guess {
+            place: Place {
+                state: shooting.state,
+                mode: (),
+            },
+            period: shooting.period,
+            magnitude: std::array::from_fn(|j| 0.5 * (shooting.max[j] - shooting.min[j])),
+        }
+    }
+
+    fn follow(
+        &self,
+        from: Smoothing,
+        to: Smoothing,
+        copy: &Shooting<N>,
+    ) -> Result<(Guess<N, ()>, Work), String> {
+        let family = SmoothFamily {
+            design: Design::Smoothing,
+            ..self.family(from, Effort::TIGHT.tolerance)
+        };
+        let way = (from.size.ln(), to.size.ln());
+        follow(&family, way, &self.guess(copy), Effort::TIGHT)
+    }
+
+    fn converge(
+        &self,
+        smoothing: Smoothing,
+        guess: &Guess<N, ()>,
+    ) -> Result<(Shooting<N>, Effort), String> {
+        let mut last = String::new();
+        for effort in EFFORTS {
+            let family = self.family(smoothing, effort.tolerance);
+            match shoot(&family, 0.0, guess, effort) {
+                Ok(found) => match self.same(&found) {
+                    Ok(()) => return Ok((found, effort)),
+                    Err(reason) => return Err(reason),
+                },
+                Err(error) => last = error.to_string(),
+            }
+        }
+        Err(last)
+    }
+
+    /// Whether this is the exact orbit's copy and not another orbit.
+    fn same(&self, found: &Shooting<N>) -> Result<(), String> {
+        if found.count != self.truth.count {
+            return Err(format!(
+                "the copy's orbit crosses the section {} times instead of {}",
+                found.count, self.truth.count
+            ));
+        }
+        let ratio = found.period / self.truth.period;
+        if !(1.0 / OTHER..=OTHER).contains(&ratio) {
+            return Err(format!(
+                "only another orbit is near, {ratio:.3} times as long"
+            ));
+        }
+        Ok(())
+    }
+}

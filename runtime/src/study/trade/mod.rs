@@ -1,0 +1,140 @@
+//! Error against cost: what each smoothing of a model with friction costs and what it gets wrong (thesis 3.2, 4.2).
+//!
+//! The exact orbit is the truth. Copies are found near it, followed in their size where Newton does not reach them, and
+//! counted while their orbit crosses the section as often as the exact one does.
+
+mod accuracy;
+mod copy;
+mod fit;
+mod precision;
+mod record;
+mod shoot;
+
+pub use accuracy::{Need, Setting};
+pub use fit::Fit;
+pub use precision::{Precision, PrecisionPoint};
+pub use record::{Cost, Curve, Point, Scope, Trade, Truth, worst};
+
+use crate::field::exact::{ExactSystem, Mode, Modes};
+use crate::field::{Kernel, Smoothing};
+use crate::flow::{ExactFamily, FlowError};
+use crate::integrate::Tolerance;
+use crate::model::Model;
+use crate::shooting::{Orbit, OrbitError};
+use copy::Copies;
+use shoot::{Effort, Shooting};
+
+/// Why there is no trade.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TradeError {
+    /// The model has no contact.
+    #[error("`{model}` has no friction: there is nothing to trade")]
+    NoFriction {
+        /// The model.
+        model: &'static str,
+    },
+    /// The exact orbit cannot be shot again.
+    #[error("the exact orbit cannot be reproduced: {0}")]
+    Orbit(#[from] OrbitError),
+    /// The exact motion cannot be followed.
+    #[error(transparent)]
+    Flow(#[from] FlowError),
+}
+
+/// Measures the trade of `model` near its exact `orbit`.
+///
+/// # Errors
+/// See [`TradeError`]; a copy without the orbit is no error but part of the answer.
+pub fn trade<M: Model<N>, const N: usize>(
+    model: &M,
+    orbit: &Orbit<N, Modes<M, N>>,
+    scope: &Scope,
+) -> Result<Trade, TradeError> {
+    if M::INFO.contacts.is_empty() {
+        return Err(TradeError::NoFriction {
+            model: M::INFO.command,
+        });
+    }
+    let family = ExactFamily {
+        model: *model,
+        design: None,
+        tolerance: Tolerance::for_accuracy(1e-11),
+        magnitude: [1.0; N],
+    };
+    let guess = shoot::guess(orbit);
+    let truth = shoot::shoot(&family, 0.0, &guess, Effort::TIGHT)?;
+    let cost = shoot::cost(&family, &truth)?;
+    let copies = Copies {
+        model,
+        orbit,
+        truth: &truth,
+        stiffness: stiffness(model, &orbit.place.state),
+    };
+    let mut curves = Vec::new();
+    let mut precision = vec![precision::of(None, &family, &truth, &truth, scope)];
+    for &kernel in &scope.kernels {
+        let (mut curve, found) = copies.curve(kernel, scope);
+        for (smoothing, copy) in &found {
+            let family = copies.family(*smoothing, Effort::TIGHT.tolerance);
+            precision.push(precision::of(
+                Some(*smoothing),
+                &family,
+                copy,
+                &truth,
+                scope,
+            ));
+        }
+        if let Some(accuracy) = scope.accuracy
+            && curve.refused.is_none()
+        {
+            curve.need = Some(copies.need(&curve, &found, accuracy));
+        }
+        curves.push(curve);
+    }
+    let need = scope
+        .accuracy
+        .map(|accuracy| accuracy::cheapest(&family, &truth, &truth, accuracy));
+    Ok(Trade {
+        exact: Truth {
+            period: truth.period,
+            max_abs: truth.max_abs().to_vec(),
+            period_count: truth.count,
+            cost,
+        },
+        curves,
+        precision,
+        need,
+    })
+}
+
+/// stick · G of each contact at `state`; the largest.
+fn stiffness<M: Model<N>, const N: usize>(model: &M, state: &[f64; N]) -> f64 {
+    let system = ExactSystem::new(model, None);
+    let affine = system.affine(state, &Modes::from_fn(|_| Mode::Stick));
+    let of = |i: usize| affine.compliance.as_ref()[i].as_ref()[i] * affine.stick.as_ref()[i];
+    (0..M::INFO.contacts.len()).map(of).fold(0.0, f64::max)
+}
+
+impl<const N: usize> Shooting<N> {
+    /// Relative, signed errors of frequency and largest magnitudes against `truth`.
+    fn errors(&self, truth: &Self) -> (f64, Vec<f64>) {
+        let pairs = self.max_abs().into_iter().zip(truth.max_abs());
+        (
+            truth.period / self.period - 1.0,
+            pairs.map(|(a, b)| a / b - 1.0).collect(),
+        )
+    }
+
+    /// The largest of them.
+    fn error(&self, truth: &Self) -> f64 {
+        let (frequency, max_abs) = self.errors(truth);
+        max_abs
+            .iter()
+            .fold(frequency.abs(), |most, e| most.max(e.abs()))
+    }
+}
+
+/// What a smoothing of this kernel is called at this size.
+fn smoothing(kernel: Kernel, size: f64) -> Smoothing {
+    Smoothing { kernel, size }
+}

@@ -1,0 +1,130 @@
+//! What a trade covers, and what it finds.
+
+use super::{Fit, Need, Precision, Setting, smoothing};
+use crate::field::{Kernel, Smoothing, SmoothingError, Work};
+use crate::study::predict::Prediction;
+
+/// What a trade shall cover.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scope {
+    /// The kernels.
+    pub kernels: Vec<Kernel>,
+    /// Sizes of sign types, towards the exact law.
+    pub sign_sizes: Vec<f64>,
+    /// Sizes of bumps, towards the exact law.
+    pub bump_sizes: Vec<f64>,
+    /// Local tolerances of the work-precision curves; none of them if there are none.
+    pub tolerances: Vec<f64>,
+    /// A relative accuracy for which the cheapest setting is sought.
+    pub accuracy: Option<f64>,
+}
+
+impl Default for Scope {
+    /// All kernels, sign types from 1e2 to 1e7 and bumps from 1 to 1e-4 by decades, tolerances from 1e-3 to 1e-11.
+    fn default() -> Self {
+        Self {
+            kernels: Kernel::ALL.to_vec(),
+            sign_sizes: (2..=7).map(|k| 10_f64.powi(k)).collect(),
+            bump_sizes: (0..=4).map(|k| 1.0 / 10_f64.powi(k)).collect(),
+            tolerances: (3..=11).map(|k| 1.0 / 10_f64.powi(k)).collect(),
+            accuracy: None,
+        }
+    }
+}
+
+/// Work and time of one period with its derivatives and extrema: what one Newton iteration pays.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Cost {
+    /// Counted work.
+    pub work: Work,
+    /// Seconds, the best of a few repetitions.
+    pub seconds: f64,
+}
+
+/// The exact orbit, against which everything is measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Truth {
+    /// Its period.
+    pub period: f64,
+    /// Largest magnitude of each state.
+    pub max_abs: Vec<f64>,
+    /// Crossings of the section in one period.
+    pub period_count: usize,
+    /// Its cost at a tight tolerance.
+    pub cost: Cost,
+}
+
+/// One smooth copy.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// The size of the smoothing.
+    pub size: f64,
+    /// ε φ'(0) · stick · G, the largest of all contacts.
+    pub stiffness: f64,
+    /// Error of the frequency, relative and signed: (3.8) is its magnitude.
+    pub frequency: f64,
+    /// Error of the largest magnitude of each state, relative and signed: (3.7) is its magnitude.
+    pub max_abs: Vec<f64>,
+    /// How accurately these are measured: the size of Newton's last correction.
+    pub resolution: f64,
+    /// What one period of it costs at the tolerance at which it was measured.
+    pub cost: Cost,
+    /// What finding it cost.
+    pub found: Work,
+    /// The error predicted without integrating it, or why there is none.
+    pub predicted: Result<Prediction, String>,
+}
+
+/// The copies of one kernel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// The kernel.
+    pub kernel: Kernel,
+    /// Why the model's laws do not accept it.
+    pub refused: Option<SmoothingError>,
+    /// The copies that have the orbit, towards the exact law.
+    pub points: Vec<Point>,
+    /// Sizes at which the copy has no such orbit, or none was found, and why.
+    pub lost: Vec<(f64, String)>,
+    /// e_f = b ε^a.
+    pub frequency: Option<Fit>,
+    /// The same for the largest magnitude of each state.
+    pub max_abs: Vec<Option<Fit>>,
+    /// The cheapest setting for the accuracy asked for, or why there is none.
+    pub need: Option<Result<Need, String>>,
+}
+
+/// Error against cost of every smoothing of one model at given parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trade {
+    /// The exact orbit.
+    pub exact: Truth,
+    /// The kernels.
+    pub curves: Vec<Curve>,
+    /// Work-precision curves, the exact system first.
+    pub precision: Vec<Precision>,
+    /// The cheapest setting of the exact system for the accuracy asked for.
+    pub need: Option<Result<Setting, String>>,
+}
+
+impl Curve {
+    /// The smoothing of this curve at one size.
+    #[must_use]
+    pub fn at(&self, size: f64) -> Smoothing {
+        smoothing(self.kernel, size)
+    }
+}
+
+/// Of trades at several parameters, the one at whose parameters a kernel needs most: the worst end of a range.
+#[must_use]
+pub fn worst(trades: &[Trade], kernel: Kernel) -> Option<(usize, &Result<Need, String>)> {
+    let needs = trades.iter().enumerate().filter_map(|(end, trade)| {
+        let curve = trade.curves.iter().find(|curve| curve.kernel == kernel)?;
+        Some((end, curve.need.as_ref()?))
+    });
+    let demand = |need: &Result<Need, String>| match need {
+        Ok(need) => need.smoothing.sharpness(),
+        Err(_) => f64::INFINITY,
+    };
+    needs.reduce(|a, b| if demand(b.1) > demand(a.1) { b } else { a })
+}

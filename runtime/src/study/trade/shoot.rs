@@ -1,0 +1,183 @@
+//! One orbit at one tolerance, shot from a guess nearby.
+
+use std::time::Instant;
+
+use nalgebra::DVector;
+
+use crate::continuation::{Branch, Ending, Settings, correct};
+use crate::field::Work;
+use crate::flow::{Family, Flow, FlowError, Place, Want};
+use crate::integrate::Tolerance;
+use crate::shooting::{Guess, Orbit, OrbitError, problem};
+
+use super::Cost;
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+/// Repetitions of which the fastest counts.
+const REPEATS: usize = 3;
+/// Relative extent below which an orbit is an equilibrium.
+const EXTENT: f64 = 1e-6;
+
+/// How hard an orbit is tried for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Effort {
+    pub(super) tolerance: Tolerance,
+    /// Newton's last correction.
+    pub(super) accuracy: f64,
+}
+
+impl Effort {
+    /// At which errors of smoothing are measured.
+    pub(super) const TIGHT: Self = Self::at(1e-9, 1e-10);
+
+    pub(super) const fn at(tolerance: f64, accuracy: f64) -> Self {
+        Self {
+            tolerance: Tolerance {
+                relative: tolerance,
+                absolute: tolerance,
+            },
+            accuracy,
+        }
+    }
+}
+
+/// A converged orbit, as far as a trade is concerned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Shooting<const N: usize> {
+    pub(super) state: [f64; N],
+    pub(super) period: f64,
+    pub(super) min: [f64; N],
+    pub(super) max: [f64; N],
+    /// Crossings of the section.
+    pub(super) count: usize,
+    /// Newton's last correction.
+    pub(super) resolution: f64,
+    pub(super) work: Work,
+}
+
+impl<const N: usize> Shooting<N> {
+    pub(super) fn max_abs(&self) -> [f64; N] {
+        std::array::from_fn(|j| self.max[j].abs().max(self.min[j].abs()))
+    }
+
+    fn magnitude(&self) -> [f64; N] {
+        std::array::from_fn(|j| 0.5 * (self.max[j] - self.min[j]))
+    }
+}
+
+/// A found orbit as a guess for its own family.
+pub(super) fn guess<const N: usize, Mode: Copy>(orbit: &Orbit<N, Mode>) -> Guess<N, Mode> {
+    Guess {
+        place: orbit.place,
+        period: orbit.period,
+        magnitude: std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j])),
+    }
+}
+
+/// A shot orbit as a guess for another tolerance, or another family of the same states.
+pub(super) fn near<F: Family<N>, const N: usize>(
+    family: &F,
+    r: f64,
+    shooting: &Shooting<N>,
+) -> Result<Guess<N, Mode<F, N>>, FlowError> {
+    Ok(Guess {
+        place: family.at(r)?.place(shooting.state)?,
+        period: shooting.period,
+        magnitude: shooting.magnitude(),
+    })
+}
+
+/// Newton from a guess.
+pub(super) fn shoot<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    guess: &Guess<N, Mode<F, N>>,
+    effort: Effort,
+) -> Result<Shooting<N>, OrbitError> {
+    let family = family.with_tolerance(effort.tolerance);
+    let (mut problem, z) = problem(family, r, guess, 1)?;
+    let mut normal = DVector::zeros(z.len() + 1);
+    normal[z.len()] = 1.0;
+    let found =
+        correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
+    let shot = &found.linearisation.extra;
+    let (min, max) = shot.extent();
+    let size = |j: usize| guess.magnitude[j].max(max[j].abs());
+    if (0..N).all(|j| max[j] - min[j] <= EXTENT * size(j)) {
+        return Err(OrbitError::Equilibrium {
+            state: shot.start.state.to_vec(),
+        });
+    }
+    Ok(Shooting {
+        state: std::array::from_fn(|j| found.z[j]),
+        period: found.z[N],
+        min,
+        max,
+        count: shot.minima().count().max(1),
+        resolution: found.corrections.last().copied().unwrap_or(f64::NAN),
+        work: problem.work,
+    })
+}
+
+/// Follows an orbit from r = `from` to r = `to`; a guess there, or why the branch ended before.
+pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    (from, to): (f64, f64),
+    start: &Guess<N, Mode<F, N>>,
+    effort: Effort,
+) -> Result<(Guess<N, Mode<F, N>>, Work), String> {
+    let family = family.with_tolerance(effort.tolerance);
+    let (mut problem, z) = problem(family, from, start, 1).map_err(|e| e.to_string())?;
+    problem
+        .float(&start.place, from)
+        .map_err(|e| e.to_string())?;
+    let settings = Settings::new(from, to, effort.accuracy.max(1e-8));
+    let (mut branch, first) = Branch::start(problem, z, settings).map_err(|e| e.to_string())?;
+    let last = branch.by_ref().last().unwrap_or(first);
+    match branch.ending() {
+        Some(Ending::ReachedEnd) => {
+            let (min, max) = last.extra.extent();
+            let lowest = last.extra.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+            let state = lowest.map_or(last.extra.start.state, |(_, state)| state);
+            let guess = Guess {
+                place: Place {
+                    state,
+                    mode: last.extra.start.mode,
+                },
+                period: last.extra.period,
+                magnitude: std::array::from_fn(|j| 0.5 * (max[j] - min[j])),
+            };
+            Ok((guess, branch.problem.work))
+        }
+        Some(ending) => Err(format!(
+            "the branch in its size ends at {:e}: {ending:?}",
+            last.r.exp()
+        )),
+        None => Err("the branch in its size was stopped".to_owned()),
+    }
+}
+
+/// What one period with derivatives and extrema costs at the family's tolerance.
+pub(super) fn cost<F: Family<N>, const N: usize>(
+    family: &F,
+    shooting: &Shooting<N>,
+) -> Result<Cost, FlowError> {
+    let want = Want {
+        derivatives: true,
+        extrema: true,
+        ..Want::default()
+    };
+    let mut cost = Cost {
+        seconds: f64::INFINITY,
+        ..Cost::default()
+    };
+    for _ in 0..REPEATS {
+        let clock = Instant::now();
+        let flow = family.at(0.0)?;
+        let passage = flow.advance(&flow.place(shooting.state)?, shooting.period, want)?;
+        cost.seconds = cost.seconds.min(clock.elapsed().as_secs_f64());
+        cost.work = passage.work;
+    }
+    Ok(cost)
+}

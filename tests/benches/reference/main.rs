@@ -1,0 +1,30 @@
+//! What derivatives, flows and branches cost: `cargo bench`, or `cargo bench --features diffsol` to have the same
+//! flows by that library beside them.
+//!
+//! Times are the best of many runs. On a busy machine the ratios decide.
+
+mod branches;
+mod clock;
+mod derivatives;
+mod flows;
+#[cfg(feature = "diffsol")]
+mod rival;
+
+fn main() {
+    // Cargo passes `--bench`; a word besides picks the tables whose name holds it.
+    let wanted = std::env::args().skip(1).find(|word| !word.starts_with('-'));
+    let asked = |name: &str| {
+        wanted
+            .as_ref()
+            .is_none_or(|word| name.contains(word.as_str()))
+    };
+    if asked("derivatives") {
+        derivatives::table();
+    }
+    if asked("flows") {
+        flows::table();
+    }
+    if asked("branches") {
+        branches::table();
+    }
+}

@@ -1,0 +1,142 @@
+//! Branches of orbits of the reference systems.
+
+use stickslip::bifurcation::Stability;
+use stickslip::continuation::{Ending, Settings};
+use stickslip::field::Design;
+use stickslip::integrate::Tolerance;
+use stickslip::model::Model;
+use stickslip::shooting::{Orbit, OrbitBranch, OrbitError, Search, closest};
+use stickslip_models::{BeltOscillator, DrillString};
+use stickslip_tests::on_every_reference_system;
+use stickslip_tests::subject::{self, Subject};
+
+on_every_reference_system! {
+    a_branch_there_and_back_closes,
+    a_branch_ends_on_the_orbit_that_is_found_there,
+}
+
+const ACCURACY: f64 = 1e-9;
+
+/// Every orbit from `from` to `to`, and why there are no more.
+fn follow<M: Model<N>, const N: usize>(
+    subject: &Subject<M, N>,
+    design: Design,
+    (from, to): (f64, f64),
+    first: Option<&Orbit<N, ()>>,
+) -> (Vec<Orbit<N, ()>>, String) {
+    let family = subject.family(design, Tolerance::for_accuracy(ACCURACY));
+    let search = search(subject);
+    let found;
+    let first = match first {
+        Some(orbit) => orbit,
+        None => {
+            found = closest(&family, from, &search).expect("a first orbit");
+            &found
+        }
+    };
+    let settings = Settings::new(from, to, ACCURACY);
+    let mut branch = OrbitBranch::start(&family, first, &search, settings).expect("a branch");
+    let orbits: Vec<_> = branch.by_ref().take(60).collect();
+    let ending = match branch.ending() {
+        Some(Ending::ReachedEnd) => "end".to_owned(),
+        Some(Ending::ReachedStart) => "start".to_owned(),
+        other => format!("{other:?}"),
+    };
+    (orbits, ending)
+}
+
+fn search<M: Model<N>, const N: usize>(subject: &Subject<M, N>) -> Search<N> {
+    Search {
+        accuracy: ACCURACY,
+        ..subject.search()
+    }
+}
+
+fn same<const N: usize>(a: &Orbit<N, ()>, b: &Orbit<N, ()>) {
+    assert!(
+        (a.period / b.period - 1.0).abs() < 1e-7,
+        "{} against {}",
+        a.period,
+        b.period
+    );
+    for j in 0..N {
+        let gap = (a.max[j] - b.max[j]).abs() / (b.max[j] - b.min[j]);
+        assert!(gap < 1e-7, "maximum of state {j} is {gap:e} off");
+    }
+}
+
+/// The last parameter of the declaration, and a few percent more of it.
+fn span<M: Model<N>, const N: usize>(subject: &Subject<M, N>) -> (Design, f64, f64) {
+    let values = subject.model.values();
+    let last = values.as_ref().len() - 1;
+    let value = values.as_ref()[last];
+    (Design::Parameter(last), value, 0.96 * value)
+}
+
+fn a_branch_there_and_back_closes<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
+    let (design, from, to) = span(subject);
+    let (there, ending) = follow(subject, design, (from, to), None);
+    assert_eq!(ending, "end");
+    assert!(there.len() >= 2);
+    let (back, ending) = follow(subject, design, (to, from), there.last());
+    assert_eq!(ending, "end");
+    same(&back[back.len() - 1], &there[0]);
+}
+
+fn a_branch_ends_on_the_orbit_that_is_found_there<M: Model<N>, const N: usize>(
+    subject: &Subject<M, N>,
+) {
+    let (design, from, to) = span(subject);
+    let (branch, _) = follow(subject, design, (from, to), None);
+    let last = &branch[branch.len() - 1];
+    assert_eq!(last.r, to);
+    let family = subject.family(design, Tolerance::for_accuracy(ACCURACY));
+    same(
+        &closest(&family, to, &search(subject)).expect("an orbit"),
+        last,
+    );
+}
+
+/// The drill string's cycle is lost in a fold, and the branch comes back unstable.
+#[test]
+fn a_branch_goes_on_through_a_fold() {
+    let design = Design::Parameter(DrillString::eta.index);
+    let (orbits, ending) = follow(&subject::drill_string(), design, (4.0, 8.0), None);
+    let fold = orbits.iter().map(|orbit| orbit.r).fold(0.0, f64::max);
+    let top = orbits
+        .iter()
+        .position(|orbit| orbit.r == fold)
+        .expect("a largest r");
+    assert!(
+        (6.24154..6.24156).contains(&fold),
+        "fold at {fold}: {ending}"
+    );
+    assert_eq!(orbits[0].floquet.stability, Stability::Stable);
+    let after: Vec<_> = orbits[top + 2..].iter().collect();
+    assert!(after.len() > 3, "the branch ends at its fold: {ending}");
+    assert!(
+        after
+            .iter()
+            .all(|orbit| orbit.floquet.stability == Stability::Unstable)
+    );
+    // At the fold a multiplier passes through 1.
+    let near = orbits[top].floquet.multipliers[0].re;
+    assert!((near - 1.0).abs() < 0.5, "{near}");
+}
+
+/// arctan 1e2 lets the belt oscillator come to rest at v_dr = 0.05: below its Hopf point at 0.05187.
+#[test]
+fn a_motion_that_comes_to_rest_is_reported_so() {
+    let mut subject = subject::belt_oscillator();
+    subject.smoothing = Some("arctan:1e2".parse().expect("a smoothing"));
+    subject.model = BeltOscillator {
+        v_dr: 0.05,
+        ..Default::default()
+    };
+    let family = subject.family(Design::None, Tolerance::for_accuracy(ACCURACY));
+    let found = closest(&family, 0.0, &search(&subject));
+    assert!(
+        matches!(found, Err(OrbitError::Equilibrium { .. })),
+        "{found:?}"
+    );
+}
