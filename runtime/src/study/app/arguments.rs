@@ -22,11 +22,8 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
         .subcommand(simulate())
         .subcommand(orbit())
         .subcommand(branch())
-<<<<<<< HEAD
-        .subcommand(trade());
-=======
+        .subcommand(trade())
         .subcommand(equilibria());
->>>>>>> eq
     if app.reproduction.is_some() {
         command = command.args(to_reproduce()).subcommand(
             Command::new("reproduce")

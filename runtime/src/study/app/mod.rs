@@ -97,11 +97,8 @@ impl App {
             Some(("simulate", options)) => simulate::perform(self, options),
             Some(("orbit", options)) => orbit::perform(self, options),
             Some(("branch", options)) => branch::perform(self, options),
-<<<<<<< HEAD
             Some(("trade", options)) => trade::perform(self, options),
-=======
             Some(("equilibria", options)) => equilibria::perform(self, options),
->>>>>>> eq
             Some(("reproduce", options)) => reproduce::perform(self, options),
             _ => reproduce::perform(self, matches),
         }
