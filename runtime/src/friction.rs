@@ -20,6 +20,24 @@ pub trait FrictionLaw<D: Scalar> {
 
     /// Magnitude of the force at the sliding speed `speed` > 0.
     fn slip(&self, speed: D) -> D;
+
+    /// Both with their derivatives: by the speed, and along `along`, which holds the derivative of each field.
+    fn slopes(&self, along: &Self, speed: D) -> LawSlopes<D>;
+}
+
+/// A law at one sliding speed with its derivatives; the values have the bits of the law's own functions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawSlopes<D> {
+    /// Largest magnitude of the force at rest.
+    pub stick: D,
+    /// Its derivative as the fields of the law move.
+    pub stick_along: D,
+    /// Magnitude of the force while sliding.
+    pub slip: D,
+    /// Its derivative with respect to the sliding speed.
+    pub slip_by_speed: D,
+    /// Its derivative as the fields of the law move.
+    pub slip_along: D,
 }
 
 /// Decides the friction force of each contact: smoothed, sliding one way, or sticking.
@@ -29,6 +47,33 @@ pub trait FrictionLaw<D: Scalar> {
 pub trait ContactRule<D: Scalar> {
     /// The force of contact number `contact`, whose relative speed is `speed`, as it stands in the equations.
     fn force<L: FrictionLaw<D>>(&mut self, contact: usize, law: &L, speed: D) -> D;
+}
+
+/// Decides the friction force of each contact together with its derivatives: a [`ContactRule`] to be differentiated.
+///
+/// A contact whose law reads states is asked once more for each of them.
+pub trait SlopeRule {
+    /// The force of contact number `contact`; `along` holds the derivatives of the law's fields in one direction.
+    fn force<L: FrictionLaw<f64>>(
+        &mut self,
+        contact: usize,
+        law: &L,
+        along: &L,
+        speed: f64,
+    ) -> ForceSlopes;
+}
+
+/// A friction force, as it stands in the equations, and its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForceSlopes {
+    /// The force.
+    pub force: f64,
+    /// Its derivative with respect to the relative speed.
+    pub by_speed: f64,
+    /// Its derivative as the fields of the law move, the speed held.
+    pub along: f64,
+    /// Its derivative with respect to the design variable where the rule itself depends on it.
+    pub by_design: f64,
 }
 
 /// A friction law as data.

@@ -13,6 +13,7 @@ pub mod field;
 pub mod flow;
 pub mod friction;
 pub mod integrate;
+mod linear;
 pub mod math;
 pub mod model;
 pub mod scalar;

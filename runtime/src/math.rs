@@ -1,5 +1,8 @@
 //! The functions that formulas may use, over any [`Scalar`].
 
+#[doc(hidden)]
+pub mod slope;
+
 use crate::scalar::Scalar;
 
 macro_rules! functions {

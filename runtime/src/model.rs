@@ -3,7 +3,9 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use crate::friction::{ContactRule, LawInfo};
+pub use crate::linear::Linear;
+
+use crate::friction::{ContactRule, LawInfo, SlopeRule};
 use crate::scalar::{Inline, Lanes, Scalar};
 
 /// A model with `N` states: ẏ = f(y, parameters, friction forces). Written by `model!`.
@@ -36,6 +38,16 @@ pub trait Model<const N: usize>: Copy + Default + fmt::Debug + Send + Sync + 'st
         state: [D; N],
         contacts: &mut impl ContactRule<D>,
     ) -> [D; N];
+
+    /// The same right-hand side with its derivatives, written out at compile time: `f` has the bits of [`Model::rhs`].
+    ///
+    /// `seeds` holds the derivative of each parameter with respect to the design variable.
+    fn linearise(
+        params: &Self::Params<f64>,
+        seeds: &Self::Params<f64>,
+        state: [f64; N],
+        contacts: &mut impl SlopeRule,
+    ) -> Linear<N>;
 
     /// The values of the `let` lines.
     fn observables(

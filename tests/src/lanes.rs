@@ -1,12 +1,13 @@
-//! Derivatives of generated right-hand sides through dual numbers.
+//! Derivatives of generated right-hand sides: through dual numbers, and as the macro has written them out.
 
+use stickslip::field::{Design, Field, SmoothField, Smoothing};
 use stickslip::friction::ContactRule;
 use stickslip::model::Model;
 use stickslip::scalar::{Inline, Lanes};
 
 use crate::hand_written::Linearised;
 
-/// f, Jacobian and parameter derivatives, each parameter in turn being the design variable.
+/// By dual numbers: f, Jacobian and parameter derivatives, each parameter in turn being the design variable.
 pub fn linearised<M: Model<N>, const N: usize, const P: usize>(
     model: &M,
     state: [f64; N],
@@ -28,5 +29,31 @@ pub fn linearised<M: Model<N>, const N: usize, const P: usize>(
         f: M::rhs(&values, state, &mut rule.clone()),
         jacobian,
         by_parameter,
+    }
+}
+
+/// As written out: f, Jacobian and parameter derivatives, each parameter in turn being the design variable.
+///
+/// # Panics
+/// The smoothing does not suit the model, or f has not the bits of the right-hand side itself.
+pub fn tangents<M: Model<N>, const N: usize, const P: usize>(
+    model: &M,
+    state: [f64; N],
+    smoothing: Option<Smoothing>,
+) -> Linearised<N, P> {
+    let linear: [_; P] = std::array::from_fn(|design| {
+        let field = SmoothField::new(model, smoothing, Design::Parameter(design));
+        let field = field.expect("a suitable smoothing");
+        let linear = field.linearise(&state);
+        assert_eq!(
+            linear.f.map(f64::to_bits),
+            field.f(&state).map(f64::to_bits)
+        );
+        linear
+    });
+    Linearised {
+        f: linear[0].f,
+        jacobian: linear[0].jacobian,
+        by_parameter: linear.map(|linear| linear.design),
     }
 }

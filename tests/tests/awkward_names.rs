@@ -4,7 +4,7 @@
 #![deny(clippy::all, clippy::pedantic, missing_docs, nonstandard_style, unused)]
 #![allow(clippy::float_cmp)]
 
-use stickslip::friction::{ContactRule, FrictionLaw};
+use stickslip::friction::{ContactRule, ForceSlopes, FrictionLaw, SlopeRule};
 use stickslip::model::Model;
 use stickslip::scalar::Scalar;
 use stickslip::{friction_law, model};
@@ -26,6 +26,24 @@ struct Forward;
 impl<D: Scalar> ContactRule<D> for Forward {
     fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, law: &L, speed: D) -> D {
         -law.slip(speed)
+    }
+}
+
+impl SlopeRule for Forward {
+    fn force<L: FrictionLaw<f64>>(
+        &mut self,
+        _contact: usize,
+        law: &L,
+        along: &L,
+        speed: f64,
+    ) -> ForceSlopes {
+        let law = law.slopes(along, speed);
+        ForceSlopes {
+            force: -law.slip,
+            by_speed: -law.slip_by_speed,
+            along: -law.slip_along,
+            by_design: 0.0,
+        }
     }
 }
 
@@ -98,6 +116,23 @@ fn any_name_is_the_users() {
     let slope = 11.0 + 12.0 * 13.0 / 14.0 - 240.0 + 17.0;
     assert_eq!(rates[2], slope * 3.0 + g);
     assert_eq!(s, -1.0);
+}
+
+#[test]
+fn derivatives_know_every_name() {
+    let (model, state) = (Model_::default(), [1.0, 2.0, 3.0]);
+    let expected = linearised::<Model_, 3, 17>(&model, state, Forward);
+    for (design, by_design) in expected.by_parameter.iter().enumerate() {
+        let seeds = std::array::from_fn(|i| f64::from(i == design));
+        let found = Model_::linearise(&model.values(), &seeds, state, &mut Forward);
+        assert_eq!(found.f, expected.f);
+        let rows = found.jacobian.as_flattened();
+        let columns = rows.iter().chain(&found.design);
+        let expected = expected.jacobian.as_flattened().iter().chain(by_design);
+        for (a, b) in columns.zip(expected) {
+            assert!((a - b).abs() <= 1e-14 * b.abs(), "{a:e}, by lanes {b:e}");
+        }
+    }
 }
 
 #[test]

@@ -1,12 +1,14 @@
-//! Generated right-hand sides, Jacobians and parameter derivatives against the hand-written ones, at random
+//! Generated right-hand sides, Jacobians and parameter derivatives, by dual numbers and written out, against the
+//! hand-written ones, at random
 //! states and parameters: they agree to a few units in the last place of the terms that are summed.
 
+use stickslip::field::{Kernel, Smoothing};
 use stickslip::friction::{ContactRule, FrictionLaw};
 use stickslip::model::Model;
 use stickslip::scalar::Scalar;
 use stickslip_models::{BeltOscillator, BeltPair, DrillString, VanDerPol};
 use stickslip_tests::hand_written::{self, BeltForce, Linearised, belt_force};
-use stickslip_tests::lanes::linearised;
+use stickslip_tests::lanes::{linearised, tangents};
 use stickslip_tests::random::Random;
 
 const SAMPLES: usize = 4000;
@@ -34,6 +36,16 @@ impl<D: Scalar> ContactRule<D> for Quartic {
         let rest = -u + 4.0;
         -kinetic - (law.stick() - kinetic) * u * rest * rest * rest / 27.0
     }
+}
+
+fn arctan(size: f64) -> Option<Smoothing> {
+    let kernel = Kernel::Arctan;
+    Some(Smoothing { kernel, size })
+}
+
+fn quartic(size: f64) -> Option<Smoothing> {
+    let kernel = Kernel::Quartic;
+    Some(Smoothing { kernel, size })
 }
 
 /// Compares every number; `sizes` holds the sums of the magnitudes of the terms of each.
@@ -66,6 +78,7 @@ fn van_der_pol() {
             random.real(20.0),
         );
         let found = linearised::<VanDerPol, 2, 1>(&VanDerPol { nu }, [x, v], Arctan(1.0));
+        let written = tangents::<VanDerPol, 2, 1>(&VanDerPol { nu }, [x, v], None);
         let damping = x * x + 1.0;
         let sizes = Linearised {
             f: [v, nu * damping * v + x].map(f64::abs),
@@ -73,6 +86,8 @@ fn van_der_pol() {
             by_parameter: [[0.0, (damping * v).abs()]],
         };
         assert_equal(&found, &hand_written::van_der_pol([nu], [x, v]), &sizes);
+        assert_equal(&written, &hand_written::van_der_pol([nu], [x, v]), &sizes);
+        assert_equal(&written, &found, &sizes);
     }
 }
 
@@ -103,6 +118,7 @@ fn belt_oscillator() {
             delta,
         };
         let found = linearised::<BeltOscillator, 2, 5>(&model, [x, v], Arctan(eps));
+        let written = tangents::<BeltOscillator, 2, 5>(&model, [x, v], arctan(eps));
         let expected = hand_written::belt_oscillator(model.values(), eps, [x, v]);
         let friction = force_sizes(limit, delta, eps, v - v_dr);
         let acceleration = (friction.force + (k * x).abs()) / m;
@@ -118,6 +134,8 @@ fn belt_oscillator() {
             ],
         };
         assert_equal(&found, &expected, &sizes);
+        assert_equal(&written, &expected, &sizes);
+        assert_equal(&written, &found, &sizes);
     }
 }
 
@@ -139,6 +157,7 @@ fn belt_pair() {
             [x1, v1, x2, v2],
         );
         let found = linearised::<BeltPair, 4, 4>(&model, state, Arctan(eps));
+        let written = tangents::<BeltPair, 4, 4>(&model, state, arctan(eps));
         let expected = hand_written::belt_pair(model.values(), eps, state);
         let first = force_sizes(1.0, gamma, eps, v1 - v_dr);
         let second = force_sizes(beta, gamma, eps, v2 - v_dr);
@@ -165,6 +184,8 @@ fn belt_pair() {
             ],
         };
         assert_equal(&found, &expected, &sizes);
+        assert_equal(&written, &expected, &sizes);
+        assert_equal(&written, &found, &sizes);
     }
 }
 
@@ -185,6 +206,7 @@ fn drill_string() {
             },
         );
         let found = linearised::<DrillString, 2, 4>(&model, [psi, omega], Quartic(eps));
+        let written = tangents::<DrillString, 2, 4>(&model, [psi, omega], quartic(eps));
         let expected = hand_written::drill_string(model.values(), eps, [psi, omega]);
         let rest = 4.0 + u.abs();
         let bump = u.abs() * rest * rest * rest / 27.0;
@@ -201,6 +223,8 @@ fn drill_string() {
             ],
         };
         assert_equal(&found, &expected, &sizes);
+        assert_equal(&written, &expected, &sizes);
+        assert_equal(&written, &found, &sizes);
     }
 }
 
@@ -208,6 +232,8 @@ fn drill_string() {
 fn at_rest_the_sign_is_that_of_the_zero() {
     let model = BeltOscillator::default();
     let found = linearised::<BeltOscillator, 2, 5>(&model, [1.0, model.v_dr], Arctan(1e3));
+    let written = tangents::<BeltOscillator, 2, 5>(&model, [1.0, model.v_dr], arctan(1e3));
     let expected = hand_written::belt_oscillator(model.values(), 1e3, [1.0, model.v_dr]);
     assert_equal(&found, &expected, &expected.map(f64::abs));
+    assert_equal(&written, &expected, &expected.map(f64::abs));
 }

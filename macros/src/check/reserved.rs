@@ -12,7 +12,7 @@ const WORDS: [&str; 7] = [
 ];
 
 /// What every model has by these names.
-const MODEL_ITEMS: [&str; 11] = [
+const MODEL_ITEMS: [&str; 12] = [
     "INFO",
     "KINEMATIC",
     "SPARSITY",
@@ -21,6 +21,7 @@ const MODEL_ITEMS: [&str; 11] = [
     "eq",
     "fmt",
     "from_values",
+    "linearise",
     "observables",
     "rhs",
     "values",

@@ -24,6 +24,7 @@ pub(super) struct Items<'a> {
     pub(super) values: TokenStream,
     pub(super) from_values: TokenStream,
     pub(super) rhs: TokenStream,
+    pub(super) linearise: TokenStream,
     pub(super) observables: TokenStream,
 }
 
@@ -103,7 +104,10 @@ impl Items<'_> {
         let [states, parameters, count] =
             [sizes.states, sizes.parameters, sizes.observables].map(Literal::usize_unsuffixed);
         let Self {
-            rhs, observables, ..
+            rhs,
+            linearise,
+            observables,
+            ..
         } = self;
         quote! {
             #[inline]
@@ -113,6 +117,16 @@ impl Items<'_> {
                 __contacts: &mut impl ::stickslip::friction::ContactRule<D>,
             ) -> [D; #states] {
                 #rhs
+            }
+
+            #[inline]
+            fn linearise(
+                __params: &[f64; #parameters],
+                __seeds: &[f64; #parameters],
+                __state: [f64; #states],
+                __contacts: &mut impl ::stickslip::friction::SlopeRule,
+            ) -> ::stickslip::model::Linear<#states> {
+                #linearise
             }
 
             #[inline]

@@ -1,10 +1,13 @@
 //! A friction law: its struct and its two formulas over any scalar.
 
+use std::collections::HashMap;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::lift::Lift;
 use super::shell::Shell;
+use super::tangent::{Slope, Slopes, Tangents};
 use super::{allowed, info};
 use crate::check::Law;
 
@@ -24,6 +27,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
         quantity: &quantity,
     };
     let (stick, slip) = (lift.formula(law.stick), lift.formula(law.slip));
+    let slopes = slopes(law, lift);
     quote! {
         #structure
 
@@ -43,6 +47,42 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
                 let __sliding = __Sliding { #speed: __speed };
                 #slip
             }
+
+            #[inline]
+            fn slopes(&self, __along: &Self, __speed: D) -> ::stickslip::friction::LawSlopes<D> {
+                struct __Sliding<D> { #speed: D }
+                let __sliding = __Sliding { #speed: __speed };
+                #slopes
+            }
+        }
+    }
+}
+
+/// The directions in which a law is differentiated: its speed, and along the given derivatives of its fields.
+const SPEED: usize = 0;
+const ALONG: usize = 1;
+
+/// The body of `slopes`.
+fn slopes<'a>(law: &'a Law, lift: Lift<'a>) -> TokenStream {
+    let along = |name: &Ident| Slopes::from([(ALONG, Slope::of(quote!(__along.#name)))]);
+    let fields = law.parameters.iter().map(|parameter| parameter.name);
+    let mut known: HashMap<&Ident, Slopes> = fields.map(|name| (name, along(name))).collect();
+    known.insert(law.speed, Slopes::from([(SPEED, Slope::One)]));
+    let mut tangents = Tangents::new(lift, known);
+    let (stick, slip) = (tangents.formula(law.stick), tangents.formula(law.slip));
+    let stick_along = tangents.slope(&stick.slopes, ALONG);
+    let [slip_by_speed, slip_along] =
+        [SPEED, ALONG].map(|direction| tangents.slope(&slip.slopes, direction));
+    let (stick, slip) = (tangents.value(&stick), tangents.value(&slip));
+    let lines = tangents.lines;
+    quote! {
+        #lines
+        ::stickslip::friction::LawSlopes {
+            stick: #stick,
+            stick_along: #stick_along,
+            slip: #slip,
+            slip_by_speed: #slip_by_speed,
+            slip_along: #slip_along,
         }
     }
 }

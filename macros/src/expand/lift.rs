@@ -18,10 +18,12 @@ enum Binding {
     Atom,
 }
 
-struct Lifted {
-    tokens: TokenStream,
+/// An expression: of the scalar type, or of `f64` as long as it is a constant.
+#[derive(Clone)]
+pub(super) struct Lifted {
+    pub(super) tokens: TokenStream,
     binding: Binding,
-    is_constant: bool,
+    pub(super) is_constant: bool,
 }
 
 /// Lifts formulas to the type `scalar`, each name to the expression that `quantity` gives for it.
@@ -36,7 +38,7 @@ impl Lift<'_> {
         self.as_scalar(self.lift(formula))
     }
 
-    fn as_scalar(&self, lifted: Lifted) -> TokenStream {
+    pub(super) fn as_scalar(&self, lifted: Lifted) -> TokenStream {
         let (tokens, scalar) = (lifted.tokens, &self.scalar);
         if lifted.is_constant {
             quote!(#scalar::from(#tokens))
@@ -45,14 +47,11 @@ impl Lift<'_> {
         }
     }
 
-    fn lift(&self, formula: &Formula) -> Lifted {
+    pub(super) fn lift(&self, formula: &Formula) -> Lifted {
         match &formula.kind {
-            Kind::Number(number) => constant(literal(number), Binding::Atom),
-            Kind::Constant(path) => constant(
-                quote!(::core::convert::identity::<f64>(#path)),
-                Binding::Atom,
-            ),
-            Kind::Name(name) => scalar((self.quantity)(name), Binding::Atom),
+            Kind::Number(number) => constant(literal(number)),
+            Kind::Constant(path) => constant(quote!(::core::convert::identity::<f64>(#path))),
+            Kind::Name(name) => scalar((self.quantity)(name)),
             Kind::Group(inner) => self.lift(inner),
             Kind::Minus(inner) => negative(self.lift(inner)),
             Kind::Binary(left, operator, right) => {
@@ -66,29 +65,27 @@ impl Lift<'_> {
         }
     }
 
-    fn binary(&self, left: Lifted, operator: Operator, right: Lifted) -> Lifted {
+    pub(super) fn binary(&self, left: Lifted, operator: Operator, right: Lifted) -> Lifted {
         let lone_constant = left.is_constant && !right.is_constant;
         match operator {
             Operator::Add | Operator::Multiply if lone_constant => joined(right, operator, left),
             Operator::Subtract if lone_constant => joined(negative(right), Operator::Add, left),
             Operator::Divide if lone_constant => {
-                let left = scalar(self.as_scalar(left), Binding::Atom);
+                let left = scalar(self.as_scalar(left));
                 joined(left, operator, right)
             }
             _ => joined(left, operator, right),
         }
     }
 
-    fn real_power(
+    pub(super) fn real_power(
         &self,
         function: &Ident,
         base: Lifted,
         exponent: Lifted,
         written: &Formula,
     ) -> Lifted {
-        if let Kind::Number(number) = &written.bare().kind
-            && let Some(n) = whole(number.value).filter(|n| *n <= 8)
-        {
+        if let Some(n) = small_power(written) {
             return power(base, n);
         }
         if exponent.is_constant {
@@ -102,26 +99,33 @@ impl Lift<'_> {
             };
         }
         let (base, exponent) = (self.as_scalar(base), self.as_scalar(exponent));
-        scalar(
-            quote!(::stickslip::math::#function(#base, #exponent)),
-            Binding::Atom,
-        )
+        scalar(quote!(::stickslip::math::#function(#base, #exponent)))
     }
 }
 
-fn constant(tokens: TokenStream, binding: Binding) -> Lifted {
+/// A constant that needs no parentheses.
+pub(super) fn constant(tokens: TokenStream) -> Lifted {
     Lifted {
         tokens,
-        binding,
+        binding: Binding::Atom,
         is_constant: true,
     }
 }
 
-fn scalar(tokens: TokenStream, binding: Binding) -> Lifted {
+/// A scalar that needs no parentheses.
+pub(super) fn scalar(tokens: TokenStream) -> Lifted {
     Lifted {
         tokens,
-        binding,
+        binding: Binding::Atom,
         is_constant: false,
+    }
+}
+
+/// The exponent, where it is a whole number for which products are cheap.
+pub(super) fn small_power(exponent: &Formula) -> Option<i32> {
+    match &exponent.bare().kind {
+        Kind::Number(number) => whole(number.value).filter(|n| *n <= 8),
+        _ => None,
     }
 }
 
@@ -142,7 +146,7 @@ fn at_least(lifted: &Lifted, demanded: Binding) -> TokenStream {
     }
 }
 
-fn negative(lifted: Lifted) -> Lifted {
+pub(super) fn negative(lifted: Lifted) -> Lifted {
     let inner = match lifted.binding {
         Binding::Product | Binding::Atom => lifted.tokens.clone(),
         Binding::Sum | Binding::Sign => at_least(&lifted, Binding::Atom),
@@ -171,7 +175,7 @@ fn joined(left: Lifted, operator: Operator, right: Lifted) -> Lifted {
     }
 }
 
-fn call(function: &Ident, argument: Lifted) -> Lifted {
+pub(super) fn call(function: &Ident, argument: Lifted) -> Lifted {
     let inside = argument.tokens;
     Lifted {
         tokens: quote!(::stickslip::math::#function(#inside)),
@@ -181,10 +185,10 @@ fn call(function: &Ident, argument: Lifted) -> Lifted {
 }
 
 /// A whole power as products of squares, the base computed once.
-fn power(base: Lifted, exponent: i32) -> Lifted {
+pub(super) fn power(base: Lifted, exponent: i32) -> Lifted {
     let is_constant = base.is_constant;
     if exponent == 0 {
-        return constant(quote!(1f64), Binding::Atom);
+        return constant(quote!(1f64));
     }
     if exponent == 1 {
         return base;

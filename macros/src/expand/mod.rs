@@ -6,10 +6,12 @@ mod info;
 mod items;
 mod law;
 mod lift;
+mod linear;
 mod model;
 mod pattern;
 mod shell;
 mod stub;
+mod tangent;
 
 #[cfg(test)]
 pub(crate) use self::lift::lifted;

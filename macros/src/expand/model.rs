@@ -8,8 +8,8 @@ use quote::quote;
 use super::items::{Items, Sizes};
 use super::lift::Lift;
 use super::shell::Shell;
-use super::{agreement, builder, info, pattern};
-use crate::check::{Model, Step};
+use super::{agreement, builder, info, linear, pattern};
+use crate::check::{Contact, Model, Step};
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
     let shell = Shell {
@@ -52,6 +52,7 @@ fn items<'a>(model: &Model<'a>) -> Items<'a> {
         values: quote!([#(self.#fields),*]),
         from_values: quote!(Self { #(#fields: __values[#places]),* }),
         rhs: rhs(model),
+        linearise: linear::body(model),
         observables: observables(model),
     }
 }
@@ -112,25 +113,32 @@ fn observables(model: &Model) -> TokenStream {
 }
 
 /// Every quantity is a field: a field keeps its name and its span, and nothing can capture it.
-fn field(name: &Ident) -> TokenStream {
+pub(super) fn field(name: &Ident) -> TokenStream {
     quote!(__quantities.#name)
 }
 
 fn steps(model: &Model, wanted: &HashSet<&Ident>, lift: &Lift) -> TokenStream {
-    let steps: Vec<&Step> = model
-        .steps
-        .iter()
-        .filter(|step| wanted.contains(step.name()))
-        .collect();
-    let (structure, scalar) = (quantities(model, &steps), &lift.scalar);
+    let steps = among(model, wanted);
+    let opening = opening(model, &steps, &lift.scalar);
+    let lines = steps.iter().map(|step| line(step, model, lift));
+    quote!(#opening #(#lines)*)
+}
+
+/// The steps of these names.
+pub(super) fn among<'m, 'a>(model: &'m Model<'a>, wanted: &HashSet<&Ident>) -> Vec<&'m Step<'a>> {
+    let steps = model.steps.iter();
+    steps.filter(|step| wanted.contains(step.name())).collect()
+}
+
+/// The fields of all quantities: of states and parameters their values, of the steps nothing yet.
+pub(super) fn opening(model: &Model, steps: &[&Step], scalar: &TokenStream) -> TokenStream {
+    let structure = quantities(model, steps);
     let states = model.states.iter().map(|state| state.name);
     let parameters = model.parameters.iter().map(|parameter| parameter.name);
     let state_places = (0..model.states.len()).map(Literal::usize_unsuffixed);
     let parameter_places = (0..model.parameters.len()).map(Literal::usize_unsuffixed);
     let computed = steps.iter().map(|step| step.name());
     let mutable = (!steps.is_empty()).then(|| quote!(mut));
-    let contacts: Vec<&Ident> = model.contacts().map(|contact| contact.name).collect();
-    let lines = steps.iter().map(|step| line(step, &contacts, lift));
     quote! {
         #structure
         let #mutable __quantities = __Quantities {
@@ -138,7 +146,6 @@ fn steps(model: &Model, wanted: &HashSet<&Ident>, lift: &Lift) -> TokenStream {
             #(#parameters: __params[#parameter_places],)*
             #(#computed: #scalar::from(0.0),)*
         };
-        #(#lines)*
     }
 }
 
@@ -156,7 +163,7 @@ fn quantities(model: &Model, steps: &[&Step]) -> TokenStream {
     quote!(struct __Quantities<D> { #(#fields),* })
 }
 
-fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
+fn line(step: &Step, model: &Model, lift: &Lift) -> TokenStream {
     let scalar = &lift.scalar;
     match step {
         Step::Let(quantity) => {
@@ -165,10 +172,7 @@ fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
         }
         Step::Contact(contact) => {
             let name = contact.name;
-            let index = contacts
-                .iter()
-                .position(|other| *other == name)
-                .unwrap_or_default();
+            let index = place(contact, model);
             let (law, index) = (builder::name(index), Literal::usize_unsuffixed(index));
             let fields = contact
                 .fields
@@ -184,4 +188,12 @@ fn line(step: &Step, contacts: &[&Ident], lift: &Lift) -> TokenStream {
             }
         }
     }
+}
+
+/// The number of a contact.
+pub(super) fn place(contact: &Contact, model: &Model) -> usize {
+    let mut contacts = model.contacts();
+    contacts
+        .position(|other| other.name == contact.name)
+        .unwrap_or_default()
 }

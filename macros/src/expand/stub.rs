@@ -33,6 +33,7 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
         values: unreachable(),
         from_values: unreachable(),
         rhs: unreachable(),
+        linearise: unreachable(),
         observables: unreachable(),
     };
     let items = items.tokens();
@@ -79,6 +80,10 @@ pub(super) fn law(written: &Declaration) -> TokenStream {
             }
 
             fn slip(&self, _: D) -> D {
+                ::core::unreachable!()
+            }
+
+            fn slopes(&self, _: &Self, _: D) -> ::stickslip::friction::LawSlopes<D> {
                 ::core::unreachable!()
             }
         }

@@ -1,17 +1,26 @@
 //! Thesis section 3.2: one mass on a moving belt.
 
-use stickslip::field::{Field, Kernel};
-use stickslip::friction::FrictionLaw;
+mod equilibrium;
+mod errors;
+mod law;
+mod tables;
+
+use stickslip::field::Kernel;
 use stickslip::shooting::Orbit;
-use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel, Section};
+
+use equilibrium::figure_8;
+use errors::{figure_7, figure_11};
+use law::figure_5;
+use tables::{ends, values};
 
 use super::ReproduceError;
 use super::cost::Cost;
-use super::follow::{Drawn, End, Followed, draw, family, field, follow, search};
+use super::exact::{self, Exact};
+use super::follow::{Drawn, Followed, draw, family, follow, search};
 use super::parallel::parallel;
-use super::words::{decimals, ending, power, stability};
+use super::words::power;
 use crate::BeltOscillator;
-use crate::friction::Weakening;
 
 /// The smoothings are of size 10ⁱ.
 const EXPONENTS: [i32; 6] = [2, 3, 4, 5, 6, 7];
@@ -36,6 +45,11 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         let name = format!("mass on a belt, *ε* = {}", power(copy.exponent));
         costs.push(Cost::of(name, &copy.branch, "10 min"));
     }
+    let exact = exact()?;
+    let name = "mass on a belt, exact".to_owned();
+    let points = exact.orbits.len();
+    costs.push(Cost::counted(name, points, (&exact.work, exact.time), "–"));
+    let errors = errors::all()?;
     Ok(Section::new("One mass on a belt")
         .sketch(
             include_str!("sketches/belt_oscillator.svg"),
@@ -52,10 +66,14 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
             "The smooth copies replace sgn(*v*_{rel}) by (2/π) arctan(*ε* *v*_{rel}). They cannot stick: they creep.",
         )
         .figure(figure_5()?)
-        .figure(figure_6(&copies))
-        .figure(figure_9(&copies))
-        .figure(figure_10(&copies))
-        .table(ends(&copies))
+        .figure(figure_6(&copies, &exact))
+        .figure(figure_7(&errors))
+        .figure(figure_8()?)
+        .figure(figure_9(&copies, &exact))
+        .figure(figure_10(&copies, &exact))
+        .figure(figure_11(&errors))
+        .table(errors::table(&errors))
+        .table(ends(&copies)?)
         .text(
             "Close to *v*_{bif} the cycle does not simply shrink: it first creeps along the falling, unstable stretch of \
              the smoothed friction curve, and changes much while *v*_{dr} hardly changes at all (a *canard*). Shooting \
@@ -63,6 +81,20 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
              do not reach the end.",
         )
         .table(values(&copies)))
+}
+
+/// The belt oscillator with its declared friction.
+type ExactBelt = Exact<BeltOscillator, 2>;
+
+fn exact() -> Result<ExactBelt, ReproduceError> {
+    let start = (SPEED, [0.0, SPEED]);
+    exact::follow(
+        BeltOscillator::default(),
+        BeltOscillator::v_dr,
+        start,
+        &[LEAST],
+    )
+    .map_err(ReproduceError::at("belt oscillator, exact"))
 }
 
 fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
@@ -78,66 +110,11 @@ fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
     })
 }
 
-/// The force of the copy at sliding speed w: what the integrator sees, at x = 0 and m = 1.
-fn force(size: f64, w: f64) -> Result<f64, ReproduceError> {
-    let model = BeltOscillator::default();
-    let field = field(&model, Kernel::Arctan, size).map_err(ReproduceError::at("figure 3.5"))?;
-    Ok(field.f(&[0.0, model.v_dr + w])[1])
-}
-
-/// Sliding speeds up to `most` either way, dense where the copies are steep.
-fn speeds(most: f64) -> impl Iterator<Item = f64> {
-    (-300..=300).map(move |i| {
-        let share = f64::from(i) / 300.0;
-        most * share * share.abs() * share.abs()
-    })
-}
-
-fn figure_5() -> Result<Figure, ReproduceError> {
-    Ok(Figure::new(
-        "3.5",
-        "Friction force *F* and its smooth copies",
-        "Left: friction pushes against the direction of sliding, and weakens with speed; at rest it takes any value \
-         between −1 N and 1 N. Right: the same near rest. The larger *ε*, the closer the copy; but its peak is always \
-         lower than the limit at rest, and its slope there, −(2/π) *ε* *F*_{s}, is what makes the equations stiff.",
-    )
-    .columns(2)
-    .panel(forces(1.0)?)
-    .panel(forces(0.05)?))
-}
-
-fn forces(most: f64) -> Result<Panel, ReproduceError> {
-    let law = Weakening {
-        limit: 1.0,
-        decay: 3.0,
-    };
-    let exact = speeds(most)
-        .filter(|w| *w != 0.0)
-        .map(|w| [w, -w.signum() * law.slip(w.abs())])
-        .collect();
-    let axes = Panel::new(
-        Axis::new("sliding speed *v*_{rel} (m/s)").from(-most, most),
-        Axis::new("friction force *F* (N)").from(-1.2, 1.2),
-    );
-    let mut panel = axes.curve(Curve::line("exact", 0, exact));
-    for (i, exponent) in [2, 3, 4].into_iter().enumerate() {
-        let points = speeds(most)
-            .map(|w| Ok([w, force(10f64.powi(exponent), w)?]))
-            .collect::<Result<_, ReproduceError>>()?;
-        panel = panel.curve(Curve::line(
-            format!("*ε* = {} s/m", power(exponent)),
-            i + 1,
-            points,
-        ));
-    }
-    Ok(panel)
-}
-
 fn label(copy: &Copy) -> String {
     format!("*ε* = {} s/m", power(copy.exponent))
 }
 
-fn figure_6(copies: &[Copy]) -> Figure {
+fn figure_6(copies: &[Copy], exact: &ExactBelt) -> Figure {
     let cycles = copies.iter().enumerate().map(|(i, copy)| {
         let path = copy.cycle.path.iter().map(|sample| sample.state).collect();
         Curve::line(label(copy), i + 1, path)
@@ -147,6 +124,7 @@ fn figure_6(copies: &[Copy]) -> Figure {
         Axis::new("velocity *x*′ (m/s)"),
     )
     .curves(cycles)
+    .curve(Curve::line("exact", 0, exact.path.clone()))
     .curve(Curve::points(
         "unstable equilibrium",
         0,
@@ -157,7 +135,7 @@ fn figure_6(copies: &[Copy]) -> Figure {
         "3.6",
         "Periodic solutions at *v*_{dr} = 0.2 m/s",
         "The straight top of each curve is the mass carried by the belt at 0.2 m/s, the arc below it slips. As *ε* \
-         grows the curves tend to one: from 10^{5} on they are hard to tell apart. The smaller *ε*, the sooner the \
+         grows the curves tend to the exact one, in black: from 10^{5} on they are hard to tell from it. The smaller *ε*, the sooner the \
          mass slips, because the copy has lost the top of the friction peak.",
     )
     .panel(panel)
@@ -174,7 +152,7 @@ fn belt_speed() -> Axis {
     Axis::new("belt speed *v*_{dr} (m/s)").from(0.0, SPEED)
 }
 
-fn figure_9(copies: &[Copy]) -> Figure {
+fn figure_9(copies: &[Copy], exact: &ExactBelt) -> Figure {
     Figure::new(
         "3.9",
         "Absolute maximum of *x*",
@@ -184,11 +162,16 @@ fn figure_9(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(belt_speed(), Axis::new("max |*x*| (m)"))
-            .curves(along(copies, |orbit| orbit.max_abs()[0])),
+            .curves(along(copies, |orbit| orbit.max_abs()[0]))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| orbit.max_abs()[0]),
+            )),
     )
 }
 
-fn figure_10(copies: &[Copy]) -> Figure {
+fn figure_10(copies: &[Copy], exact: &ExactBelt) -> Figure {
     Figure::new(
         "3.10",
         "Free frequency",
@@ -197,90 +180,11 @@ fn figure_10(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(belt_speed(), Axis::new("frequency *f* (Hz)").from(0.0, 0.2))
-            .curves(along(copies, |orbit| 1.0 / orbit.period)),
+            .curves(along(copies, |orbit| 1.0 / orbit.period))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| 1.0 / orbit.period),
+            )),
     )
-}
-
-/// Belt speed below which the copy's equilibrium is stable: ε(1 + δw)/(1 + ε²w²) = δ atan(εw).
-fn hopf(size: f64) -> f64 {
-    let delta = BeltOscillator::default().delta;
-    let slope =
-        |w: f64| size * (1.0 + delta * w) / (1.0 + (size * w).powi(2)) - delta * (size * w).atan();
-    let (mut low, mut high) = (1e-3 / size, 1.0);
-    for _ in 0..100 {
-        let middle = (low * high).sqrt();
-        if slope(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
-}
-
-fn ends(copies: &[Copy]) -> Table {
-    let columns = [
-        Column::numbers("*ε* (s/m)"),
-        Column::numbers("*f* at 0.2 (Hz)"),
-        Column::numbers("max |*x*| at 0.2 (m)"),
-        Column::numbers("*v*_{bif} (m/s)"),
-        Column::words("the branch ends at"),
-        Column::numbers("*f* there"),
-        Column::numbers("max |*x*| there"),
-    ];
-    let caption = "The copies at *v*_{dr} = 0.2 m/s, and where their branches end. Below *v*_{bif} the equilibrium of the copy is stable and there is no cycle: an \
-                   artefact of smoothing, for the real equilibrium is unstable at all speeds. The thesis gives \
-                   *v*_{bif} ≈ 0.052 m/s for *ε* = 10^{2}; its branches ended when steps became too small.";
-    Table::new("belt-oscillator-ends", caption, columns).rows(copies.iter().map(|copy| {
-        let first = &copy.cycle.orbit;
-        let last = copy.branch.orbits.last().unwrap_or(first);
-        vec![
-            power(copy.exponent),
-            decimals(1.0 / first.period, 7),
-            decimals(first.max_abs()[0], 6),
-            decimals(hopf(10f64.powi(copy.exponent)), 7),
-            ending(&copy.branch.end, "*v*_{dr}"),
-            decimals(1.0 / last.period, 5),
-            decimals(last.max_abs()[0], 4),
-        ]
-    }))
-}
-
-fn values(copies: &[Copy]) -> Table {
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    let mut table = Table::new(
-        "belt-oscillator",
-        "One mass on a belt: values of the thesis beside ours.",
-        columns,
-    )
-    .row([
-        "equilibrium at *v*_{dr} = 0.2 (m)",
-        "0.625",
-        "0.625",
-        "*F*_{s}/*k*/(1 + *δ* *v*_{dr}), exactly",
-    ]);
-    if let Some(copy) = copies.first() {
-        let measured = match copy.branch.end {
-            End::Vanishes(r) => decimals(r, 5),
-            _ => "–".to_owned(),
-        };
-        table = table.row([
-            "*v*_{bif} for *ε* = 10^{2} (m/s)".into(),
-            "0.052".into(),
-            measured,
-            "where the followed cycle has shrunk to nothing".to_owned(),
-        ]);
-    }
-    let all = copies.iter().flat_map(|copy| &copy.branch.orbits);
-    table.row([
-        "stability of all branches".into(),
-        "stable".into(),
-        stability(all),
-        "DIANA called some unstable: it took the multiplier 1 for one outside".to_owned(),
-    ])
 }

@@ -1,5 +1,8 @@
 //! What the branches cost, beside what they cost in 1996.
 
+use std::time::Duration;
+
+use stickslip::field::Work;
 use stickslip::study::report::{Column, Section, Table};
 
 use super::follow::Followed;
@@ -19,18 +22,28 @@ impl Cost {
         followed: &Followed<N>,
         thesis: &'static str,
     ) -> Self {
-        let work = &followed.work;
+        let points = followed.orbits.len();
+        Self::counted(branch, points, (&followed.work, followed.time), thesis)
+    }
+
+    /// This work and time for this many points.
+    pub(super) fn counted(
+        branch: String,
+        points: usize,
+        (work, time): (&Work, Duration),
+        thesis: &'static str,
+    ) -> Self {
         Self {
             branch,
             thesis,
             cells: [
-                count(followed.orbits.len() as u64),
+                count(points as u64),
                 count(work.steps),
                 count(work.evaluations),
                 count(work.linearisations),
                 count(work.factorisations),
                 count(work.newton),
-                duration(followed.time),
+                duration(time),
             ],
         }
     }

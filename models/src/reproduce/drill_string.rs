@@ -1,14 +1,25 @@
 //! Thesis chapter 4: a drill string in torsion.
 
-use stickslip::field::{Field, Kernel};
+mod equilibrium;
+mod errors;
+mod law;
+mod tables;
+
+use stickslip::field::Kernel;
 use stickslip::shooting::Orbit;
-use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel, Section};
+
+use equilibrium::figure_6;
+use errors::{figure_5, figure_9};
+use law::figure_3;
+use tables::{ends, values};
 
 use super::ReproduceError;
 use super::cost::Cost;
-use super::follow::{Drawn, Followed, draw, family, field, follow, search};
+use super::exact::{self, Exact};
+use super::follow::{Drawn, Followed, draw, family, follow, search};
 use super::parallel::parallel;
-use super::words::{decimals, ending, power, stability};
+use super::words::power;
 use crate::DrillString;
 
 /// The smoothings are of size 10ⁱ.
@@ -18,8 +29,6 @@ const SPEED: f64 = 4.0;
 /// Where they shall end: near 0 the sticking phase, and with it the period, grows without bound.
 const LEAST: f64 = 0.02;
 const MOST: f64 = 8.0;
-/// Speed at which the exact cycle ends: its slip just fails to reach the table's speed again.
-const EXACT_END: f64 = 4.611_989_021;
 
 /// One smooth copy: its orbit at the first speed, and its branch both ways.
 struct Copy {
@@ -39,6 +48,11 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         costs.push(Cost::of(name("*η* falling"), &copy.down, "6 min, both"));
         costs.push(Cost::of(name("*η* rising"), &copy.up, "6 min, both"));
     }
+    let exact = exact()?;
+    let name = "drill string, exact, both ways".to_owned();
+    let points = exact.orbits.len();
+    costs.push(Cost::counted(name, points, (&exact.work, exact.time), "–"));
+    let errors = errors::all()?;
     Ok(Section::new("A drill string")
         .sketch(
             include_str!("sketches/drill_string.svg"),
@@ -53,16 +67,34 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         )
         .formula("*ψ*″ + 2*ζ* *ψ*′ + *ψ* = *T*_{c},   *T*_{c} = 0 while the bit turns,   *T*_{c} ≤ *θ* while it sticks (*ψ*′ = *η*)")
         .figure(figure_3()?)
-        .figure(figure_4(&copies))
-        .figure(figure_7(&copies))
-        .figure(figure_8(&copies))
+        .figure(figure_4(&copies, &exact))
+        .figure(figure_5(&errors))
+        .figure(figure_6()?)
+        .figure(figure_7(&copies, &exact))
+        .figure(figure_8(&copies, &exact))
+        .figure(figure_9(&errors))
+        .table(errors::table(&errors))
         .table(ends(&copies))
         .text(
             "In a fold the stable cycle meets an unstable one that comes to rest for a moment but does not stick. The \
              smaller *ε*, the sharper the fold: for *ε* ≤ 10^{−2} it is sharper than double precision, and path \
              following stops in front of it, within a thousandth of where the cycle ends.",
         )
-        .table(values(&copies)))
+        .table(values(&copies)?))
+}
+
+/// The drill string with its declared friction.
+type ExactDrill = Exact<DrillString, 2>;
+
+fn exact() -> Result<ExactDrill, ReproduceError> {
+    let start = (SPEED, [0.0, SPEED]);
+    exact::follow(
+        DrillString::default(),
+        DrillString::eta,
+        start,
+        &[LEAST, MOST],
+    )
+    .map_err(ReproduceError::at("drill string, exact"))
 }
 
 fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
@@ -80,57 +112,18 @@ fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
     })
 }
 
-/// The friction term of the copy at the twist rate `omega`: what the integrator sees, at ψ = 0.
-fn friction(size: f64, omega: f64) -> Result<f64, ReproduceError> {
-    let model = DrillString::default();
-    let field = field(&model, Kernel::Quartic, size).map_err(ReproduceError::at("figure 4.3"))?;
-    Ok(field.f(&[0.0, omega])[1] + 2.0 * model.zeta * omega)
-}
-
-fn figure_3() -> Result<Figure, ReproduceError> {
-    let DrillString { eta, theta, .. } = DrillString::default();
-    let mut panel = Panel::new(
-        Axis::new("twist rate *ψ*′").from(-1.0, 5.0),
-        Axis::new("friction term *T*_{c}").from(-4.0, 6.0),
-    )
-    .curve(Curve::line(
-        "exact, *η* = 4",
-        0,
-        vec![[-1.0, 0.0], [eta, 0.0], [eta, theta], [eta, -4.0]],
-    ));
-    for (i, exponent) in [0, -1].into_iter().enumerate() {
-        let size = 10f64.powi(exponent);
-        let points = (0..=600)
-            .map(|k| -1.0 + (eta + 0.3 * size + 1.0) * f64::from(k) / 600.0)
-            .map(|omega| Ok([omega, friction(size, omega)?]))
-            .collect::<Result<_, ReproduceError>>()?;
-        panel = panel.curve(Curve::line(
-            format!("*ε* = {}", power(exponent)),
-            i + 1,
-            points,
-        ));
-    }
-    Ok(Figure::new(
-        "4.3",
-        "Friction term *T*_{c} and its smooth copies",
-        "While the bit turns (*ψ*′ < *η*) the term is zero; where it sticks (*ψ*′ = *η*) the term takes any value up to \
-         *θ* = 4.2. The copy climbs to the same peak at *ψ*′ = *η* − *ε* by a polynomial of fourth degree that begins \
-         at *η* − 4*ε*. It stands for forward motion only.",
-    )
-    .panel(panel))
-}
-
 fn label(copy: &Copy) -> String {
     format!("*ε* = {}", power(copy.exponent))
 }
 
-fn figure_4(copies: &[Copy]) -> Figure {
+fn figure_4(copies: &[Copy], exact: &ExactDrill) -> Figure {
     let cycles = copies.iter().enumerate().map(|(i, copy)| {
         let path = copy.cycle.path.iter().map(|sample| sample.state).collect();
         Curve::line(label(copy), i + 1, path)
     });
     let panel = Panel::new(Axis::new("twist *ψ*"), Axis::new("twist rate *ψ*′"))
         .curves(cycles)
+        .curve(Curve::line("exact", 0, exact.path.clone()))
         .curve(Curve::points(
             "stable equilibrium",
             0,
@@ -160,7 +153,7 @@ fn table_speed() -> Axis {
     Axis::new("speed of the rotary table *η*").from(0.0, MOST)
 }
 
-fn figure_7(copies: &[Copy]) -> Figure {
+fn figure_7(copies: &[Copy], exact: &ExactDrill) -> Figure {
     Figure::new(
         "4.7",
         "Absolute maximum of *ψ*",
@@ -170,11 +163,16 @@ fn figure_7(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(table_speed(), Axis::new("max |*ψ*|"))
-            .curves(along(copies, |orbit| orbit.max_abs()[0])),
+            .curves(along(copies, |orbit| orbit.max_abs()[0]))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| orbit.max_abs()[0]),
+            )),
     )
 }
 
-fn figure_8(copies: &[Copy]) -> Figure {
+fn figure_8(copies: &[Copy], exact: &ExactDrill) -> Figure {
     Figure::new(
         "4.8",
         "Free frequency",
@@ -183,95 +181,11 @@ fn figure_8(copies: &[Copy]) -> Figure {
     )
     .panel(
         Panel::new(table_speed(), Axis::new("frequency *f*").from(0.0, 0.2))
-            .curves(along(copies, |orbit| 1.0 / orbit.period)),
+            .curves(along(copies, |orbit| 1.0 / orbit.period))
+            .curve(Curve::line(
+                "exact",
+                0,
+                exact.along(|orbit| 1.0 / orbit.period),
+            )),
     )
-}
-
-fn ends(copies: &[Copy]) -> Table {
-    let columns = [
-        Column::numbers("*ε*"),
-        Column::numbers("*f* at 4"),
-        Column::numbers("max |*ψ*| at 4"),
-        Column::words("downwards it ends at"),
-        Column::numbers("max |*ψ*| there"),
-        Column::words("upwards it ends at"),
-    ];
-    let caption = format!(
-        "The copies at *η* = 4, and where their branches end. The exact cycle exists from *η* = 0 to {}, where its slip phase just fails to reach the \
-         table's speed again; a copy loses it in a fold.",
-        decimals(EXACT_END, 4)
-    );
-    Table::new("drill-string-ends", caption, columns).rows(copies.iter().map(|copy| {
-        let first = &copy.cycle.orbit;
-        let last = copy.down.orbits.last().unwrap_or(first);
-        vec![
-            power(copy.exponent),
-            decimals(1.0 / first.period, 7),
-            decimals(first.max_abs()[0], 6),
-            ending(&copy.down.end, "*η*"),
-            decimals(last.max_abs()[0], 4),
-            ending(&copy.up.end, "*η*"),
-        ]
-    }))
-}
-
-/// Speeds between which the copy's equilibrium is unstable: the slope of its friction term is 2ζ.
-fn hopf(size: f64) -> [f64; 2] {
-    let DrillString { theta, zeta, .. } = DrillString::default();
-    // With u = η/ε: 4θ (u − 4)² (u − 1) = 54 ζ ε, once below the maximum at u = 2 and once above.
-    let slope = |u: f64| 4.0 * theta * (u - 4.0).powi(2) * (u - 1.0) - 54.0 * zeta * size;
-    let root = |mut below: f64, mut above: f64| {
-        for _ in 0..100 {
-            let middle = 0.5 * (below + above);
-            if slope(middle) < 0.0 {
-                below = middle;
-            } else {
-                above = middle;
-            }
-        }
-        size * below
-    };
-    [root(4.0, 2.0), root(1.0, 2.0)]
-}
-
-fn values(copies: &[Copy]) -> Table {
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    let [first, second] = hopf(1.0);
-    let all = copies
-        .iter()
-        .flat_map(|copy| copy.down.orbits.iter().chain(&copy.up.orbits));
-    Table::new(
-        "drill-string",
-        "Drill string: values of the thesis beside ours.",
-        columns,
-    )
-    .row([
-        "*η*_{bif,1} for *ε* = 1".into(),
-        "3.759".into(),
-        decimals(first, 6),
-        "below it the copy's equilibrium is unstable".to_owned(),
-    ])
-    .row([
-        "*η*_{bif,2} for *ε* = 1".into(),
-        "1.018".into(),
-        decimals(second, 6),
-        "below it the equilibrium is stable again and the copy has no cycle".to_owned(),
-    ])
-    .row([
-        "stability of all branches".into(),
-        "stable".into(),
-        stability(all),
-        "the others lie at the tip of a fold, or where the cycle vanishes".to_owned(),
-    ])
-    .row([
-        "end of sticking".into(),
-        "2*ζθ* + *ψ* = *T*_{c}".into(),
-        "2*ζη* + *ψ* = *T*_{c}".into(),
-        "a misprint in (4.10): the release at *ψ* = *θ* − 2*ζη* needs *η*".to_owned(),
-    ])
 }

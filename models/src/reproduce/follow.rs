@@ -11,6 +11,7 @@ use stickslip::model::{Model, ParamId};
 use stickslip::shooting::{
     Orbit, OrbitBranch, OrbitError, Search, Settled, closest, converge, settle,
 };
+use stickslip::study::trade::TradeError;
 
 /// Relative accuracy that every orbit of the report is computed to.
 pub(super) const ACCURACY: f64 = 1e-8;
@@ -55,6 +56,12 @@ pub enum FollowError {
     /// The orbit could not be drawn.
     #[error(transparent)]
     Flow(#[from] FlowError),
+    /// Smooth copies could not be compared.
+    #[error(transparent)]
+    Trade(#[from] TradeError),
+    /// There were none to compare.
+    #[error("no smooth copies were compared")]
+    NoCopies,
 }
 
 /// The smooth copies of `model` along one parameter.

@@ -1,12 +1,16 @@
-//! The thesis's results again, with smoothed friction as it had it: what is drawn and said.
+//! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
 
 mod belt_oscillator;
 mod belt_pair;
 mod cost;
 mod drill_string;
+mod equilibrium;
+mod errors;
+mod exact;
 mod follow;
 mod introduction;
 mod parallel;
+mod smoothing;
 mod van_der_pol;
 mod words;
 
@@ -74,6 +78,8 @@ pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
     let belt_pair = belt_pair::section()?;
     say("Drill string");
     let drill_string = drill_string::section(&mut costs)?;
+    say("What smoothing costs");
+    let smoothing = smoothing::section()?;
     let branches = costs.len();
     let report = Report {
         title: "Stick-slip vibrations, thirty years later".to_owned(),
@@ -86,6 +92,7 @@ pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
             belt_oscillator,
             belt_pair,
             drill_string,
+            smoothing,
             cost::section(costs),
         ],
     };

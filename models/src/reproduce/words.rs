@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use stickslip::bifurcation::Stability;
+use stickslip::field::Work;
 use stickslip::shooting::Orbit;
 
 use super::follow::End;
@@ -19,6 +20,22 @@ pub(super) fn scientific(value: f64, count: usize) -> String {
         Some((mantissa, exponent)) => format!("{mantissa} × 10^{{{exponent}}}"),
         None => text,
     }
+}
+
+/// `value` with this many significant digits.
+pub(super) fn significant(value: f64, count: i32) -> String {
+    let digits = count - 1 - value.abs().max(1e-300).log10().floor() as i32;
+    decimals(value, digits.max(0) as usize)
+}
+
+/// Evaluations of the equations, with or without their derivatives.
+pub(super) const fn evaluations(work: &Work) -> u64 {
+    work.evaluations + work.linearisations
+}
+
+/// The power of ten nearest to a size.
+pub(super) fn exponent(size: f64) -> i32 {
+    size.log10().round() as i32
 }
 
 /// 10 to this power.
@@ -106,6 +123,8 @@ mod tests {
     fn numbers_read_well() {
         assert_eq!(decimals(-0.5, 2), "−0.50");
         assert_eq!(scientific(8.597e-4, 3), "8.597 × 10^{−4}");
+        assert_eq!(significant(0.0861, 2), "0.086");
+        assert_eq!(significant(11.02, 2), "11");
         assert_eq!(power(-3), "10^{−3}");
         assert_eq!(count(1_234_567), "1\u{202f}234\u{202f}567");
         assert_eq!(short(0.001_463_077), "0.0014631");

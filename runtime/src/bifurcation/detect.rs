@@ -9,6 +9,9 @@ use super::{Kind, Stability};
 /// Halvings of a step after which a change stays unexplained.
 const HALVINGS: u32 = 12;
 
+/// Distance between two changes of the event word, in units of the accuracy, below which they are one.
+const SAME: f64 = 30.0;
+
 /// A bifurcation that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Located<P> {
@@ -84,11 +87,20 @@ pub fn detect<Q: Path>(
         point: point.clone(),
     };
     hunt.step(&spot(0.0, from), &spot(1.0, to), HALVINGS);
-    hunt.found
-        .located
-        .sort_by(|a, b| a.share.total_cmp(&b.share));
+    let located = &mut hunt.found.located;
+    located.sort_by(|a, b| a.share.total_cmp(&b.share));
+    // Events that switch together at one value of r do so in two steps for a tolerance.
+    located.dedup_by(|b, a| {
+        let distance = (b.r - a.r).abs();
+        a.kind.jump().is_none()
+            && b.kind.jump().is_none()
+            && distance <= SAME * accuracy * a.r.abs()
+    });
     hunt.found
 }
+
+/// A function of a point that changes sign at a bifurcation.
+type TestFunction<P> = fn(&P) -> f64;
 
 struct Hunt<'a, Q: Path> {
     path: &'a mut Q,
@@ -155,17 +167,19 @@ impl<Q: Path> Hunt<'_, Q> {
         from: &Spot<Q::Point>,
         to: &Spot<Q::Point>,
     ) -> Result<Vec<Located<Q::Point>>, Q::Error> {
-        let tests: [(Kind, fn(&Q::Point) -> f64); 3] = [
+        let tests: [(Kind, TestFunction<Q::Point>); 3] = [
             (Kind::BranchPoint, |p| fold(&p.floquet().multipliers)),
             (Kind::Flip, |p| flip(&p.floquet().multipliers)),
             (Kind::Torus, |p| torus(&p.floquet().multipliers)),
         ];
-        let changes = |test: fn(&Q::Point) -> f64| test(&from.point) * test(&to.point) < 0.0;
+        let changes = |test: TestFunction<Q::Point>| test(&from.point) * test(&to.point) < 0.0;
         let turns = changes(Q::Point::slope);
         let mut found = Vec::new();
         for (kind, test) in tests.into_iter().filter(|(_, test)| changes(*test)) {
             let (kind, test) = match kind {
-                Kind::BranchPoint if turns => (Kind::Fold, Q::Point::slope as fn(&Q::Point) -> f64),
+                Kind::BranchPoint if turns => {
+                    (Kind::Fold, Q::Point::slope as TestFunction<Q::Point>)
+                }
                 _ => (kind, test),
             };
             let Spot { share, point } = zero(self.path, [from, to], test, self.accuracy)?;

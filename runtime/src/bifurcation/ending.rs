@@ -6,8 +6,10 @@ use super::watched::{Margin, Watched};
 
 /// Points that are looked at.
 const POINTS: usize = 8;
-/// A test function that has fallen to this share of its value some points before is about to vanish.
-const SHRUNK: f64 = 1e-2;
+/// A rate that has fallen to this share of its value some points before is about to vanish.
+const SHRUNK: f64 = 0.1;
+/// Points through which r is extrapolated as a function of a rate.
+const DEGREE: usize = 4;
 /// Distance to where it vanishes, in steps of r, up to which that may be extrapolated.
 const STEPS: f64 = 30.0;
 /// How much more the period changes than r, both relative, where a branch stands upright.
@@ -49,18 +51,32 @@ fn smallest(margins: &[Margin], wanted: &Margin) -> Option<f64> {
     same.map(|m| m.value).min_by(f64::total_cmp)
 }
 
-/// r where a series of (r, value) vanishes, if it falls towards zero: a parabola r(value) through the last three.
+/// r where a series of (r, rate) vanishes, if it falls towards zero.
+///
+/// r is a smooth function of the rate: quadratic where the orbit does not feel the change of its last
+/// event, with a linear part where it does.
 fn extrapolate(series: &[(f64, f64)]) -> Option<f64> {
     let [.., a, b, c] = series else {
         return None;
     };
-    let largest = series.iter().map(|(_, value)| *value).fold(0.0, f64::max);
+    let largest = series.iter().map(|(_, rate)| *rate).fold(0.0, f64::max);
     let falls = c.1 < b.1 && b.1 < a.1 && c.1 <= SHRUNK * largest;
-    let line = |p: &(f64, f64), q: &(f64, f64)| p.0 - p.1 * (q.0 - p.0) / (q.1 - p.1);
-    let (ab, bc) = (line(a, b), line(b, c));
-    let r = (bc * a.1 - ab * c.1) / (a.1 - c.1);
+    let r = neville(&series[series.len().saturating_sub(DEGREE)..]);
     let near = (r - c.0).abs() <= STEPS * (c.0 - b.0).abs();
     (falls && near && r.is_finite()).then_some(r)
+}
+
+/// The polynomial r(rate) through these (r, rate), at rate 0.
+fn neville(points: &[(f64, f64)]) -> f64 {
+    let mut r: Vec<f64> = points.iter().map(|point| point.0).collect();
+    let rate = |i: usize| points[i].1;
+    for order in 1..points.len() {
+        for i in 0..points.len() - order {
+            let (from, to) = (rate(i), rate(i + order));
+            r[i] = (to * r[i] - from * r[i + 1]) / (to - from);
+        }
+    }
+    r[0]
 }
 
 /// Where r stands still while the period goes on changing.
@@ -91,12 +107,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_square_root_is_extrapolated_by_its_square() {
-        let series: Vec<(f64, f64)> = [1.0, 0.1, 1e-2, 1e-3, 1e-4]
-            .map(|d: f64| (2.0 - d - 0.3 * d * d, d * (1.0 + 0.5 * d)))
-            .to_vec();
-        let r = extrapolate(&series).unwrap();
-        assert!((r - 2.0).abs() < 1e-8, "{r}");
+    fn a_rate_that_falls_like_a_root_or_a_line_is_extrapolated() {
+        let distances = [1.0, 0.1, 1e-2, 1e-3, 1e-4];
+        let root = distances.map(|d: f64| (2.0 - d - 0.3 * d * d, (d * (1.0 + 0.5 * d)).sqrt()));
+        let line = distances.map(|d: f64| (2.0 - d - 0.3 * d * d, d * (1.0 + 0.5 * d)));
+        for series in [root, line] {
+            let r = extrapolate(&series).unwrap();
+            assert!((r - 2.0).abs() < 1e-7, "{r}");
+        }
     }
 
     #[test]

@@ -117,6 +117,9 @@ struct Base {
     tangent: DVector<f64>,
 }
 
+/// A branch and its first point.
+pub type Started<P> = (Branch<P>, Point<<P as ZeroProblem>::Extra>);
+
 impl<P: ZeroProblem + Clone> Branch<P> {
     /// Converges on (z, r = from) and gives the first point.
     ///
@@ -126,7 +129,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         mut problem: P,
         z: DVector<f64>,
         settings: Settings,
-    ) -> Result<(Self, Point<P::Extra>), Failure<P::Error>> {
+    ) -> Result<Started<P>, Failure<P::Error>> {
         let span = settings.to - settings.from;
         let r_scale = if span == 0.0 { 1.0 } else { span.abs() };
         let n = z.len();

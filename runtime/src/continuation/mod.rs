@@ -8,7 +8,7 @@ mod link;
 mod predictor;
 mod step;
 
-pub use branch::{Branch, Ending, Point, Settings};
+pub use branch::{Branch, Ending, Point, Settings, Started};
 pub use corrector::{Corrected, Failure, correct};
 pub use link::Link;
 pub(crate) use predictor::tangent;

@@ -144,5 +144,5 @@ fn changes<const N: usize>(a: &Spot<N>, b: &Spot<N>, kind: Kind) -> bool {
 /// Whether crossings by these numbers, each up or down, can add up to the change.
 fn explains(change: usize, crossings: &[usize]) -> bool {
     let total: usize = crossings.iter().sum();
-    change <= total && (total - change) % 2 == 0
+    change <= total && (total - change).is_multiple_of(2)
 }

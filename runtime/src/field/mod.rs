@@ -5,6 +5,7 @@ pub mod exact;
 mod smooth;
 mod smoothing;
 
+pub use crate::linear::Linear;
 pub use count::Work;
 pub use smooth::{Design, SmoothField};
 pub(crate) use smoothing::Smoothed;
@@ -46,24 +47,5 @@ pub trait Field<const N: usize> {
     /// A function of the state that changes sign on kink surface number `index`.
     fn kink(&self, _index: usize, _y: &[f64; N]) -> f64 {
         1.0
-    }
-}
-
-/// A field and its first derivatives at one state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Linear<const N: usize> {
-    /// f.
-    pub f: [f64; N],
-    /// ∂fᵢ/∂yⱼ in row i and column j.
-    pub jacobian: [[f64; N]; N],
-    /// ∂f/∂r.
-    pub design: [f64; N],
-}
-
-impl<const N: usize> Linear<N> {
-    /// Trace of the Jacobian: the rate at which volumes grow (Liouville).
-    #[must_use]
-    pub fn trace(&self) -> f64 {
-        (0..N).map(|i| self.jacobian[i][i]).sum()
     }
 }

@@ -2,13 +2,12 @@
 
 mod readout;
 
-use super::smoothing::{Smoothed, Smoothing, SmoothingError};
+use super::smoothing::{Sloped, Smoothed, Smoothing, SmoothingError};
 use super::{Field, Linear};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
-use num_dual::DualStruct;
 
 /// What a derivative with respect to "the design variable" means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -26,10 +25,10 @@ pub enum Design {
 #[derive(Clone, Copy)]
 pub struct SmoothField<M: Model<N>, const N: usize> {
     values: M::Params<f64>,
-    lifted: M::Params<M::Lanes>,
+    seeds: M::Params<f64>,
     smoothing: Smoothing,
     rule: Smoothed<f64>,
-    lifted_rule: Smoothed<M::Lanes>,
+    sloped: Sloped,
     magnitude: [f64; N],
 }
 
@@ -59,34 +58,18 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         let values = model.values();
         let smoothing = smoothing.unwrap_or(UNUSED);
         accept::<M, N>(&values, &smoothing)?;
-        let lifted = M::Params::from_fn(|i| {
-            let value = values.as_ref()[i];
-            if design == Design::Parameter(i) {
-                M::Lanes::design(value, 1.0)
-            } else {
-                M::Lanes::constant(value)
-            }
-        });
-        let sharpness = smoothing.sharpness();
-        let slope = if smoothing.kernel.is_bump() {
-            -sharpness
-        } else {
-            sharpness
-        };
-        let lifted_sharpness = if design == Design::Smoothing {
-            M::Lanes::design(sharpness, slope)
-        } else {
-            M::Lanes::constant(sharpness)
-        };
-        let kernel = smoothing.kernel;
+        let (kernel, sharpness) = (smoothing.kernel, smoothing.sharpness());
+        let moves = f64::from(design == Design::Smoothing);
+        let sign = if kernel.is_bump() { -1.0 } else { 1.0 };
         Ok(Self {
             values,
-            lifted,
+            seeds: Inline::from_fn(|i| f64::from(design == Design::Parameter(i))),
             smoothing,
             rule: Smoothed { kernel, sharpness },
-            lifted_rule: Smoothed {
+            sloped: Sloped {
                 kernel,
-                sharpness: lifted_sharpness,
+                sharpness,
+                seed: moves * sign * sharpness,
             },
             magnitude: [1.0; N],
         })
@@ -104,9 +87,10 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     #[must_use]
     pub fn rates(&self) -> (f64, f64) {
         let start: [f64; N] = std::array::from_fn(|i| M::INFO.states[i].start);
+        let params = self.lifted();
         let rate = |steepness: f64| {
             let state = std::array::from_fn(|i| M::Lanes::state(start[i], i));
-            let rows = M::rhs(&self.lifted, state, &mut Layer { steepness });
+            let rows = M::rhs(&params, state, &mut Layer { steepness });
             let sums = rows.map(|row| row.slopes().0.iter().map(|slope| slope.abs()).sum::<f64>());
             sums.into_iter().fold(0.0, f64::max)
         };
@@ -132,6 +116,11 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         first
     }
 
+    /// The parameters as constants.
+    fn lifted(&self) -> M::Params<M::Lanes> {
+        M::Params::from_fn(|i| M::Lanes::constant(self.values.as_ref()[i]))
+    }
+
     /// Calls `visit` with the number and relative speed of each contact.
     fn speeds(&self, y: &[f64; N], visit: impl FnMut(usize, f64)) {
         let _ = M::rhs(&self.values, *y, &mut Speeds(visit));
@@ -148,14 +137,7 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
 
     #[inline]
     fn linearise(&self, y: &[f64; N]) -> Linear<N> {
-        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
-        let rows = M::rhs(&self.lifted, state, &mut { self.lifted_rule });
-        let slopes = rows.map(|row| row.slopes());
-        Linear {
-            f: rows.map(|row| row.re()),
-            jacobian: slopes.map(|(state, _)| state),
-            design: slopes.map(|(_, design)| design),
-        }
+        M::linearise(&self.values, &self.seeds, *y, &mut { self.sloped })
     }
 
     #[inline]
@@ -171,9 +153,8 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
             width: 1.0 / self.rule.sharpness,
             tolerance,
         };
-        let params = M::Params::from_fn(|i| M::Lanes::constant(self.values.as_ref()[i]));
         let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
-        let _ = M::rhs(&params, state, &mut layers);
+        let _ = M::rhs(&self.lifted(), state, &mut layers);
         layers.scale
     }
 

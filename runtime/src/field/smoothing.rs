@@ -1,5 +1,9 @@
 //! Smooth copies of set-valued friction: chosen at use, never part of a model.
 
+mod sloped;
+
+pub(super) use sloped::Sloped;
+
 use std::fmt;
 
 use crate::friction::{ContactRule, FrictionLaw};
@@ -266,15 +270,20 @@ impl<D: Scalar> ContactRule<D> for Smoothed<D> {
     }
 }
 
-/// Theory (2b): slip + (stick − slip) u (4 − u)³/27 for u ≤ 4, slip beyond.
 #[inline]
 fn bump<D: Scalar, L: FrictionLaw<D>>(law: &L, u: D, speed: D) -> D {
     let slip = law.slip(speed.abs());
     if u.re() >= 4.0 {
         return slip;
     }
+    bump_of(law.stick(), slip, u)
+}
+
+/// Theory (2b): slip + (stick − slip) u (4 − u)³/27, for u ≤ 4; slip beyond.
+#[inline]
+fn bump_of<D: Scalar>(stick: D, slip: D, u: D) -> D {
     let rest = -u + 4.0;
-    slip + (law.stick() - slip) * u * (rest * rest * rest) * (1.0 / 27.0)
+    slip + (stick - slip) * u * (rest * rest * rest) * (1.0 / 27.0)
 }
 
 #[cfg(test)]

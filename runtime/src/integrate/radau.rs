@@ -151,7 +151,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 continue;
             };
             let error = self.error(&trial);
-            if !(error <= 1.0) {
+            if error > 1.0 || error.is_nan() {
                 self.reject(
                     step * (SAFETY * error.powf(-1.0 / (S as f64 + 1.0))).clamp(SHRINK, 0.9),
                 );

@@ -12,6 +12,9 @@ use crate::integrate::Tolerance;
 
 type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
+/// Share of the accuracy to which orbits between two others are integrated.
+const SHARPER: f64 = 0.02;
+
 /// Periodic orbits along r; an iterator over them.
 pub struct OrbitBranch<F: Family<N> + Clone, const N: usize> {
     branch: Branch<OrbitProblem<F, N>>,
@@ -66,7 +69,10 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
     /// What lies between the last two orbits; `None` at the first.
     #[must_use]
     pub fn path(&self) -> Option<OrbitPath<F, N>> {
-        let link = self.branch.link()?.clone();
+        let mut link = self.branch.link()?.clone();
+        // Multipliers lose digits that the orbit keeps.
+        let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);
+        link.problem.family = link.problem.family.with_tolerance(tolerance);
         let counted = link.problem.work;
         Some(OrbitPath {
             link,

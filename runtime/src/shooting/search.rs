@@ -302,7 +302,7 @@ pub fn anchored<F: Family<N> + Clone, const N: usize>(
     };
     // The motion may have gone around several times: find the first return that repeats throughout.
     let count = minima.len();
-    let once = (1..count).filter(|k| count % k == 0).find(|&k| {
+    let once = (1..count).filter(|k| count.is_multiple_of(*k)).find(|&k| {
         (0..count).all(|i| distance(&minima[i].1, &minima[(i + k) % count].1) < SAME_POINT)
     });
     let period = shot.period * once.unwrap_or(count) as f64 / count as f64;

@@ -54,7 +54,6 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
     }
 
     fn close_calls(&self) -> Vec<Margin> {
-        // A guard that hardly reaches zero falls there like the square root of what it has to spare.
         let graze = |event: &Event<N>| {
             let kind = match event.kind {
                 EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
@@ -64,7 +63,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
             (event.rate < 0.0).then_some(Margin {
                 kind,
                 contact: event.contact,
-                value: event.rate * event.rate,
+                value: -event.rate,
             })
         };
         let stretches = stretches(self);

@@ -3,7 +3,7 @@
 use super::case::Along;
 use super::orbit::{OrbitRecord, Sought};
 use super::special::{Special, Specials};
-use crate::bifurcation::{Findings, Kind, Unexplained, detect, explain};
+use crate::bifurcation::{Findings, Kind, Located, Unexplained, detect, explain};
 use crate::continuation::{Ending, Settings};
 use crate::flow::{Family, Flow, FlowError};
 use crate::shooting::{Orbit, OrbitBranch, OrbitError};
@@ -47,41 +47,92 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
         let (from, to) = along.span();
         let first = self.orbit(from)?;
         let settings = Settings::new(from, to, self.search.accuracy);
-        let mut branch = OrbitBranch::start(self.family, &first, &self.search, settings)
+        let branch = OrbitBranch::start(self.family, &first, &self.search, settings)
             .map_err(OrbitError::Newton)?;
-        let mut points: Vec<OrbitRecord> = Vec::new();
-        let mut orbits: Vec<Orbit<N, Mode<F, N>>> = Vec::new();
-        let mut specials = Specials::new(along);
-        while let Some(orbit) = branch.next() {
-            let mut point = self.record(&orbit);
-            if points.is_empty() {
-                point.work += first.work;
-            }
-            if let (Some(mut path), Some(before)) = (branch.path(), orbits.last()) {
-                specials.take(detect(&mut path, before, &orbit, self.search.accuracy));
-                point.work += path.work();
-            }
-            watch(&point);
-            let endless = point.period > ENDLESS * first.period;
-            points.push(point);
-            orbits.push(orbit);
-            if endless {
-                break;
-            }
-        }
-        let mut ended = branch.ending().map_or_else(Ended::endless, Ended::from);
-        if let Some(Ending::StepTooSmall(_)) = branch.ending()
-            && let Some(reason) = explain(&orbits, self.search.accuracy)
-        {
-            ended = Ended::at(reason.kind, along.value(reason.r));
-            specials.take(Findings::of(reason));
-        }
+        let mut following = Following {
+            sought: self,
+            branch,
+            orbits: Vec::new(),
+            points: Vec::new(),
+            specials: Specials::new(along),
+        };
+        let ended = following.run(&first, watch);
+        let specials = following.specials;
         Ok(BranchRecord {
             along,
-            points,
+            points: following.points,
             ended: specials.unexplained().map_or(ended, Ended::unexplained),
             special: specials.finish(),
         })
+    }
+}
+
+/// A branch being followed.
+struct Following<'a, F: Family<N> + Clone, const N: usize> {
+    sought: &'a Sought<'a, F, N>,
+    branch: OrbitBranch<F, N>,
+    orbits: Vec<Orbit<N, Mode<F, N>>>,
+    points: Vec<OrbitRecord>,
+    specials: Specials,
+}
+
+impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
+    /// Goes on to the end; `first` is the orbit from which it starts.
+    fn run(&mut self, first: &Orbit<N, Mode<F, N>>, watch: &mut dyn FnMut(&OrbitRecord)) -> Ended {
+        while let Some(orbit) = self.branch.next() {
+            let mut point = self.sought.record(&orbit);
+            if self.points.is_empty() {
+                point.work += first.work;
+            }
+            if let Some(end) = self.examine(&orbit, &mut point) {
+                return self.end(end);
+            }
+            watch(&point);
+            let endless = point.period > ENDLESS * first.period;
+            self.points.push(point);
+            self.orbits.push(orbit);
+            if endless {
+                return Ended::endless();
+            }
+        }
+        let reason = match self.branch.ending() {
+            Some(Ending::StepTooSmall(_)) => explain(&self.orbits, self.sought.search.accuracy),
+            _ => None,
+        };
+        match reason {
+            Some(reason) => self.end(reason),
+            None => self
+                .branch
+                .ending()
+                .map_or_else(Ended::endless, Ended::from),
+        }
+    }
+
+    /// Looks for bifurcations on the way to `orbit`; gives the one that ends the branch before it.
+    fn examine(
+        &mut self,
+        orbit: &Orbit<N, Mode<F, N>>,
+        point: &mut OrbitRecord,
+    ) -> Option<Located<Orbit<N, Mode<F, N>>>> {
+        let (mut path, before) = (self.branch.path()?, self.orbits.last()?);
+        let accuracy = self.sought.search.accuracy;
+        let findings = detect(&mut path, before, orbit, accuracy);
+        point.work += path.work();
+        if !findings.unexplained.is_empty() {
+            // Beyond a graze, what was found is not the same motion any more.
+            let end = explain(&self.orbits, accuracy);
+            if end.is_some() {
+                return end;
+            }
+        }
+        self.specials.take(findings);
+        None
+    }
+
+    fn end(&mut self, reason: Located<Orbit<N, Mode<F, N>>>) -> Ended {
+        let ended = Ended::at(reason.kind, self.specials.along.value(reason.r));
+        self.specials.take(Findings::of(reason));
+        ended
     }
 }
 

@@ -24,7 +24,7 @@ pub struct Special {
 
 /// The special points of a branch under way.
 pub(super) struct Specials {
-    along: Along,
+    pub(super) along: Along,
     points: Vec<Special>,
     counts: HashMap<Kind, usize>,
     unexplained: Option<Unexplained>,

@@ -20,7 +20,7 @@ pub(crate) fn table() {
         "{:<18}{:>11}{:>11}{:>8}",
         "", "generated", "by hand", "ratio"
     );
-    row::<VanDerPol, 2, 1>(VanDerPol::nu.index, None, |p, x| van_der_pol(p, x));
+    row::<VanDerPol, 2, 1>(VanDerPol::nu.index, None, van_der_pol);
     let belt = "arctan:1e5".parse().ok();
     let v_dr = BeltOscillator::v_dr.index;
     row::<BeltOscillator, 2, 5>(v_dr, belt, |p, x| belt_oscillator(p, 1e5, x));

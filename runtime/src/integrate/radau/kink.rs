@@ -10,7 +10,6 @@ const KINK_REACHED: f64 = 1e-7;
 const KINK_MISSED: f64 = 1e-4;
 
 /// What a step meets.
-#[expect(clippy::large_enum_variant, reason = "a step allocates nothing")]
 pub(super) enum Kink<const N: usize, const S: usize> {
     /// No kink of the field.
     None,
