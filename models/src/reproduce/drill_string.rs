@@ -154,21 +154,24 @@ fn table_speed() -> Axis {
 }
 
 fn figure_7(copies: &[Copy], exact: &ExactDrill) -> Figure {
+    let branch = exact.along(|orbit| orbit.max_abs()[0]);
+    let end: Vec<[f64; 2]> = branch.last().copied().into_iter().collect();
+    let last = end.first().map_or(f64::NAN, |point| point[0]);
     Figure::new(
         "4.7",
         "Absolute maximum of *ψ*",
-        "At low speed the bit breaks loose at *ψ* = *θ* − 2*ζη* → 4.2. At high speed damping keeps the bit from ever \
-         coming to rest again, and the cycle ends: the exact one at *η* = 4.612, the copies later, the later the larger \
-         *ε*. The copy *ε* = 1 is far from the real system at both ends.",
+        format!(
+            "At low speed the bit breaks loose at *ψ* = *θ* − 2*ζη* → 4.2. At high speed damping keeps the bit from ever \
+             coming to rest again, and the cycle ends: the exact one at *η* = {last:.5}, where the bit comes to rest for \
+             an instant only (*grazing*), the copies later, the later the larger *ε*. The copy *ε* = 1 is far from the \
+             real system at both ends."
+        ),
     )
     .panel(
         Panel::new(table_speed(), Axis::new("max |*ψ*|"))
             .curves(along(copies, |orbit| orbit.max_abs()[0]))
-            .curve(Curve::line(
-                "exact",
-                0,
-                exact.along(|orbit| orbit.max_abs()[0]),
-            )),
+            .curve(Curve::line("exact", 0, branch))
+            .curve(Curve::points("end by grazing", 0, Marker::Diamond, end)),
     )
 }
 

@@ -14,6 +14,9 @@ use super::words::{decimals, significant};
 /// Accuracy of the exact orbit against which copies are measured.
 const ACCURACY: f64 = 1e-11;
 
+/// Factor by which an axis goes on beyond the sizes.
+const MARGIN: f64 = 2.0;
+
 /// The errors of one kernel's copies at one value of the parameter.
 pub(super) struct Errors {
     pub(super) r: f64,
@@ -129,8 +132,15 @@ impl Of {
 
 /// Both errors against the size, with their fits, in double logarithmic scales.
 pub(super) fn against_size(errors: &Errors, names: &Names) -> Panel {
+    let sizes = || errors.curve.points.iter().map(|point| point.size);
+    let (least, most) = (
+        sizes().fold(f64::INFINITY, f64::min),
+        sizes().fold(0.0, f64::max),
+    );
     let axes = Panel::new(
-        Axis::new(names.size).logarithmic(),
+        Axis::new(names.size)
+            .logarithmic()
+            .from(least / MARGIN, MARGIN * most),
         Axis::new("relative error").logarithmic(),
     );
     Of::BOTH.into_iter().fold(axes, |panel, of| {

@@ -24,7 +24,9 @@ pub(super) fn section() -> Section {
         )
         .text(
             "This page repeats that work for the thesis's four systems, with the same smooth curves: its figures, under \
-             its numbers, its values beside ours, and the cost of each branch. Nothing on it is drawn by hand: every \
-             curve comes from the models as declared, and lies beside the page as a table of numbers.",
+             its numbers, its values beside ours, and the cost of each branch. Beside the smooth copies it shows, in \
+             black, what they approach: the motion with friction as it is, which sticks and jumps, and which the thesis \
+             could only reach for a few motions. So every error of smoothing can be seen and measured. Every curve \
+             comes from the models as declared, and lies beside the page as a table of numbers.",
         )
 }

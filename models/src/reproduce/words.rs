@@ -54,8 +54,10 @@ pub(super) fn duration(time: Duration) -> String {
         format!("{seconds:.1} s")
     } else if seconds >= 0.01 {
         format!("{:.0} ms", 1e3 * seconds)
-    } else {
+    } else if seconds >= 0.001 {
         format!("{:.1} ms", 1e3 * seconds)
+    } else {
+        format!("{:.0} µs", 1e6 * seconds)
     }
 }
 

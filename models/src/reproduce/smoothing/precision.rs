@@ -7,17 +7,22 @@ use super::super::words::evaluations;
 
 /// Errors above this are of no use to anyone.
 const USELESS: f64 = 1.0;
+/// Errors below this are those of the exact orbit against which the others are measured.
+const RESOLUTION: f64 = 1e-10;
+/// A setting that costs more must be better by this factor.
+const BETTER: f64 = 0.9;
 
 /// Cost and error of every setting, from the cheapest to the most accurate, without those that another one beats.
 fn best<'a>(precisions: impl Iterator<Item = &'a Precision>) -> Vec<[f64; 2]> {
     let mut all: Vec<[f64; 2]> = precisions
         .flat_map(|precision| &precision.points)
         .map(|point| [evaluations(&point.cost.work) as f64, point.total])
+        .filter(|[_, error]| *error > RESOLUTION)
         .collect();
     all.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let mut least = USELESS;
     all.retain(|&[_, error]| {
-        let better = error < least;
+        let better = error < BETTER * least;
         least = least.min(error);
         better
     });
@@ -28,7 +33,9 @@ fn best<'a>(precisions: impl Iterator<Item = &'a Precision>) -> Vec<[f64; 2]> {
 pub(super) fn figure(trades: &[Trade]) -> Figure {
     let axes = Panel::new(
         Axis::new("evaluations of the equations in one period").logarithmic(),
-        Axis::new("relative error against the exact orbit").logarithmic(),
+        Axis::new("relative error against the exact orbit")
+            .logarithmic()
+            .from(RESOLUTION, USELESS),
     );
     let copies = trades.iter().enumerate().filter_map(|(i, trade)| {
         let kernel = trade.curves.first()?.kernel;
@@ -43,9 +50,9 @@ pub(super) fn figure(trades: &[Trade]) -> Figure {
         "A.1",
         "Error against cost, one mass on a belt at *v*_{dr} = 0.2 m/s",
         "Not in the thesis. Across: how often the equations are evaluated, with their derivatives, to go once around \
-         the orbit. Down: the larger of the errors of frequency and extrema, by smoothing and integration together. Each \
+         the orbit. Upwards: the largest of the errors of frequency and extrema, by smoothing and integration together. Each \
          curve shows what a smoothing can do at best: *ε* = 10^{2} to 10^{7} and tolerances from 10^{−3} to 10^{−11}, \
-         each setting left out that another one beats in both. The curve farthest to the lower left is the best: exact \
+         without the settings that another one beats in both. The curve farthest to the lower left is the best: exact \
          friction gives more digits for less work.",
     )
     .panel(axes.curves(copies).curves(exact))
