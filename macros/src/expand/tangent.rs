@@ -3,6 +3,8 @@
 //! Each operation becomes one binding, in the order of the formula, so that values have the bits of the formula
 //! evaluated at once.
 
+mod slopes;
+
 use std::collections::{BTreeMap, HashMap};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -127,61 +129,6 @@ impl<'a> Tangents<'a> {
     fn join(&mut self, left: Lifted, operator: Operator, right: Lifted) -> Lifted {
         let joined = self.lift.binary(left, operator, right);
         self.keep(&joined)
-    }
-
-    pub(super) fn times(&mut self, slope: &Slope, factor: &Lifted) -> Slope {
-        Slope::Other(match slope {
-            Slope::One => factor.clone(),
-            Slope::MinusOne => self.keep(&negative(factor.clone())),
-            Slope::Other(slope) => self.join(slope.clone(), Operator::Multiply, factor.clone()),
-        })
-    }
-
-    fn negated(&mut self, slope: &Slope) -> Slope {
-        match slope {
-            Slope::One => Slope::MinusOne,
-            Slope::MinusOne => Slope::One,
-            Slope::Other(slope) => Slope::Other(self.keep(&negative(slope.clone()))),
-        }
-    }
-
-    /// Every derivative times the same factor.
-    fn scaled(&mut self, slopes: &Slopes, factor: &Lifted) -> Slopes {
-        let scaled = slopes
-            .iter()
-            .map(|(d, slope)| (*d, self.times(slope, factor)));
-        scaled.collect()
-    }
-
-    fn all_negated(&mut self, slopes: &Slopes) -> Slopes {
-        let negated = slopes.iter().map(|(d, slope)| (*d, self.negated(slope)));
-        negated.collect()
-    }
-
-    pub(super) fn sum(&mut self, mut left: Slopes, right: &Slopes) -> Slopes {
-        for (direction, slope) in right {
-            let sum = match left.get(direction) {
-                None => slope.clone(),
-                Some(before) => {
-                    Slope::Other(self.join(before.lifted(), Operator::Add, slope.lifted()))
-                }
-            };
-            left.insert(*direction, sum);
-        }
-        left
-    }
-
-    fn difference(&mut self, mut left: Slopes, right: &Slopes) -> Slopes {
-        for (direction, slope) in right {
-            let difference = match left.get(direction) {
-                None => self.negated(slope),
-                Some(before) => {
-                    Slope::Other(self.join(before.lifted(), Operator::Subtract, slope.lifted()))
-                }
-            };
-            left.insert(*direction, difference);
-        }
-        left
     }
 
     fn minus(&mut self, inner: &Quantity) -> Quantity {

@@ -1,6 +1,7 @@
 //! The program `stickslip`, from outside.
 
 mod answers;
+mod equilibria;
 mod refusals;
 mod trade;
 
