@@ -114,7 +114,7 @@ mod tests {
 
     #[test]
     fn a_rate_that_falls_like_a_root_or_a_line_is_extrapolated() {
-        let distances = [1.0, 0.1, 1e-2, 1e-3, 1e-4];
+        let distances = [0.1, 1e-2, 1e-3, 1e-4, 1e-5];
         let root = distances.map(|d: f64| (2.0 - d - 0.3 * d * d, (d * (1.0 + 0.5 * d)).sqrt()));
         let line = distances.map(|d: f64| (2.0 - d - 0.3 * d * d, d * (1.0 + 0.5 * d)));
         for series in [root, line] {
