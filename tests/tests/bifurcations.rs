@@ -121,19 +121,16 @@ fn a_fold_is_located_and_turned() {
 }
 
 #[test]
-#[ignore = "not confirmed since states at rest are measured against 1"]
 fn a_pair_that_leaves_the_circle_is_a_torus_point() {
     shows(&branch!(Torus, 0, -0.1, 0.15, TAU), &[("NS1", 0.0)]);
 }
 
 #[test]
-#[ignore = "not confirmed since states at rest are measured against 1"]
 fn a_neutral_saddle_is_no_torus_point() {
     shows(&branch!(Saddle, 0, 0.05, 0.3, TAU), &[]);
 }
 
 #[test]
-#[ignore = "not confirmed since states at rest are measured against 1"]
 fn a_pitchfork_is_a_branch_point_and_no_fold() {
     shows(&branch!(Pitchfork, 0, -0.1, 0.15, TAU), &[("BP1", 0.0)]);
 }
@@ -149,7 +146,6 @@ fn roesslers_cycle_doubles_its_period() {
 
 /// A tighter accuracy finds the same point, only better.
 #[test]
-#[ignore = "not confirmed since states at rest are measured against 1"]
 fn accuracy_loses_no_point() {
     let model = entry::<Torus, _>();
     let mut case = Case::declared(model.info(), Dynamics::Smooth);

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Modules from left to right. `app` and `study` stand on everything.
-const ORDER: [&str; 15] = [
+const ORDER: [&str; 16] = [
     "scalar",
     "math",
+    "linear",
     "suggest",
     "model",
     "friction",
