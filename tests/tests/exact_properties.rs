@@ -123,7 +123,9 @@ fn answers(model: &BeltOscillator, start: [f64; 2]) -> bool {
         }
         Err(FlowError::SensitivityUndefined(_)) => true,
         // Where doubles cannot resolve the speed or the time in which friction changes, an error may say so.
-        Err(FlowError::Integration(_)) => model.delta * model.v_dr.abs().max(model.F_s) > 1e10,
+        Err(FlowError::Integration(_) | FlowError::Chattering { .. }) => {
+            model.delta * model.v_dr.abs().max(model.F_s) > 1e10
+        }
         Err(error) => panic!("{model:?} {start:?}: {error}"),
     }
 }
