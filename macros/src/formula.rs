@@ -1,5 +1,6 @@
 //! Formulas: numbers, names, arithmetic and smooth functions.
 
+use std::collections::HashMap;
 use std::fmt::{Display, Formatter, Result};
 
 use proc_macro2::{Ident, TokenStream};
@@ -70,6 +71,40 @@ impl Formula {
             Kind::Group(x) | Kind::Minus(x) | Kind::Call(_, x) | Kind::Power(x, _) => vec![x],
             Kind::Binary(x, _, y) | Kind::RealPower(_, x, y) => vec![x, y],
         }
+    }
+
+    /// The formula in which each of these names is replaced by what it abbreviates.
+    pub(crate) fn unabbreviated(&self, meanings: &HashMap<&Ident, Self>) -> Self {
+        let boxed = |part: &Self| Box::new(part.unabbreviated(meanings));
+        let kind = match &self.kind {
+            Kind::Name(name) => match meanings.get(name) {
+                Some(meaning) => Kind::Group(Box::new(meaning.clone())),
+                None => self.kind.clone(),
+            },
+            Kind::Number(_) | Kind::Constant(_) => self.kind.clone(),
+            Kind::Group(x) => Kind::Group(boxed(x)),
+            Kind::Minus(x) => Kind::Minus(boxed(x)),
+            Kind::Binary(x, operator, y) => Kind::Binary(boxed(x), *operator, boxed(y)),
+            Kind::Call(function, x) => Kind::Call(function.clone(), boxed(x)),
+            Kind::Power(x, exponent) => Kind::Power(boxed(x), *exponent),
+            Kind::RealPower(function, x, y) => {
+                Kind::RealPower(function.clone(), boxed(x), boxed(y))
+            }
+        };
+        let source = self.source.clone();
+        Self { kind, source }
+    }
+
+    /// Every call of one of these functions: its name and argument, inner ones first.
+    pub(crate) fn calls_of(&self, functions: &[&str]) -> Vec<(&Ident, &Self)> {
+        let parts = self.parts().into_iter();
+        let mut calls: Vec<_> = parts.flat_map(|part| part.calls_of(functions)).collect();
+        if let Kind::Call(function, argument) = &self.kind
+            && functions.iter().any(|known| function == known)
+        {
+            calls.push((function, argument));
+        }
+        calls
     }
 
     /// Every name that occurs, from left to right.

@@ -9,6 +9,7 @@ mod errors;
 mod expand;
 mod formula;
 mod parse;
+mod repeated;
 mod suggest;
 mod syntax;
 

@@ -7,10 +7,13 @@ use quote::ToTokens;
 use syn::{Attribute, Path, Token, Visibility};
 
 use crate::formula::{Formula, Number, tight};
+use crate::repeated::Repeated;
 
 /// The words that join the parts of a line.
 pub(crate) mod word {
+    syn::custom_keyword!(at);
     syn::custom_keyword!(opposing);
+    syn::custom_keyword!(with);
 }
 
 /// `pub struct Name { lines }`.
@@ -20,6 +23,7 @@ pub(crate) struct Declaration {
     pub(crate) keyword: Token![struct],
     pub(crate) name: Ident,
     pub(crate) lines: Vec<Line>,
+    pub(crate) repeated: Repeated,
 }
 
 /// What stands before the braces.
@@ -50,16 +54,18 @@ pub(crate) enum Line {
     Derivative(Derivative),
     Stick(Stick),
     Slip(Slip),
+    Force(Force),
+    Drive(Drive),
     /// A line that could not be read; what it declares is known nevertheless.
     Broken(Broken),
 }
 
-/// `state name: unit = start;`
+/// `state name: unit = start;`, in a law without the start.
 pub(crate) struct State {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) name: Ident,
     pub(crate) unit: Option<Unit>,
-    pub(crate) start: Number,
+    pub(crate) start: Option<Number>,
 }
 
 /// `param name: unit = default where bounds;`, in a law without the default.
@@ -78,7 +84,7 @@ pub(crate) struct Let {
     pub(crate) formula: Formula,
 }
 
-/// `friction name: unit = Law { fields } opposing speed;`
+/// `friction name: unit = Law { fields } opposing speed with states;`, the last part only where the law has memory.
 pub(crate) struct Friction {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) name: Ident,
@@ -86,6 +92,8 @@ pub(crate) struct Friction {
     pub(crate) law: Path,
     pub(crate) fields: Vec<Field>,
     pub(crate) speed: Formula,
+    /// The states that carry the internal states of the law.
+    pub(crate) memory: Vec<Ident>,
 }
 
 /// `name: formula` in the braces of a law.
@@ -113,6 +121,20 @@ pub(crate) struct Slip {
     pub(crate) formula: Formula,
 }
 
+/// `force(speed) = formula;`
+pub(crate) struct Force {
+    pub(crate) word: Ident,
+    pub(crate) speed: Ident,
+    pub(crate) formula: Formula,
+}
+
+/// `drive phase at rate;`
+pub(crate) struct Drive {
+    pub(crate) docs: Vec<Attribute>,
+    pub(crate) name: Ident,
+    pub(crate) rate: Formula,
+}
+
 /// What is left of a line that could not be read.
 #[derive(Default)]
 pub(crate) struct Broken {
@@ -121,6 +143,7 @@ pub(crate) struct Broken {
 }
 
 /// `low < name <= high`, either end absent.
+#[derive(Clone)]
 pub(crate) struct Bounds {
     pub(crate) name: Ident,
     pub(crate) lower: Option<Bound>,
@@ -128,17 +151,20 @@ pub(crate) struct Bounds {
     pub(crate) source: TokenStream,
 }
 
+#[derive(Clone)]
 pub(crate) struct Bound {
     pub(crate) number: Number,
     pub(crate) inclusive: bool,
 }
 
 /// Symbols with their exponents: `kg*m/s^2`, nothing at all for `1`.
+#[derive(Clone)]
 pub(crate) struct Unit {
     pub(crate) factors: Vec<UnitFactor>,
     pub(crate) source: TokenStream,
 }
 
+#[derive(Clone)]
 pub(crate) struct UnitFactor {
     pub(crate) symbol: Ident,
     pub(crate) exponent: i32,
@@ -182,10 +208,13 @@ macro_rules! lines_of {
 lines_of! {
     states: State;
     params: Param;
+    lets: Let;
     frictions: Friction;
     derivatives: Derivative;
     sticks: Stick;
     slips: Slip;
+    forces: Force;
+    drives: Drive;
     broken: Broken;
 }
 
@@ -198,10 +227,25 @@ impl Line {
             Self::Derivative(line) => vec![&line.formula],
             Self::Stick(line) => vec![&line.formula],
             Self::Slip(line) => vec![&line.formula],
+            Self::Force(line) => vec![&line.formula],
+            Self::Drive(line) => vec![&line.rate],
             Self::Friction(line) => {
                 let fields = line.fields.iter().map(|field| &field.formula);
                 fields.chain([&line.speed]).collect()
             }
         }
+    }
+}
+
+impl Declaration {
+    /// Whether this law has internal state: any line that only such a law has, broken or not.
+    pub(crate) fn has_memory(&self) -> bool {
+        self.lines.iter().any(|line| match line {
+            Line::State(_) | Line::Derivative(_) | Line::Force(_) => true,
+            Line::Broken(line) => line
+                .keyword
+                .is_some_and(|word| ["state", "der", "force"].contains(&word)),
+            _ => false,
+        })
     }
 }

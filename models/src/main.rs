@@ -1,13 +1,17 @@
 //! The program `stickslip`.
 
 use std::error::Error;
+use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 
 use stickslip::study::app::App;
 use stickslip::study::entry;
-use stickslip_models::reproduce::reproduce;
-use stickslip_models::{BeltOscillator, BeltPair, DrillString, VanDerPol};
+use stickslip_models::friction::{library, with_memory};
+use stickslip_models::reproduce::{extremes, reproduce, reproduce_atlas};
+use stickslip_models::{
+    BeltOscillator, BeltPair, BristleOscillator, DrillString, ForcedBelt, VanDerPol,
+};
 
 fn main() -> ExitCode {
     App::new(env!("CARGO_PKG_VERSION"))
@@ -15,12 +19,29 @@ fn main() -> ExitCode {
         .offer(entry::<BeltOscillator, _>())
         .offer(entry::<BeltPair, _>())
         .offer(entry::<DrillString, _>())
+        .offer(entry::<BristleOscillator, _>())
+        .offer(entry::<ForcedBelt, _>())
+        .laws(library())
+        .laws(with_memory())
         .reproduce(report)
+        .reproduce_part("atlas", the_atlas)
+        .reproduce_part("extremes", the_extremes)
         .run()
 }
 
 fn report(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
-    let summary = reproduce(folder, quiet)?;
+    tell(&reproduce(folder, quiet)?, quiet)
+}
+
+fn the_atlas(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
+    tell(&reproduce_atlas(folder, quiet)?, quiet)
+}
+
+fn the_extremes(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
+    tell(&extremes::reproduce(folder)?, quiet)
+}
+
+fn tell(summary: &impl Display, quiet: bool) -> Result<(), Box<dyn Error>> {
     if !quiet {
         println!("{summary}");
     }

@@ -1,6 +1,8 @@
 //! What generated code calls; nothing here is for use by hand.
 
-use crate::friction::{FrictionLaw, LawInfo};
+use crate::friction::{FrictionLaw, LawInfo, LawParameter};
+use crate::memory::{MemoryLaw, MemoryLawInfo};
+use crate::model::Unit;
 
 /// The data of the law that a function builds.
 ///
@@ -10,6 +12,30 @@ pub const fn info_of<L: FrictionLaw<f64>, const FIELDS: usize>(
     _law: fn([f64; FIELDS]) -> L,
 ) -> &'static LawInfo {
     L::INFO
+}
+
+/// The data of the law with internal state that a function builds.
+#[must_use]
+pub const fn memory_info_of<L: MemoryLaw<f64, S>, const FIELDS: usize, const S: usize>(
+    _law: fn([f64; FIELDS]) -> L,
+) -> &'static MemoryLawInfo {
+    L::INFO
+}
+
+/// Which columns of each row are named.
+#[must_use]
+pub const fn pattern<const N: usize>(rows: [&[usize]; N]) -> [[bool; N]; N] {
+    let mut pattern = [[false; N]; N];
+    let mut row = 0;
+    while row < N {
+        let mut next = 0;
+        while next < rows[row].len() {
+            pattern[row][rows[row][next]] = true;
+            next += 1;
+        }
+        row += 1;
+    }
+    pattern
 }
 
 /// Exponents of m, kg, s, A, K, mol, cd.
@@ -30,19 +56,29 @@ pub struct Contact {
 impl Contact {
     /// Whether a law's field may hold a quantity of this dimension; yes where nothing is stated.
     #[must_use]
-    pub const fn accepts(&self, law: &LawInfo, field: &str, found: Dimension) -> bool {
+    pub const fn accepts(&self, law: &[LawParameter], field: &str, found: Dimension) -> bool {
         let mut i = 0;
-        while i < law.parameters.len() {
-            let parameter = &law.parameters[i];
+        while i < law.len() {
+            let parameter = &law[i];
             if same(parameter.name, field) {
-                return match &parameter.unit {
-                    Some(unit) => self.agrees(unit.dimension, found),
-                    None => true,
-                };
+                return self.agrees_if_stated(&parameter.unit, found);
             }
             i += 1;
         }
         true
+    }
+
+    /// Whether a state of this dimension may carry internal state number `index` of a law.
+    #[must_use]
+    pub const fn carries(&self, law: &MemoryLawInfo, index: usize, found: Dimension) -> bool {
+        index >= law.states.len() || self.agrees_if_stated(&law.states[index].unit, found)
+    }
+
+    const fn agrees_if_stated(&self, stated: &Option<Unit>, found: Dimension) -> bool {
+        match stated {
+            Some(unit) => self.agrees(unit.dimension, found),
+            None => true,
+        }
     }
 
     /// Whether a dimension of a law, written with N, m and s, is the one found in the model.

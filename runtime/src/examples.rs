@@ -17,6 +17,21 @@ friction_law! {
     }
 }
 
+friction_law! {
+    /// A solid that yields before it slides.
+    pub(crate) struct Dahl {
+        /// Deflection of the bristles.
+        state z: m;
+        /// Their stiffness.
+        param stiffness: N/m where stiffness > 0.0;
+        /// Force of steady sliding.
+        param level: N where level > 0.0;
+
+        der(z) = w - stiffness * abs(w) * z / level;
+        force(w) = stiffness * z;
+    }
+}
+
 model! {
     /// One mass on a belt, with a limit at rest of its own.
     pub(crate) struct Belt {

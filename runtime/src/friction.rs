@@ -1,6 +1,7 @@
 //! Friction laws and the rules that decide what a contact's force is.
 
-use crate::model::{Bounds, Unit};
+use crate::memory::{Answer, AnswerSlopes, MemoryLaw};
+use crate::model::{Bounds, ParameterError, Unit};
 use crate::scalar::Scalar;
 
 /// A dry friction law at given values of its parameters.
@@ -8,8 +9,9 @@ use crate::scalar::Scalar;
 /// With w the relative speed of the contact and λ its force: λ = −slip(|w|) sgn w while it slides,
 /// |λ| ≤ stick while it rests. Declared with `friction_law!`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a friction law",
-    label = "not declared with `friction_law!`"
+    message = "`{Self}` is not a friction law without internal state",
+    label = "this law has internal state, or is not declared with `friction_law!`",
+    note = "a law with internal state is used as `friction F = Law {{ .. }} opposing speed with z;`, where the model declares `state z = 0.0;`"
 )]
 pub trait FrictionLaw<D: Scalar> {
     /// What is known about the law without its parameters.
@@ -47,6 +49,18 @@ pub struct LawSlopes<D> {
 pub trait ContactRule<D: Scalar> {
     /// The force of contact number `contact`, whose relative speed is `speed`, as it stands in the equations.
     fn force<L: FrictionLaw<D>>(&mut self, contact: usize, law: &L, speed: D) -> D;
+
+    /// Force and rates of a law with internal state, number `element` among those; they are not for a rule to decide.
+    #[inline]
+    fn recall<L: MemoryLaw<D, S>, const S: usize>(
+        &mut self,
+        _element: usize,
+        law: &L,
+        memory: [D; S],
+        speed: D,
+    ) -> Answer<D, S> {
+        law.answer(memory, speed)
+    }
 }
 
 /// Decides the friction force of each contact together with its derivatives: a [`ContactRule`] to be differentiated.
@@ -61,6 +75,19 @@ pub trait SlopeRule {
         along: &L,
         speed: f64,
     ) -> ForceSlopes;
+
+    /// Force and rates of a law with internal state, with their derivatives.
+    #[inline]
+    fn recall<L: MemoryLaw<f64, S>, const S: usize>(
+        &mut self,
+        _element: usize,
+        law: &L,
+        along: &L,
+        memory: [f64; S],
+        speed: f64,
+    ) -> AnswerSlopes<f64, S> {
+        law.slopes(along, memory, speed)
+    }
 }
 
 /// A friction force, as it stands in the equations, and its derivatives.
@@ -102,4 +129,14 @@ pub struct LawParameter {
     pub unit: Option<Unit>,
     /// Bounds that a value must keep.
     pub bounds: Bounds,
+}
+
+impl LawParameter {
+    /// Checks a value against the declared bounds.
+    ///
+    /// # Errors
+    /// The value is not finite, or out of bounds.
+    pub fn check(&self, value: f64) -> Result<(), ParameterError> {
+        self.bounds.check(self.name, value)
+    }
 }

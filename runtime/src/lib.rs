@@ -6,6 +6,7 @@ extern crate self as stickslip;
 
 pub mod bifurcation;
 pub mod continuation;
+pub mod curve;
 #[doc(hidden)]
 pub mod declared;
 pub mod equilibrium;
@@ -14,8 +15,11 @@ pub mod flow;
 pub mod friction;
 pub mod integrate;
 mod linear;
+pub mod lyapunov;
 pub mod math;
+pub mod memory;
 pub mod model;
+pub mod poincare;
 pub mod scalar;
 pub mod shooting;
 pub mod study;

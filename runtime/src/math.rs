@@ -32,6 +32,18 @@ functions! {
     tan: "Tangent.";
 }
 
+/// Magnitude; on its kink, that of the side from which 0 or −0 comes.
+#[inline]
+pub fn abs<D: Scalar>(x: D) -> D {
+    if x.re().is_sign_negative() { -x } else { x }
+}
+
+/// 1 or −1; only where it multiplies something that vanishes with `x` is the product continuous.
+#[inline]
+pub fn sign<D: Scalar>(x: D) -> D {
+    D::from(1.0_f64.copysign(x.re()))
+}
+
 /// Hyperbolic tangent; ±1 where it rounds to that, so that no derivative overflows.
 #[inline]
 pub fn tanh<D: Scalar>(x: D) -> D {

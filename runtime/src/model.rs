@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 pub use crate::linear::Linear;
 
 use crate::friction::{ContactRule, LawInfo, SlopeRule};
+use crate::memory::MemoryLawInfo;
 use crate::scalar::{Inline, Lanes, Scalar};
 
 /// A model with `N` states: ẏ = f(y, parameters, friction forces). Written by `model!`.
@@ -41,13 +42,34 @@ pub trait Model<const N: usize>: Copy + Default + fmt::Debug + Send + Sync + 'st
 
     /// The same right-hand side with its derivatives, written out at compile time: `f` has the bits of [`Model::rhs`].
     ///
-    /// `seeds` holds the derivative of each parameter with respect to the design variable.
+    /// `seeds` holds the derivative of each parameter with respect to the design variable. `entry` is given row, column
+    /// and value of each entry of the Jacobian that can differ from zero, once: the work follows their number.
+    fn entries(
+        params: &Self::Params<f64>,
+        seeds: &Self::Params<f64>,
+        state: [f64; N],
+        contacts: &mut impl SlopeRule,
+        entry: impl FnMut(usize, usize, f64),
+    ) -> Rates<N>;
+
+    /// [`Model::entries`] with the Jacobian as a full matrix.
+    // Called, it costs a small model more than its formulas do.
+    #[inline(always)]
     fn linearise(
         params: &Self::Params<f64>,
         seeds: &Self::Params<f64>,
         state: [f64; N],
         contacts: &mut impl SlopeRule,
-    ) -> Linear<N>;
+    ) -> Linear<N> {
+        let mut jacobian = [[0.0; N]; N];
+        let entry = |row: usize, column: usize, slope| jacobian[row][column] = slope;
+        let Rates { f, design } = Self::entries(params, seeds, state, contacts, entry);
+        Linear {
+            f,
+            jacobian,
+            design,
+        }
+    }
 
     /// The values of the `let` lines.
     fn observables(
@@ -55,6 +77,15 @@ pub trait Model<const N: usize>: Copy + Default + fmt::Debug + Send + Sync + 'st
         state: [f64; N],
         contacts: &mut impl ContactRule<f64>,
     ) -> Self::Observables;
+}
+
+/// A right-hand side and its derivative with respect to the design variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rates<const N: usize> {
+    /// f.
+    pub f: [f64; N],
+    /// ∂f/∂r.
+    pub design: [f64; N],
 }
 
 /// Names one parameter of one model: a handle such as `BeltOscillator::v_dr`.
@@ -104,8 +135,13 @@ pub struct ModelInfo {
     pub parameters: &'static [Parameter],
     /// `let` lines in the order of declaration.
     pub observables: &'static [Observable],
+    /// Place among the states of the phase of a drive, if there is one: it advances at a rate of the parameters alone,
+    /// and 2π more of it is the same.
+    pub drive: Option<usize>,
     /// Contacts in the order of declaration.
     pub contacts: &'static [Contact],
+    /// Friction with internal state in the order of declaration.
+    pub memories: &'static [Memory],
 }
 
 /// A state as data.
@@ -145,6 +181,8 @@ pub struct Observable {
     pub name: &'static str,
     /// Documentation as written.
     pub doc: &'static str,
+    /// Unit, where the units stated elsewhere decide it.
+    pub unit: Option<Unit>,
     /// The right side, as written.
     pub formula: &'static str,
 }
@@ -164,6 +202,27 @@ pub struct Contact {
     pub fields: &'static str,
     /// The relative speed, as written.
     pub speed: &'static str,
+    /// Unit of the relative speed, where the units stated elsewhere decide it.
+    pub speed_unit: Option<Unit>,
+}
+
+/// A `friction` line whose law has internal state, as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Memory {
+    /// Name of the force as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit of the force, where one is stated.
+    pub unit: Option<Unit>,
+    /// The law that acts.
+    pub law: &'static MemoryLawInfo,
+    /// The fields of the law, as written.
+    pub fields: &'static str,
+    /// The relative speed, as written.
+    pub speed: &'static str,
+    /// Numbers of the model's states that carry the internal states of the law, in the order of the law.
+    pub states: &'static [usize],
 }
 
 /// A unit: its text, and its exponents of m, kg, s, A, K, mol, cd.
@@ -208,6 +267,21 @@ impl Bounds {
         value.is_finite() && self.lower.is_none_or(above) && self.upper.is_none_or(below)
     }
 
+    /// Checks a value of the parameter `name`.
+    pub(crate) fn check(&self, name: &'static str, value: f64) -> Result<(), ParameterError> {
+        if !value.is_finite() {
+            return Err(ParameterError::NotFinite { name, value });
+        }
+        if !within_reach(value) {
+            return Err(ParameterError::OutOfReach { name, value });
+        }
+        if !self.contain(value) {
+            let bound = self.describe(name);
+            return Err(ParameterError::OutOfBounds { name, value, bound });
+        }
+        Ok(())
+    }
+
     /// The bounds as a user writes them, for instance `0 <= zeta < 1`; empty if there are none.
     #[must_use]
     pub fn describe(&self, name: &str) -> String {
@@ -235,8 +309,16 @@ pub enum ParameterError {
         /// Its value.
         value: f64,
     },
+    /// So large or so small that its square is no number.
+    #[error("{name} = {value:e} is out of reach: magnitudes lie between 1e-100 and 1e100")]
+    OutOfReach {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// Outside the declared bounds.
-    #[error("{name} = {value} breaks the bound {bound} that the model declares")]
+    #[error("{name} = {value} breaks its declared bound {bound}")]
     OutOfBounds {
         /// The parameter.
         name: &'static str,
@@ -247,7 +329,26 @@ pub enum ParameterError {
     },
 }
 
+/// Whether a number is zero, or such that its square and a few more factors are numbers too.
+#[must_use]
+pub fn within_reach(value: f64) -> bool {
+    value == 0.0 || (1e-100..=1e100).contains(&value.abs())
+}
+
 impl ModelInfo {
+    /// Why friction has neither an exact form nor smooth copies, where all of it has internal state.
+    #[must_use]
+    pub fn only_form(&self) -> Option<String> {
+        let first = self.memories.first().filter(|_| self.contacts.is_empty())?;
+        let names: Vec<&str> = self.memories.iter().map(|memory| memory.name).collect();
+        Some(format!(
+            "the law of {} has internal state (`{}`): it is an ordinary differential equation, without a force at rest \
+             to be solved for or smoothed, and is integrated as it is",
+            names.join(", "),
+            first.law.name
+        ))
+    }
+
     /// Checks every parameter against its declared bounds.
     ///
     /// # Errors
@@ -266,14 +367,6 @@ impl Parameter {
     /// # Errors
     /// The value is not finite, or out of bounds.
     pub fn check(&self, value: f64) -> Result<(), ParameterError> {
-        let name = self.name;
-        if !value.is_finite() {
-            return Err(ParameterError::NotFinite { name, value });
-        }
-        if !self.bounds.contain(value) {
-            let bound = self.bounds.describe(name);
-            return Err(ParameterError::OutOfBounds { name, value, bound });
-        }
-        Ok(())
+        self.bounds.check(self.name, value)
     }
 }

@@ -1,5 +1,6 @@
 //! The same questions asked of every reference system.
 
+pub mod chain;
 pub mod hand_written;
 pub mod lanes;
 pub mod random;

@@ -1,7 +1,7 @@
 //! A model in other units: time and states scaled, nothing else said.
 
 use stickslip::friction::{ContactRule, SlopeRule};
-use stickslip::model::{Linear, Model, ModelInfo};
+use stickslip::model::{Model, ModelInfo, Rates};
 use stickslip::scalar::Scalar;
 
 /// How much faster [`Transformed`] runs than its original.
@@ -45,22 +45,21 @@ impl<M: Model<N>, const N: usize> Model<N> for Transformed<M> {
         std::array::from_fn(|j| rates[j] * (PACE * stretch(j)))
     }
 
-    fn linearise(
+    fn entries(
         params: &M::Params<f64>,
         seeds: &M::Params<f64>,
         state: [f64; N],
         contacts: &mut impl SlopeRule,
-    ) -> Linear<N> {
+        mut entry: impl FnMut(usize, usize, f64),
+    ) -> Rates<N> {
         let original = std::array::from_fn(|j| state[j] * (1.0 / stretch(j)));
-        let linear = M::linearise(params, seeds, original, contacts);
         let pace = |i: usize| PACE * stretch(i);
-        let row = |i: usize| {
-            std::array::from_fn(|j| linear.jacobian[i][j] * (1.0 / stretch(j)) * pace(i))
-        };
-        Linear {
-            f: std::array::from_fn(|i| linear.f[i] * pace(i)),
-            jacobian: std::array::from_fn(row),
-            design: std::array::from_fn(|i| linear.design[i] * pace(i)),
+        let entry =
+            |i: usize, j: usize, slope: f64| entry(i, j, slope * (1.0 / stretch(j)) * pace(i));
+        let rates = M::entries(params, seeds, original, contacts, entry);
+        Rates {
+            f: std::array::from_fn(|i| rates.f[i] * pace(i)),
+            design: std::array::from_fn(|i| rates.design[i] * pace(i)),
         }
     }
 

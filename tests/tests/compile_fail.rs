@@ -7,11 +7,14 @@
 fn mistakes_are_explained() {
     let cases = trybuild::TestCases::new();
     for topic in [
+        "arrays",
         "bounds",
+        "drive",
         "equations",
         "formulas",
         "law",
         "lines",
+        "memory",
         "names",
         "units",
     ] {

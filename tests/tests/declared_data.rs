@@ -113,7 +113,10 @@ fn docs_are_those_of_the_declaration() {
     assert_eq!(
         stribeck.doc,
         "Stribeck's curve with a viscous part: Bo and Pavelescu's exponential form.\n\n\
-         Exponent 1 is Tustin's law, exponent 2 the Gaussian form. Below 1 the slope at rest is infinite."
+         With F_s = `static_level`, F_c = `kinetic_level` ≤ F_s, v_s = `speed`, a = `exponent`, σ = `viscous`:\n\n\
+         |F| ≤ F_s at rest, F_c + (F_s − F_c) exp(−(s/v_s)^a) + σ s at the sliding speed s\n\n\
+         Exponent 1 is Tustin's law, exponent 2 the Gaussian form; below 1 the slope at rest would be infinite.\n\n\
+         Source: L. C. Bo, D. Pavelescu, Wear 82, 1982."
     );
 }
 

@@ -119,7 +119,7 @@ fn the_brusselator_oscillates_from_one_plus_a_squared() {
 
 #[test]
 fn folds_are_located_and_passed() {
-    let branch = branch(Folds { r: 0.0 }, None, Folds::r, (0.0, 2.0));
+    let branch = branch(Folds { r: -0.1 }, None, Folds::r, (-0.1, 2.0));
     let spots: Vec<_> = branch.special.iter().map(|found| &found.spot).collect();
     assert!(branch.special.iter().all(|found| found.kind == Kind::Fold));
     let [upper, lower] = spots.as_slice() else {

@@ -4,29 +4,35 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Modules from left to right. `app` and `study` stand on everything.
-const ORDER: [&str; 16] = [
+const ORDER: [&str; 20] = [
     "scalar",
     "math",
     "linear",
     "suggest",
     "model",
+    "memory",
     "friction",
     "declared",
     "field",
     "integrate",
     "flow",
+    "poincare",
+    "lyapunov",
     "continuation",
     "bifurcation",
     "equilibrium",
     "shooting",
+    "curve",
     "study",
     "app",
 ];
 
 /// Imports against the order that the runtime still has, and why.
-const EXCEPTIONS: [(&str, &str); 2] = [
+const EXCEPTIONS: [(&str, &str); 4] = [
     // A contact as data names the data of its law, whose parameters have units and bounds.
     ("model", "friction"),
+    ("model", "memory"),
+    ("memory", "friction"),
     // A field says what errors are measured against, given a tolerance.
     ("field", "integrate"),
 ];
@@ -93,12 +99,13 @@ fn targets(text: &str) -> Vec<String> {
         .lines()
         .filter(|line| !line.trim_start().starts_with("//"));
     let code: String = lines.collect::<Vec<_>>().join("\n");
-    code.split("crate::")
-        .skip(1)
-        .map(|rest| {
-            let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
-            rest[..end.unwrap_or(rest.len())].to_owned()
-        })
-        .filter(|name| !name.is_empty())
+    let named = code.split("crate::").skip(1).map(|rest| {
+        let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
+        rest.split_at(end.unwrap_or(rest.len()))
+    });
+    // A macro belongs to the crate and to no module.
+    named
+        .filter(|(name, rest)| !name.is_empty() && !rest.starts_with('!'))
+        .map(|(name, _)| name.to_owned())
         .collect()
 }

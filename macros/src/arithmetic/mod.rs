@@ -1,22 +1,29 @@
 //! From Rust expressions to formulas: numbers, names, arithmetic and smooth functions.
 
+mod index;
 mod number;
 mod refusal;
 
+use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprPath, ExprUnary, Lit, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprIndex, ExprLit, ExprPath, ExprUnary, Lit, UnOp};
 
+pub(crate) use self::index::index;
 pub(crate) use self::number::{number, whole};
 
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
 use crate::parse::Grammar;
+use crate::repeated::Repeated;
 
 /// The functions of one argument.
 const FUNCTIONS: [&str; 15] = [
     "acos", "acosh", "asin", "asinh", "atan", "atanh", "cos", "cosh", "exp", "ln", "sin", "sinh",
     "sqrt", "tan", "tanh",
 ];
+
+/// Functions with a kink, for laws with internal state.
+pub(crate) const CORNERS: [&str; 2] = ["abs", "sign"];
 
 const ONLY: &str =
     "a formula is made of numbers, names, `+ - * /`, parentheses and functions such as `sin(x)`";
@@ -25,13 +32,23 @@ const WHOLE: &str = "the exponent of `powi` is a whole number such as 2; \
      other powers are written `powf(x, 1.5)`";
 
 /// Reads an expression; where something is wrong, a number stands in its place.
-pub(crate) fn formula(expression: &Expr, grammar: Grammar, errors: &mut Errors) -> Formula {
-    let mut arithmetic = Arithmetic { grammar, errors };
+pub(crate) fn formula(
+    expression: &Expr,
+    grammar: Grammar,
+    repeated: &mut Repeated,
+    errors: &mut Errors,
+) -> Formula {
+    let mut arithmetic = Arithmetic {
+        grammar,
+        repeated,
+        errors,
+    };
     arithmetic.read(expression)
 }
 
 struct Arithmetic<'a> {
     grammar: Grammar,
+    repeated: &'a mut Repeated,
     errors: &'a mut Errors,
 }
 
@@ -56,6 +73,7 @@ impl Arithmetic<'_> {
             Expr::Binary(binary) => self.binary(binary),
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
+            Expr::Index(element) => self.element(element),
             Expr::If(_) | Expr::Match(_) => self.branch(expression),
             _ => self.refuse(expression, ONLY),
         }
@@ -86,6 +104,26 @@ impl Arithmetic<'_> {
         match path.path.get_ident() {
             Some(name) => Kind::Name(name.clone()),
             None => Kind::Constant(path.path.clone()),
+        }
+    }
+
+    /// `x[i + 1]`
+    fn element(&mut self, element: &ExprIndex) -> Kind {
+        let Expr::Path(ExprPath {
+            path, qself: None, ..
+        }) = element.expr.as_ref()
+        else {
+            return self.refuse(element, ONLY);
+        };
+        let Some(array) = path.get_ident() else {
+            return self.refuse(element, ONLY);
+        };
+        match index(&element.index) {
+            Ok(index) => Kind::Name(self.repeated.element(array, index, false)),
+            Err(error) => {
+                self.errors.add(error);
+                self.refused()
+            }
         }
     }
 
@@ -131,9 +169,7 @@ impl Arithmetic<'_> {
         };
         let arguments: Vec<Formula> = call.args.iter().map(|given| self.read(given)).collect();
         match arguments.as_slice() {
-            [x] if FUNCTIONS.iter().any(|known| function == known) => {
-                Kind::Call(function.clone(), Box::new(x.clone()))
-            }
+            [x] if self.knows(function) => Kind::Call(function.clone(), Box::new(x.clone())),
             [base, exponent] if function == "powi" => self.power(base, exponent),
             [base, exponent] if function == "powf" => {
                 let (base, exponent) = (Box::new(base.clone()), Box::new(exponent.clone()));
@@ -141,6 +177,13 @@ impl Arithmetic<'_> {
             }
             _ => self.wrong_call(call, function),
         }
+    }
+
+    /// Whether this is a function of one argument here.
+    fn knows(&self, function: &Ident) -> bool {
+        let is = |known: &&str| function == known;
+        let corner = self.grammar == Grammar::Memory && CORNERS.iter().any(&is);
+        corner || FUNCTIONS.iter().any(is)
     }
 
     fn power(&mut self, base: &Formula, exponent: &Formula) -> Kind {

@@ -51,6 +51,11 @@ impl Arithmetic<'_> {
     /// Reports a mistake; the number that stands for it is never expanded.
     pub(super) fn refuse(&mut self, place: impl ToTokens, message: impl std::fmt::Display) -> Kind {
         self.errors.at(place, message);
+        self.refused()
+    }
+
+    /// What stands for a mistake that is reported.
+    pub(super) fn refused(&self) -> Kind {
         Kind::Number(Number {
             value: 0.0,
             source: quote!(0),
@@ -71,6 +76,9 @@ impl Arithmetic<'_> {
         let way_out = match self.grammar {
             Grammar::Model => "put the jump in a `friction` line",
             Grammar::Law => "a law is one formula for all sliding speeds `s > 0`, and one for rest",
+            Grammar::Memory => {
+                "`abs(x)` and `sign(x)` may stand in a law with internal state, and their kinks are declared by that"
+            }
         };
         self.refuse(
             place,
@@ -89,6 +97,10 @@ impl Arithmetic<'_> {
             Grammar::Law => format!(
                 "`{name}` is not smooth; a law needs neither magnitude nor sign: \
                  the sliding speed is positive, and the force opposes it"
+            ),
+            Grammar::Memory => format!(
+                "`{name}` is not known here; write it with `abs`, whose kinks are found: \
+                 the larger of x and y is `(x + y + abs(x - y)) / 2`, the sign of the speed `w` is `sign(w)`"
             ),
         };
         self.refuse(place, message)
@@ -113,6 +125,9 @@ impl Arithmetic<'_> {
             }
             "powi" => self.refuse(call, "`powi` takes a base and a whole number: `powi(x, 2)`"),
             "powf" => self.refuse(call, "`powf` takes a base and an exponent: `powf(x, 1.5)`"),
+            "abs" | "sign" if self.grammar == Grammar::Memory => {
+                self.refuse(call, format!("`{name}` takes one argument: `{name}(x)`"))
+            }
             "der" => self.refuse(call, DER),
             kink if KINKS.contains(&kink) => self.kink(kink, function),
             _ => self.unknown_function(function),

@@ -8,7 +8,7 @@ use super::names::Names;
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
 use crate::suggest::nearest;
-use crate::syntax::{Broken, Declaration, Line};
+use crate::syntax::{Broken, Declaration, Friction, Line};
 
 /// A model has at least one state.
 pub(super) fn check_a_state(written: &Declaration, errors: &mut Errors) {
@@ -29,7 +29,8 @@ pub(super) fn check_left_sides(written: &Declaration, names: &Names, errors: &mu
     let states: Vec<String> = states(written).map(ToString::to_string).collect();
     for derivative in written.derivatives() {
         let name = derivative.state.to_string();
-        if !states.contains(&name) {
+        let said = super::arrays::missing(written).any(|element| element.name == derivative.state);
+        if !states.contains(&name) && !said {
             let advice = not_a_state(&derivative.state, names, &states);
             errors.at(&derivative.state, format!("`{name}` is {advice}"));
         }
@@ -51,10 +52,12 @@ pub(super) fn check_one_equation_each(written: &Declaration, errors: &mut Errors
     let lost = written
         .broken()
         .any(|line| line.keyword == Some("der") && line.name.is_none());
+    let lost = lost || super::memory::misnamed(written).next().is_some();
     for state in written.states() {
         let name = &state.name;
         let equations: Vec<&Ident> = left_sides(written).filter(|left| *left == name).collect();
-        if equations.is_empty() && !lost {
+        let carries = |friction: &Friction| friction.memory.contains(name);
+        if equations.is_empty() && !lost && !written.frictions().any(carries) {
             errors.at(
                 name,
                 format!("state `{name}` has no equation: add `der({name}) = ...;`"),
@@ -131,7 +134,7 @@ impl<'a> Forces<'a> {
         };
         for line in &written.lines {
             match line {
-                Line::Friction(friction) => {
+                Line::Friction(friction) if friction.memory.is_empty() => {
                     forces.carried.insert(&friction.name, Dependence::Linear);
                 }
                 Line::Let(quantity) => {
@@ -166,14 +169,14 @@ impl<'a> Forces<'a> {
             return strongest;
         }
         if let Some(errors) = errors {
-            errors.at(formula, NONLINEAR);
+            errors.at(formula, format!("`{formula}`: {NONLINEAR}"));
         }
         Dependence::Free
     }
 }
 
 const NONLINEAR: &str = "friction forces must enter linearly, so that the sticking force can be solved for; \
-     here a force is multiplied by a force, stands in a denominator or inside a function";
+     here one is multiplied by a force, stands in a denominator or inside a function";
 
 /// Friction forces enter the equations linearly.
 pub(super) fn check_forces_linear(written: &Declaration, errors: &mut Errors) {

@@ -1,16 +1,20 @@
 //! From a declaration as written to one that is known to be good.
 
+mod arrays;
 mod bounds;
 mod dimension;
+mod drive;
 mod equations;
 mod known;
+mod memory;
 mod names;
 mod reserved;
 mod units;
 
 pub(crate) use self::dimension::Dimension;
 pub(crate) use self::known::{
-    Bounds, Contact, Field, Law, Let, Model, Parameter, State, Step, Unit,
+    Bounds, Carrier, Contact, Field, Law, LawState, Let, Memory, MemoryLaw, Model, Parameter,
+    State, StaticLaw, Step, Unit,
 };
 use self::names::Names;
 pub(crate) use self::reserved::is_field;
@@ -20,23 +24,35 @@ use crate::syntax::Declaration;
 
 /// Asks everything that a model must answer.
 pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Model<'a>> {
+    let legible = errors.is_empty();
     let names = Names::of_model(written);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
+    arrays::check_counters(written, &names, errors);
+    arrays::check_indices(written, &names, errors);
     names::check_known(written, &names, errors);
     names::check_declared_above(written, errors);
     equations::check_a_state(written, errors);
     equations::check_left_sides(written, &names, errors);
     equations::check_one_equation_each(written, errors);
+    memory::check_carriers(written, &names, errors);
+    memory::check_carried_once(written, errors);
+    memory::check_carriers_move_alone(written, errors);
+    drive::check_one_drive(written, errors);
+    drive::check_rate(written, &names, errors);
+    drive::check_periodic(written, errors);
     equations::check_laws_read_no_force(written, errors);
     equations::check_forces_linear(written, errors);
     bounds::check_bound_names(written, errors);
     bounds::check_bounds_not_empty(written, errors);
     bounds::check_defaults_in_bounds(written, errors);
     let units = Units::of(written, errors);
+    units::check_drive(written, &units, errors);
     units::check_contacts(written, &units, errors);
     units::check_equations(written, &units, errors);
-    names::check_used(written, &names, errors);
+    if legible {
+        names::check_used(written, &names, errors);
+    }
     if errors.is_empty() {
         known::model(written, &units)
     } else {
@@ -46,20 +62,36 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
 
 /// Asks everything that a friction law must answer.
 pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Law<'a>> {
+    let legible = errors.is_empty();
     let names = Names::of_law(written);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     names::check_known(written, &names, errors);
-    names::check_rest_has_no_speed(written, errors);
-    equations::check_stick_and_slip(written, errors);
+    names::check_declared_above(written, errors);
+    if written.has_memory() {
+        memory::check_no_rest(written, errors);
+        memory::check_a_force(written, errors);
+        memory::check_internal_state(written, errors);
+        equations::check_left_sides(written, &names, errors);
+        equations::check_one_equation_each(written, errors);
+        memory::check_signs(written, errors);
+    } else {
+        names::check_rest_has_no_speed(written, errors);
+        equations::check_stick_and_slip(written, errors);
+        memory::check_kinks_have_memory(written, errors);
+    }
     bounds::check_bound_names(written, errors);
     bounds::check_bounds_not_empty(written, errors);
     let units = Units::of(written, errors);
     units::check_law(written, &units, errors);
-    names::check_used(written, &names, errors);
-    if errors.is_empty() {
-        known::law(written, &units)
-    } else {
-        None
+    units::check_equations(written, &units, errors);
+    if legible {
+        names::check_used(written, &names, errors);
     }
+    let law = errors
+        .is_empty()
+        .then(|| known::law(written, &units))
+        .flatten()?;
+    memory::check_continuous(&law, errors);
+    errors.is_empty().then_some(law)
 }

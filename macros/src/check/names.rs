@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 
+use super::arrays;
 use crate::errors::Errors;
 use crate::formula::Formula;
 use crate::suggest::nearest;
@@ -18,6 +19,8 @@ pub(super) enum Role {
     Let,
     Friction,
     Speed,
+    RelativeSpeed,
+    Phase,
 }
 
 impl Role {
@@ -28,6 +31,8 @@ impl Role {
             Self::Let => "`let`",
             Self::Friction => "friction force",
             Self::Speed => "sliding speed",
+            Self::RelativeSpeed => "relative speed",
+            Self::Phase => "phase of the drive",
         }
     }
 }
@@ -37,6 +42,10 @@ pub(super) struct Names {
     pub(super) declared: Vec<(Ident, Role)>,
     /// Names of broken lines of which not even the kind is known.
     doubtful: Vec<Ident>,
+    /// Elements of arrays about which enough is said already.
+    missing: Vec<Ident>,
+    /// Arrays, and their first elements.
+    arrays: Vec<(String, i64)>,
     pub(super) in_model: bool,
 }
 
@@ -54,6 +63,13 @@ impl Names {
         Self {
             declared: written.lines.iter().filter_map(declared_by).collect(),
             doubtful: unknown.filter_map(|line| line.name.clone()).collect(),
+            missing: arrays::missing(written)
+                .map(|element| element.name.clone())
+                .collect(),
+            arrays: arrays::arrays(written)
+                .into_iter()
+                .filter_map(|(array, indices)| Some((array, *indices.first()?)))
+                .collect(),
             in_model,
         }
     }
@@ -64,8 +80,14 @@ impl Names {
         found.map(|(_, role)| role.noun())
     }
 
+    /// The role of a name, if it is declared.
+    pub(super) fn role_of(&self, name: &Ident) -> Option<Role> {
+        let found = self.declared.iter().find(|(known, _)| known == name);
+        found.map(|(_, role)| *role)
+    }
+
     fn know(&self, name: &Ident) -> bool {
-        self.noun_of(name).is_some() || self.doubtful.contains(name)
+        self.noun_of(name).is_some() || self.doubtful.contains(name) || self.missing.contains(name)
     }
 
     fn texts(&self) -> Vec<String> {
@@ -81,6 +103,8 @@ fn declared_by(line: &Line) -> Option<(Ident, Role)> {
         Line::Let(line) => Some((line.name.clone(), Role::Let)),
         Line::Friction(line) => Some((line.name.clone(), Role::Friction)),
         Line::Slip(line) => Some((line.speed.clone(), Role::Speed)),
+        Line::Force(line) => Some((line.speed.clone(), Role::RelativeSpeed)),
+        Line::Drive(line) => Some((line.name.clone(), Role::Phase)),
         Line::Broken(line) => Some((line.name.clone()?, role_after(line.keyword?)?)),
         Line::Derivative(_) | Line::Stick(_) => None,
     }
@@ -93,6 +117,8 @@ fn role_after(keyword: &str) -> Option<Role> {
         "let" => Some(Role::Let),
         "friction" => Some(Role::Friction),
         "slip" => Some(Role::Speed),
+        "force" => Some(Role::RelativeSpeed),
+        "drive" => Some(Role::Phase),
         _ => None,
     }
 }
@@ -104,6 +130,8 @@ pub(super) fn check_declared_once(names: &Names, errors: &mut Errors) {
         let (name, role) = declared;
         match seen.iter().find(|(known, _)| known == name) {
             None => seen.push(declared),
+            // Two lines for sliding are one mistake, of which another check tells.
+            Some((_, Role::Speed)) if *role == Role::Speed => {}
             Some((_, first)) => {
                 let (first, role) = (first.noun(), role.noun());
                 errors.at(name, format!(
@@ -128,8 +156,12 @@ fn unknown(name: &Ident, names: &Names) -> String {
     let text = name.unraw().to_string();
     if matches!(text.as_str(), "t" | "time") && names.in_model {
         return format!(
-            "`{text}` is not declared: equations are autonomous and cannot depend on time"
+            "`{text}` is not declared: equations are autonomous and cannot depend on time; \
+             a harmonic force is `cos(phi)` with the line `drive phi at omega;`"
         );
+    }
+    if let Some((array, first)) = names.arrays.iter().find(|(array, _)| *array == text) {
+        return format!("`{array}` is an array: write which element, as in `{array}[{first}]`");
     }
     let known = names.texts();
     if let Some(near) = nearest(&text, known.iter().map(String::as_str)) {
@@ -175,26 +207,45 @@ pub(super) fn check_declared_above(written: &Declaration, errors: &mut Errors) {
 pub(super) fn check_rest_has_no_speed(written: &Declaration, errors: &mut Errors) {
     let is_parameter = |name: &Ident| written.params().any(|param| param.name == *name);
     let speeds = written.slips().map(|slip| &slip.speed);
-    let speeds: Vec<&Ident> = speeds.filter(|speed| !is_parameter(speed)).collect();
+    let mut speeds: Vec<&Ident> = speeds.filter(|speed| !is_parameter(speed)).collect();
+    for line in written.lets() {
+        if line
+            .formula
+            .names()
+            .iter()
+            .any(|name| speeds.contains(name))
+        {
+            speeds.push(&line.name);
+        }
+    }
     for name in written.sticks().flat_map(|stick| stick.formula.names()) {
         if speeds.contains(&name) {
+            let abbreviates = written.lets().any(|line| line.name == *name);
+            let what = if abbreviates {
+                "made of the sliding speed"
+            } else {
+                "the sliding speed"
+            };
             errors.at(name, format!(
-                "`{name}` is the sliding speed, and at rest there is none: `stick` is a formula of the parameters"
+                "`{name}` is {what}, and at rest there is none: `stick` is a formula of the parameters"
             ));
         }
     }
 }
 
-/// Parameters and friction forces are used; asked only when all is well, since a misspelt use would count as none.
+/// Parameters and friction forces are used.
+///
+/// Asked only when every formula could be read. What an unknown name may have been meant for is not accused as well.
 pub(super) fn check_used(written: &Declaration, names: &Names, errors: &mut Errors) {
-    if !errors.is_empty() {
-        return;
-    }
     let formulas = written.lines.iter().flat_map(Line::formulas);
     let used: HashSet<&Ident> = formulas.flat_map(Formula::names).collect();
+    let Some(meant) = meant(&used, names) else {
+        return;
+    };
     let whole = if names.in_model { "model" } else { "law" };
     for (name, role) in &names.declared {
-        if matches!(role, Role::Parameter | Role::Friction) && !used.contains(name) {
+        let needed = matches!(role, Role::Parameter | Role::Friction | Role::Phase);
+        if needed && !used.contains(name) && !meant.contains(&name.unraw().to_string()) {
             let noun = role.noun();
             errors.at(
                 name,
@@ -202,4 +253,15 @@ pub(super) fn check_used(written: &Declaration, names: &Names, errors: &mut Erro
             );
         }
     }
+}
+
+/// What the unknown names were probably meant for; nothing if one may have been meant for anything.
+fn meant(used: &HashSet<&Ident>, names: &Names) -> Option<Vec<String>> {
+    let texts = names.texts();
+    let unknown = used.iter().filter(|name| !names.know(name));
+    let near = |name: &&&Ident| {
+        let near = nearest(&name.unraw().to_string(), texts.iter().map(String::as_str));
+        near.map(str::to_owned)
+    };
+    unknown.map(|name| near(&name)).collect()
 }

@@ -12,12 +12,13 @@ const WORDS: [&str; 7] = [
 ];
 
 /// What every model has by these names.
-const MODEL_ITEMS: [&str; 12] = [
+const MODEL_ITEMS: [&str; 13] = [
     "INFO",
     "KINEMATIC",
     "SPARSITY",
     "clone",
     "default",
+    "entries",
     "eq",
     "fmt",
     "from_values",

@@ -38,9 +38,15 @@ impl Units {
             .collect();
         let mut units = Self { known, time };
         if !plain {
-            for slip in written.slips() {
-                let speed = units.known.entry(slip.speed.clone());
+            let slips = written.slips().map(|slip| &slip.speed);
+            for speed in slips.chain(written.forces().map(|force| &force.speed)) {
+                let speed = units.known.entry(speed.clone());
                 speed.or_insert(Dimension::SPEED);
+            }
+        }
+        if !plain {
+            for drive in written.drives() {
+                units.known.insert(drive.name.clone(), Dimension::NONE);
             }
         }
         for line in &written.lines {
@@ -111,8 +117,11 @@ impl Units {
 
     fn call(&self, function: &Ident, argument: &Formula, errors: &mut Errors) -> Option<Dimension> {
         let inside = self.measure(argument, errors);
-        if function == "sqrt" {
-            return inside?.to_real_power(0.5);
+        match function.to_string().as_str() {
+            "sqrt" => return inside?.to_real_power(0.5),
+            "abs" => return inside,
+            "sign" => return Some(Dimension::NONE),
+            _ => {}
         }
         match inside {
             Some(dimension) if dimension != Dimension::NONE => {
@@ -197,10 +206,28 @@ pub(super) fn check_equations(written: &Declaration, units: &Units, errors: &mut
         if let (Some(wanted), Some(found)) = (wanted.map(|state| state.over(units.time)), found)
             && wanted != found
         {
-            let name = &derivative.state;
+            let (name, formula) = (&derivative.state, &derivative.formula);
             errors.at(
-                &derivative.formula,
-                format!("unit mismatch: `der({name})` is in {wanted}, but this is in {found}"),
+                formula,
+                format!(
+                    "unit mismatch: `der({name})` is in {wanted}, but `{formula}` is in {found}"
+                ),
+            );
+        }
+    }
+}
+
+/// A drive advances so many radians in a unit of time.
+pub(super) fn check_drive(written: &Declaration, units: &Units, errors: &mut Errors) {
+    for drive in written.drives() {
+        let wanted = Dimension::NONE.over(units.time);
+        if let Some(found) = units.measure(&drive.rate, errors)
+            && found != wanted
+        {
+            let name = &drive.name;
+            errors.at(
+                &drive.rate,
+                format!("unit mismatch: the rate of `{name}` is in rad/s, but this is in {found}"),
             );
         }
     }
@@ -231,14 +258,15 @@ pub(super) fn check_law(written: &Declaration, units: &Units, errors: &mut Error
     let sticks = written.sticks().map(|stick| ("stick", &stick.formula));
     let sticks = sticks.filter(|(_, formula)| !reads_speed(formula));
     let slips = written.slips().map(|slip| ("slip", &slip.formula));
-    for (line, formula) in sticks.chain(slips) {
+    let forces = written.forces().map(|force| ("force", &force.formula));
+    for (line, formula) in sticks.chain(slips).chain(forces) {
         if let Some(found) = units.measure(formula, errors)
             && found != force
         {
             errors.at(
                 formula,
                 format!(
-                    "unit mismatch: `{line}` is the contact's force, in {force}, but this is in {found}"
+                    "unit mismatch: `{line}` is the contact's force, in {force}, but `{formula}` is in {found}"
                 ),
             );
         }

@@ -6,48 +6,85 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::ext::IdentExt;
 
-use crate::check::{Contact, Dimension, Field, Model};
+use crate::check::{Carrier, Contact, Dimension, Field, Memory, Model};
 use crate::formula::tight;
 
 /// One assertion for each field of a law whose unit is known.
 pub(super) fn assertions(model: &Model) -> TokenStream {
-    let contacts = model.contacts().enumerate();
-    contacts
-        .flat_map(|(index, contact)| of_contact(model.header.name, index, contact))
-        .collect()
+    let name = model.header.name;
+    let contacts = model.contacts().enumerate().flat_map(|(index, contact)| {
+        let law = super::builder::name(index);
+        let info = quote!(::stickslip::declared::info_of(#name::#law::<f64>));
+        of_fields(contact, &info)
+    });
+    let memories = model.memories().enumerate().flat_map(|(index, memory)| {
+        let law = super::builder::memory_name(index);
+        let info = quote!(::stickslip::declared::memory_info_of(#name::#law::<f64>));
+        let mut all = of_fields(&memory.contact, &info);
+        all.extend(of_carriers(memory, &info));
+        all
+    });
+    contacts.chain(memories).collect()
 }
 
-fn of_contact<'a>(
-    model: &'a Ident,
-    index: usize,
-    contact: &'a Contact,
-) -> impl Iterator<Item = TokenStream> {
+fn of_fields(contact: &Contact, info: &TokenStream) -> Vec<TokenStream> {
     let fields = contact.fields.iter();
-    fields.filter_map(move |field| assertion(model, index, contact, field))
+    let assertions = fields.filter_map(|field| {
+        let dimension = field.dimension?;
+        let (found, name) = (exponents(dimension)?, field.name.unraw().to_string());
+        let asked = quote!(accepts(#info.parameters, #name, #found));
+        assertion(
+            contact,
+            field.name,
+            &asked,
+            &message(contact, field, dimension),
+        )
+    });
+    assertions.collect()
 }
 
-fn assertion(model: &Ident, index: usize, contact: &Contact, field: &Field) -> Option<TokenStream> {
-    let dimension = field.dimension?;
-    let (found, law) = (exponents(dimension)?, super::builder::name(index));
+fn of_carriers(memory: &Memory, info: &TokenStream) -> Vec<TokenStream> {
+    let carriers = memory.carriers.iter().enumerate();
+    let assertions = carriers.filter_map(|(index, carrier)| {
+        let dimension = carrier.dimension?;
+        let (found, index) = (exponents(dimension)?, Literal::usize_unsuffixed(index));
+        let asked = quote!(carries(#info, #index, #found));
+        let message = message_of(memory, carrier, dimension);
+        assertion(&memory.contact, &carrier.state, &asked, &message)
+    });
+    assertions.collect()
+}
+
+/// That what is asked of the dimensions of a contact holds.
+fn assertion(
+    contact: &Contact,
+    place: &Ident,
+    asked: &TokenStream,
+    message: &str,
+) -> Option<TokenStream> {
     let [force, speed] = [contact.measures.force, contact.measures.speed].map(if_known);
     let time = exponents(contact.measures.time)?;
-    let name = field.name.unraw().to_string();
-    let message = message(contact, field, dimension);
-    Some(quote_spanned! {field.name.span()=>
+    Some(quote_spanned! {place.span()=>
         const _: () = ::core::assert!(
             ::stickslip::declared::Contact {
                 force: #force,
                 speed: #speed,
                 time: #time,
             }
-            .accepts(
-                ::stickslip::declared::info_of(#model::#law::<f64>),
-                #name,
-                #found,
-            ),
+            .#asked,
             #message,
         );
     })
+}
+
+fn message_of(memory: &Memory, carrier: &Carrier, dimension: Dimension) -> String {
+    let contact = &memory.contact;
+    let law = tight(&quote::ToTokens::to_token_stream(contact.law));
+    let (state, force, speed) = (&carrier.state, contact.name, contact.speed);
+    format!(
+        "unit mismatch: `{state}` is in {dimension}, which is not the unit of the internal state of `{law}` that it \
+         carries, measured with the force `{force}` and the speed `{speed}`"
+    )
 }
 
 fn message(contact: &Contact, field: &Field, dimension: Dimension) -> String {

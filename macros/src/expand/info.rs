@@ -5,7 +5,9 @@ use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
-use crate::check::{Bounds, Contact, Law, Let, Model, Parameter, State, Unit};
+use crate::check::{
+    Bounds, Contact, LawState, Let, Memory, MemoryLaw, Model, Parameter, State, StaticLaw, Unit,
+};
 
 /// The `ModelInfo` of a model.
 pub(super) fn of_model(model: &Model) -> TokenStream {
@@ -18,6 +20,9 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
         .contacts()
         .enumerate()
         .map(|(index, line)| contact(index, line));
+    let drive = drive(model);
+    let memories = model.memories().enumerate();
+    let memories = memories.map(|(index, line)| memory(index, line, model));
     quote! {
         ::stickslip::model::ModelInfo {
             name: #name,
@@ -26,13 +31,15 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
             states: &[#(#states),*],
             parameters: &[#(#parameters),*],
             observables: &[#(#observables),*],
+            drive: #drive,
             contacts: &[#(#contacts),*],
+            memories: &[#(#memories),*],
         }
     }
 }
 
 /// The `LawInfo` of a law.
-pub(super) fn of_law(law: &Law) -> TokenStream {
+pub(super) fn of_law(law: &StaticLaw) -> TokenStream {
     let (name, doc) = (text(law.header.name), doc(law.header.docs));
     let parameters = law.parameters.iter().map(law_parameter);
     let (stick, slip) = (law.stick.to_string(), law.slip.to_string());
@@ -47,9 +54,74 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
     }
 }
 
+/// The `MemoryLawInfo` of a law with internal state.
+pub(super) fn of_memory_law(law: &MemoryLaw) -> TokenStream {
+    let (name, doc) = (text(law.header.name), doc(law.header.docs));
+    let parameters = law.parameters.iter().map(law_parameter);
+    let states = law.states.iter().map(law_state);
+    let lets = law.lets.iter().map(|line| {
+        let (name, formula) = (text(line.name), line.formula.to_string());
+        quote!((#name, #formula))
+    });
+    let (speed, force) = (text(law.speed), law.written.to_string());
+    quote! {
+        ::stickslip::memory::MemoryLawInfo {
+            name: #name,
+            doc: #doc,
+            parameters: &[#(#parameters),*],
+            states: &[#(#states),*],
+            abbreviations: &[#(#lets),*],
+            speed: #speed,
+            force: #force,
+        }
+    }
+}
+
+fn law_state(state: &LawState) -> TokenStream {
+    let (name, doc, unit) = (text(state.name), doc(state.docs), unit(state.unit.as_ref()));
+    let equation = state.written.to_string();
+    quote! {
+        ::stickslip::memory::LawState {
+            name: #name,
+            doc: #doc,
+            unit: #unit,
+            equation: #equation,
+        }
+    }
+}
+
+fn memory(index: usize, memory: &Memory, model: &Model) -> TokenStream {
+    let line = &memory.contact;
+    let (name, doc, unit) = (text(line.name), doc(line.docs), unit(line.unit.as_ref()));
+    let law = super::builder::memory_name(index);
+    let (fields, speed) = (fields(line), line.speed.to_string());
+    let place = |name: &Ident| model.states.iter().position(|state| state.name == name);
+    let carriers = memory.carriers.iter();
+    let states = carriers.filter_map(|carrier| place(&carrier.state));
+    let states = states.map(Literal::usize_unsuffixed);
+    quote! {
+        ::stickslip::model::Memory {
+            name: #name,
+            doc: #doc,
+            unit: #unit,
+            law: ::stickslip::declared::memory_info_of(Self::#law::<f64>),
+            fields: #fields,
+            speed: #speed,
+            states: &[#(#states),*],
+        }
+    }
+}
+
+/// The fields of a law as a model gives them.
+pub(super) fn fields(contact: &Contact) -> String {
+    let fields = contact.fields.iter();
+    let fields = fields.map(|field| format!("{}: {}", text(field.name), field.formula));
+    fields.collect::<Vec<_>>().join(", ")
+}
+
 fn state(state: &State) -> TokenStream {
     let (name, doc, unit) = (text(state.name), doc(state.docs), unit(state.unit.as_ref()));
-    let (start, equation) = (number(state.start), state.rate.to_string());
+    let (start, equation) = (number(state.start), equation(state));
     quote! {
         ::stickslip::model::State {
             name: #name,
@@ -58,6 +130,23 @@ fn state(state: &State) -> TokenStream {
             start: #start,
             equation: #equation,
         }
+    }
+}
+
+/// The place of the phase among the states, if there is a drive.
+fn drive(model: &Model) -> TokenStream {
+    if !model.driven {
+        return quote!(::core::option::Option::None);
+    }
+    let last = Literal::usize_unsuffixed(model.states.len() - 1);
+    quote!(::core::option::Option::Some(#last))
+}
+
+/// The right side of the equation; of a state that carries the memory of a law, whose it is.
+pub(super) fn equation(state: &State) -> String {
+    match &state.carries {
+        None => state.rate.to_string(),
+        Some(owner) => format!("as the law of {owner} says"),
     }
 }
 
@@ -91,8 +180,10 @@ fn law_parameter(parameter: &Parameter) -> TokenStream {
 
 fn observable(quantity: &Let) -> TokenStream {
     let (name, doc) = (text(quantity.name), doc(quantity.docs));
-    let formula = quantity.formula.to_string();
-    quote!(::stickslip::model::Observable { name: #name, doc: #doc, formula: #formula })
+    let (unit, formula) = (unit(quantity.unit.as_ref()), quantity.formula.to_string());
+    quote! {
+        ::stickslip::model::Observable { name: #name, doc: #doc, unit: #unit, formula: #formula }
+    }
 }
 
 fn contact(index: usize, contact: &Contact) -> TokenStream {
@@ -101,15 +192,9 @@ fn contact(index: usize, contact: &Contact) -> TokenStream {
         doc(contact.docs),
         unit(contact.unit.as_ref()),
     );
+    let speed_unit = self::unit(contact.speed_unit.as_ref());
     let law = super::builder::name(index);
-    let fields = contact
-        .fields
-        .iter()
-        .map(|field| format!("{}: {}", text(field.name), field.formula));
-    let (fields, speed) = (
-        fields.collect::<Vec<_>>().join(", "),
-        contact.speed.to_string(),
-    );
+    let (fields, speed) = (fields(contact), contact.speed.to_string());
     quote! {
         ::stickslip::model::Contact {
             name: #name,
@@ -118,6 +203,7 @@ fn contact(index: usize, contact: &Contact) -> TokenStream {
             law: ::stickslip::declared::info_of(Self::#law::<f64>),
             fields: #fields,
             speed: #speed,
+            speed_unit: #speed_unit,
         }
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct Items<'a> {
     pub(super) values: TokenStream,
     pub(super) from_values: TokenStream,
     pub(super) rhs: TokenStream,
-    pub(super) linearise: TokenStream,
+    pub(super) entries: TokenStream,
     pub(super) observables: TokenStream,
 }
 
@@ -105,7 +105,7 @@ impl Items<'_> {
             [sizes.states, sizes.parameters, sizes.observables].map(Literal::usize_unsuffixed);
         let Self {
             rhs,
-            linearise,
+            entries,
             observables,
             ..
         } = self;
@@ -120,13 +120,14 @@ impl Items<'_> {
             }
 
             #[inline]
-            fn linearise(
+            fn entries(
                 __params: &[f64; #parameters],
                 __seeds: &[f64; #parameters],
                 __state: [f64; #states],
                 __contacts: &mut impl ::stickslip::friction::SlopeRule,
-            ) -> ::stickslip::model::Linear<#states> {
-                #linearise
+                mut __entry: impl ::core::ops::FnMut(usize, usize, f64),
+            ) -> ::stickslip::model::Rates<#states> {
+                #entries
             }
 
             #[inline]

@@ -8,11 +8,12 @@ use quote::{quote, quote_spanned};
 use super::lift::Lift;
 use super::shell::Shell;
 use super::tangent::{Slope, Slopes, Tangents};
-use super::{allowed, info};
-use crate::check::Law;
+use super::{allowed, info, page};
+use crate::check::{Parameter, StaticLaw};
+use crate::syntax::Header;
 
-pub(super) fn tokens(law: &Law) -> TokenStream {
-    let structure = structure(law);
+pub(super) fn tokens(law: &StaticLaw) -> TokenStream {
+    let structure = structure(law.header, &law.parameters, page::of_law(law));
     let (name, speed, allowed, info) = (law.header.name, law.speed, allowed(), info::of_law(law));
     let generics = generics(law.header.name, law.parameters.is_empty());
     let quantity = |name: &Ident| {
@@ -26,7 +27,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
         scalar: quote!(D),
         quantity: &quantity,
     };
-    let (stick, slip) = (lift.formula(law.stick), lift.formula(law.slip));
+    let (stick, slip) = (lift.formula(&law.stick), lift.formula(&law.slip));
     let slopes = slopes(law, lift);
     quote! {
         #structure
@@ -63,13 +64,13 @@ const SPEED: usize = 0;
 const ALONG: usize = 1;
 
 /// The body of `slopes`.
-fn slopes<'a>(law: &'a Law, lift: Lift<'a>) -> TokenStream {
+fn slopes<'a>(law: &'a StaticLaw, lift: Lift<'a>) -> TokenStream {
     let along = |name: &Ident| Slopes::from([(ALONG, Slope::of(quote!(__along.#name)))]);
     let fields = law.parameters.iter().map(|parameter| parameter.name);
     let mut known: HashMap<&Ident, Slopes> = fields.map(|name| (name, along(name))).collect();
     known.insert(law.speed, Slopes::from([(SPEED, Slope::One)]));
     let mut tangents = Tangents::new(lift, known);
-    let (stick, slip) = (tangents.formula(law.stick), tangents.formula(law.slip));
+    let (stick, slip) = (tangents.formula(&law.stick), tangents.formula(&law.slip));
     let stick_along = tangents.slope(&stick.slopes, ALONG);
     let [slip_by_speed, slip_along] =
         [SPEED, ALONG].map(|direction| tangents.slope(&slip.slopes, direction));
@@ -96,17 +97,20 @@ pub(super) fn generics(law: &Ident, no_parameters: bool) -> TokenStream {
     }
 }
 
-fn structure(law: &Law) -> TokenStream {
+/// The struct of a law.
+pub(super) fn structure(
+    header: Header,
+    parameters: &[Parameter],
+    page: TokenStream,
+) -> TokenStream {
+    let bounded = parameters.iter();
     let shell = Shell {
-        header: law.header,
-        fields: law.parameters.iter().map(Into::into).collect(),
-        bounded: law
-            .parameters
-            .iter()
-            .filter_map(|parameter| parameter.bounded)
-            .collect(),
+        header,
+        page,
+        fields: parameters.iter().map(Into::into).collect(),
+        bounded: bounded.filter_map(|parameter| parameter.bounded).collect(),
     };
-    let generics = generics(law.header.name, law.parameters.is_empty());
+    let generics = generics(header.name, parameters.is_empty());
     let (structure, uses) = (
         shell.structure(&generics, &quote!(D)),
         shell.uses(&generics),

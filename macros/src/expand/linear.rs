@@ -8,9 +8,9 @@ use quote::quote;
 use super::lift::{Lift, scalar};
 use super::tangent::{Quantity, Slope, Slopes, Tangents};
 use super::{builder, model as whole, pattern};
-use crate::check::{Contact, Model, Step};
+use crate::check::{Contact, Memory, Model, Step};
 
-/// The body of `linearise`.
+/// The body of `entries`.
 pub(super) fn body(model: &Model) -> TokenStream {
     let needed = pattern::needed(model);
     let steps = whole::among(model, &needed);
@@ -23,7 +23,7 @@ pub(super) fn body(model: &Model) -> TokenStream {
     for step in steps {
         follow(step, model, &mut tangents);
     }
-    let rates = model.states.iter().map(|state| state.rate);
+    let rates = model.states.iter().map(|state| state.rate.as_ref());
     let rates: Vec<Quantity> = rates.map(|rate| tangents.formula(rate)).collect();
     let linear = gathered(&rates, &tangents);
     let lines = tangents.lines;
@@ -36,7 +36,7 @@ fn design(model: &Model) -> usize {
 }
 
 /// The derivatives of states and parameters.
-fn independent<'a>(model: &Model<'a>) -> HashMap<&'a Ident, Slopes> {
+fn independent<'m>(model: &'m Model<'_>) -> HashMap<&'m Ident, Slopes> {
     let states = model.states.iter().map(|state| state.name).enumerate();
     let states = states.map(|(index, name)| (name, Slopes::from([(index, Slope::One)])));
     let parameters = model.parameters.iter().enumerate();
@@ -49,23 +49,63 @@ fn independent<'a>(model: &Model<'a>) -> HashMap<&'a Ident, Slopes> {
 }
 
 /// Computes a step with its derivatives.
-fn follow<'a>(step: &Step<'a>, model: &Model, tangents: &mut Tangents<'a>) {
-    let name = step.name();
-    let (value, slopes) = match step {
+fn follow<'m>(step: &'m Step<'_>, model: &Model, tangents: &mut Tangents<'m>) {
+    let computed = match step {
         Step::Let(quantity) => {
             let quantity = tangents.formula(quantity.formula);
-            (tangents.value(&quantity), quantity.slopes)
+            vec![(tangents.value(&quantity), quantity.slopes)]
         }
-        Step::Contact(contact) => force(contact, model, tangents),
+        Step::Contact(contact) => vec![force(contact, model, tangents)],
+        Step::Memory(memory) => answer(memory, model, tangents),
     };
-    let place = whole::field(name);
-    tangents.lines.extend(quote!(#place = #value;));
-    tangents.known.insert(name, slopes);
+    for (name, (value, slopes)) in step.computes().into_iter().zip(computed) {
+        let place = whole::field(name);
+        tangents.lines.extend(quote!(#place = #value;));
+        tangents.known.insert(name, slopes);
+    }
+}
+
+/// The rates and the force of a law with internal state, in this order.
+fn answer(memory: &Memory, model: &Model, tangents: &mut Tangents) -> Vec<(TokenStream, Slopes)> {
+    let element = whole::element(memory, model);
+    let builder = builder::memory_name(element);
+    let asked = Asked::of(&memory.contact, element, builder, tangents);
+    let carriers = memory.carriers.iter();
+    let states: Vec<_> = carriers
+        .map(|carrier| tangents.formula(&carrier.formula))
+        .collect();
+    let design = design(model);
+    let mut answers = vec![(design, asked.recalled(&states, design, tangents))];
+    for state in asked.moving(design) {
+        answers.push((state, asked.recalled(&states, state, tangents)));
+    }
+    let first = answers[0].1.clone();
+    let places = (0..states.len()).map(Literal::usize_unsuffixed);
+    let rates = places.map(|place| quote!(rates[#place]));
+    let mut chain = |part: TokenStream| {
+        let by_speed = scalar(quote!(#first.#part.by_speed));
+        let mut total = tangents.scaled(&asked.speed.slopes, &by_speed);
+        for (place, state) in states.iter().enumerate() {
+            let place = Literal::usize_unsuffixed(place);
+            let by_state = scalar(quote!(#first.#part.by_memory[#place]));
+            let through = tangents.scaled(&state.slopes, &by_state);
+            total = tangents.sum(total, &through);
+        }
+        let along = answers
+            .iter()
+            .map(|(direction, answer)| (*direction, Slope::of(quote!(#answer.#part.along))));
+        let along = along.collect();
+        (quote!(#first.#part.value), tangents.sum(total, &along))
+    };
+    let mut computed: Vec<_> = rates.map(&mut chain).collect();
+    computed.push(chain(quote!(force)));
+    computed
 }
 
 /// A friction force by the chain rule: through the speed, the fields of its law, and the rule that decides it.
 fn force(contact: &Contact, model: &Model, tangents: &mut Tangents) -> (TokenStream, Slopes) {
-    let asked = Asked::of(contact, model, tangents);
+    let place = whole::place(contact, model);
+    let asked = Asked::of(contact, place, builder::name(place), tangents);
     let design = design(model);
     let slopes = asked.along(design, tangents);
     let by_speed = scalar(quote!(#slopes.by_speed));
@@ -85,24 +125,24 @@ fn force(contact: &Contact, model: &Model, tangents: &mut Tangents) -> (TokenStr
 /// What is asked of the rule for one contact.
 struct Asked {
     contact: usize,
+    builder: Ident,
     law: Ident,
     fields: Vec<Quantity>,
     speed: Quantity,
 }
 
 impl Asked {
-    fn of(contact: &Contact, model: &Model, tangents: &mut Tangents) -> Self {
+    fn of(contact: &Contact, place: usize, builder: Ident, tangents: &mut Tangents) -> Self {
         let fields = contact.fields.iter();
         let fields: Vec<_> = fields
             .map(|field| tangents.formula(field.formula))
             .collect();
         let speed = tangents.formula(contact.speed);
-        let place = whole::place(contact, model);
         let values = fields.iter().map(|field| tangents.value(field));
-        let builder = builder::name(place);
         let law = quote!(Self::#builder::<f64>([#(#values),*]));
         Self {
             contact: place,
+            builder,
             law: tangents.bind(law),
             fields,
             speed,
@@ -120,34 +160,55 @@ impl Asked {
 
     /// The force and its derivatives, the fields of the law moving in one direction.
     fn along(&self, direction: usize, tangents: &mut Tangents) -> Ident {
-        let fields = self.fields.iter();
-        let slopes = fields.map(|field| tangents.slope(&field.slopes, direction));
-        let (builder, law) = (builder::name(self.contact), &self.law);
-        let along = quote!(Self::#builder::<f64>([#(#slopes),*]));
+        let (law, along) = (&self.law, self.moved(direction, tangents));
         let (contact, speed) = (
             Literal::usize_unsuffixed(self.contact),
             tangents.value(&self.speed),
         );
         tangents.bind(quote!(__contacts.force(#contact, &#law, &#along, #speed)))
     }
+
+    /// The answer of a law with internal state and its derivatives, the fields of the law moving in one direction.
+    fn recalled(&self, states: &[Quantity], direction: usize, tangents: &mut Tangents) -> Ident {
+        let (law, along) = (&self.law, self.moved(direction, tangents));
+        let (element, speed) = (
+            Literal::usize_unsuffixed(self.contact),
+            tangents.value(&self.speed),
+        );
+        let states = states.iter().map(|state| tangents.value(state));
+        let states = quote!([#(#states),*]);
+        tangents.bind(quote!(__contacts.recall(#element, &#law, &#along, #states, #speed)))
+    }
+
+    /// The law whose fields are the derivatives of this one's fields in a direction.
+    fn moved(&self, direction: usize, tangents: &Tangents) -> TokenStream {
+        let fields = self.fields.iter();
+        let slopes = fields.map(|field| tangents.slope(&field.slopes, direction));
+        let builder = &self.builder;
+        quote!(Self::#builder::<f64>([#(#slopes),*]))
+    }
 }
 
-/// The values and derivatives of all rates.
+/// The derivatives of all rates by the states, one by one where they can differ from zero, and their values.
 fn gathered(rates: &[Quantity], tangents: &Tangents) -> TokenStream {
     let states = rates.len();
     let values = rates.iter().map(|rate| tangents.value(rate));
-    let row = |rate: &Quantity| {
-        let row = (0..states).map(|state| tangents.slope(&rate.slopes, state));
-        quote!([#(#row),*])
-    };
-    let rows = rates.iter().map(row);
+    let entries = rates.iter().enumerate().flat_map(|(row, rate)| {
+        let row = Literal::usize_unsuffixed(row);
+        let columns = rate.slopes.keys().filter(move |column| **column < states);
+        columns.map(move |column| {
+            let slope = tangents.slope(&rate.slopes, *column);
+            let column = Literal::usize_unsuffixed(*column);
+            quote!(__entry(#row, #column, #slope);)
+        })
+    });
     let design = rates
         .iter()
         .map(|rate| tangents.slope(&rate.slopes, states));
     quote! {
-        ::stickslip::model::Linear {
+        #(#entries)*
+        ::stickslip::model::Rates {
             f: [#(#values),*],
-            jacobian: [#(#rows),*],
             design: [#(#design),*],
         }
     }

@@ -7,11 +7,14 @@ mod items;
 mod law;
 mod lift;
 mod linear;
+mod memory_law;
 mod model;
+mod page;
 mod pattern;
 mod shell;
 mod stub;
 mod tangent;
+mod typeset;
 
 #[cfg(test)]
 pub(crate) use self::lift::lifted;
@@ -19,7 +22,7 @@ pub(crate) use self::lift::lifted;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::check;
+use crate::check::{self, Law};
 use crate::errors::Errors;
 use crate::parse::{self, Grammar};
 
@@ -40,7 +43,11 @@ pub(crate) fn law(tokens: TokenStream) -> TokenStream {
     let written = parse::declaration(tokens, Grammar::Law, &mut errors);
     let expanded = written.as_ref().map(|written| {
         let good = check::law(written, &mut errors);
-        good.map_or_else(|| stub::law(written), |good| law::tokens(&good))
+        match good {
+            None => stub::law(written),
+            Some(Law::Static(good)) => law::tokens(&good),
+            Some(Law::Memory(good)) => memory_law::tokens(&good),
+        }
     });
     with_errors(expanded, errors)
 }

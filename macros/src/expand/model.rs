@@ -8,12 +8,13 @@ use quote::quote;
 use super::items::{Items, Sizes};
 use super::lift::Lift;
 use super::shell::Shell;
-use super::{agreement, builder, info, linear, pattern};
-use crate::check::{Contact, Model, Step};
+use super::{agreement, builder, info, linear, page, pattern};
+use crate::check::{Contact, Memory, Model, Step};
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
     let shell = Shell {
         header: model.header,
+        page: page::of_model(model),
         fields: model.parameters.iter().map(Into::into).collect(),
         bounded: model
             .parameters
@@ -21,11 +22,8 @@ pub(super) fn tokens(model: &Model) -> TokenStream {
             .filter_map(|parameter| parameter.bounded)
             .collect(),
     };
-    let contacts = model.contacts().map(builder::Named::from);
-    let (shell, laws) = (
-        shell.tokens(),
-        builder::builders(model.header.name, contacts),
-    );
+    let laws = builder::named(model).into_iter();
+    let (shell, laws) = (shell.tokens(), builder::builders(model.header.name, laws));
     let items = items(model).tokens();
     let agreements = agreement::assertions(model);
     quote!(#shell #laws #items #agreements)
@@ -52,7 +50,7 @@ fn items<'a>(model: &Model<'a>) -> Items<'a> {
         values: quote!([#(self.#fields),*]),
         from_values: quote!(Self { #(#fields: __values[#places]),* }),
         rhs: rhs(model),
-        linearise: linear::body(model),
+        entries: linear::body(model),
         observables: observables(model),
     }
 }
@@ -69,10 +67,11 @@ fn kinematic(model: &Model) -> TokenStream {
 }
 
 fn sparsity(model: &Model) -> TokenStream {
-    let rows = pattern::sparsity(model)
-        .into_iter()
-        .map(|row| quote!([#(#row),*]));
-    quote!([#(#rows),*])
+    let rows = pattern::sparsity(model).into_iter().map(|row| {
+        let columns = row.into_iter().map(Literal::usize_unsuffixed);
+        quote!(&[#(#columns),*])
+    });
+    quote!(::stickslip::declared::pattern([#(#rows),*]))
 }
 
 /// The body of `rhs`: the steps that the equations need, then the rates in the order of the states.
@@ -85,7 +84,7 @@ fn rhs(model: &Model) -> TokenStream {
     let steps = steps(model, &needed, &lift);
     let names: Vec<&Ident> = model.states.iter().map(|state| state.name).collect();
     let left = model.states.iter().map(|state| state.left);
-    let rates = model.states.iter().map(|state| lift.formula(state.rate));
+    let rates = model.states.iter().map(|state| lift.formula(&state.rate));
     quote! {
         #steps
         struct __Rates<D> { #(#names: D),* }
@@ -127,7 +126,8 @@ fn steps(model: &Model, wanted: &HashSet<&Ident>, lift: &Lift) -> TokenStream {
 /// The steps of these names.
 pub(super) fn among<'m, 'a>(model: &'m Model<'a>, wanted: &HashSet<&Ident>) -> Vec<&'m Step<'a>> {
     let steps = model.steps.iter();
-    steps.filter(|step| wanted.contains(step.name())).collect()
+    let wanted = |step: &&Step| step.computes().iter().any(|name| wanted.contains(name));
+    steps.filter(wanted).collect()
 }
 
 /// The fields of all quantities: of states and parameters their values, of the steps nothing yet.
@@ -137,7 +137,7 @@ pub(super) fn opening(model: &Model, steps: &[&Step], scalar: &TokenStream) -> T
     let parameters = model.parameters.iter().map(|parameter| parameter.name);
     let state_places = (0..model.states.len()).map(Literal::usize_unsuffixed);
     let parameter_places = (0..model.parameters.len()).map(Literal::usize_unsuffixed);
-    let computed = steps.iter().map(|step| step.name());
+    let computed = steps.iter().flat_map(|step| step.computes());
     let mutable = (!steps.is_empty()).then(|| quote!(mut));
     quote! {
         #structure
@@ -155,7 +155,9 @@ fn quantities(model: &Model, steps: &[&Step]) -> TokenStream {
         .parameters
         .iter()
         .map(|parameter| (parameter.docs, parameter.name));
-    let computed = steps.iter().map(|step| (step.docs(), step.name()));
+    let computed = steps
+        .iter()
+        .flat_map(|step| step.computes().into_iter().map(|name| (step.docs(), name)));
     let fields = states
         .chain(parameters)
         .chain(computed)
@@ -187,7 +189,45 @@ fn line(step: &Step, model: &Model, lift: &Lift) -> TokenStream {
                 );
             }
         }
+        Step::Memory(memory) => answer(memory, model, lift),
     }
+}
+
+/// Force and rates of a law with internal state.
+fn answer(memory: &Memory, model: &Model, lift: &Lift) -> TokenStream {
+    let (scalar, contact) = (&lift.scalar, &memory.contact);
+    let index = element(memory, model);
+    let (law, index) = (
+        builder::memory_name(index),
+        Literal::usize_unsuffixed(index),
+    );
+    let fields = contact.fields.iter();
+    let fields = fields.map(|field| lift.formula(field.formula));
+    let (name, speed) = (contact.name, lift.formula(contact.speed));
+    let carriers = memory.carriers.iter();
+    let states = carriers
+        .clone()
+        .map(|carrier| lift.formula(&carrier.formula));
+    let rates = carriers.map(|carrier| &carrier.rate);
+    let places = (0..memory.carriers.len()).map(Literal::usize_unsuffixed);
+    quote! {
+        let __answer = __contacts.recall(
+            #index,
+            &Self::#law::<#scalar>([#(#fields),*]),
+            [#(#states),*],
+            #speed,
+        );
+        __quantities.#name = __answer.force;
+        #(__quantities.#rates = __answer.rates[#places];)*
+    }
+}
+
+/// The number of a law with internal state.
+pub(super) fn element(memory: &Memory, model: &Model) -> usize {
+    let mut memories = model.memories();
+    memories
+        .position(|other| other.contact.name == memory.contact.name)
+        .unwrap_or_default()
 }
 
 /// The number of a contact.

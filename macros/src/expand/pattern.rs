@@ -14,25 +14,31 @@ pub(super) fn kinematic(model: &Model) -> Vec<Option<usize>> {
         Kind::Name(name) => index_of(name).filter(|j| *j != i),
         _ => None,
     };
-    let rates = model.states.iter().map(|state| state.rate);
+    let rates = model.states.iter().map(|state| state.rate.as_ref());
     rates.enumerate().map(kinematic).collect()
 }
 
-/// Whether the equation of state i reads state j, in row i and column j.
-pub(super) fn sparsity(model: &Model) -> Vec<Vec<bool>> {
+/// The states that the equation of each state reads, in their order.
+pub(super) fn sparsity(model: &Model) -> Vec<Vec<usize>> {
     let mut reads: HashMap<&Ident, HashSet<usize>> = HashMap::new();
     for (index, state) in model.states.iter().enumerate() {
         reads.insert(state.name, HashSet::from([index]));
     }
     for step in &model.steps {
         let read = read_by(&step.formulas(), &reads);
-        reads.insert(step.name(), read);
+        for name in step.computes() {
+            reads.insert(name, read.clone());
+        }
     }
-    let row = |read: HashSet<usize>| (0..model.states.len()).map(|j| read.contains(&j)).collect();
+    let row = |read: HashSet<usize>| {
+        let mut row: Vec<usize> = read.into_iter().collect();
+        row.sort_unstable();
+        row
+    };
     let rates = model
         .states
         .iter()
-        .map(|state| read_by(&[state.rate], &reads));
+        .map(|state| read_by(&[state.rate.as_ref()], &reads));
     rates.map(row).collect()
 }
 
@@ -46,12 +52,12 @@ fn read_by(formulas: &[&Formula], reads: &HashMap<&Ident, HashSet<usize>>) -> Ha
 }
 
 /// The names of the steps without which no rate and no friction force can be computed.
-pub(super) fn needed<'a>(model: &Model<'a>) -> HashSet<&'a Ident> {
-    let rates = model.states.iter().map(|state| state.rate);
+pub(super) fn needed<'m>(model: &'m Model<'_>) -> HashSet<&'m Ident> {
+    let rates = model.states.iter().map(|state| state.rate.as_ref());
     let mut needed: HashSet<&Ident> = rates.flat_map(Formula::names).collect();
     needed.extend(model.contacts().map(|contact| contact.name));
     for step in model.steps.iter().rev() {
-        if needed.contains(step.name()) {
+        if step.computes().iter().any(|name| needed.contains(name)) {
             needed.extend(step.formulas().into_iter().flat_map(Formula::names));
         }
     }

@@ -8,6 +8,8 @@ use quote::quote;
 
 pub(super) struct Shell<'a> {
     pub(super) header: Header<'a>,
+    /// Documentation that follows the header's own.
+    pub(super) page: TokenStream,
     pub(super) fields: Vec<Field<'a>>,
     /// The fields as named in bounds: used nowhere, but an editor should find them.
     pub(super) bounded: Vec<&'a Ident>,
@@ -36,11 +38,12 @@ impl Shell<'_> {
             keyword,
             name,
         } = self.header;
-        let fields = &self.fields;
+        let (fields, page) = (&self.fields, &self.page);
         let names = fields.iter().map(|field| field.name);
         let field_docs = fields.iter().map(|field| &field.docs);
         quote! {
             #(#docs)*
+            #page
             #[derive(
                 ::core::clone::Clone,
                 ::core::marker::Copy,

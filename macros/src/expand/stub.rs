@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::items::{Items, Sizes};
@@ -17,14 +17,18 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
     let (shell, name) = (shell(written).tokens(), &written.name);
     let laws = builder::builders(name, written.frictions().map(Into::into));
     let count = |keyword| declared(written, keyword).len();
-    let states = count("state");
+    let states = count("state") + count("drive");
     let unreachable = || quote!(::core::unreachable!());
     let items = Items {
         name,
         sizes: Sizes {
             states,
             parameters: count("param"),
-            contacts: count("friction"),
+            contacts: count("friction")
+                - written
+                    .frictions()
+                    .filter(|line| !line.memory.is_empty())
+                    .count(),
             observables: count("let"),
         },
         info: info(name),
@@ -33,7 +37,7 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
         values: unreachable(),
         from_values: unreachable(),
         rhs: unreachable(),
-        linearise: unreachable(),
+        entries: unreachable(),
         observables: unreachable(),
     };
     let items = items.tokens();
@@ -50,7 +54,9 @@ fn info(name: &Ident) -> TokenStream {
             states: &[],
             parameters: &[],
             observables: &[],
+            drive: ::core::option::Option::None,
             contacts: &[],
+            memories: &[],
         }
     }
 }
@@ -61,6 +67,38 @@ pub(super) fn law(written: &Declaration) -> TokenStream {
     let generics = generics(name, shell.fields.is_empty());
     let structure = shell.structure(&generics, &quote!(D));
     let text = name.to_string();
+    if written.has_memory() {
+        let states = Literal::usize_unsuffixed(declared(written, "state").len());
+        return quote! {
+            #structure
+
+            #allowed
+            #[automatically_derived]
+            impl<D: ::stickslip::scalar::Scalar> ::stickslip::memory::MemoryLaw<D, #states> for #name #generics {
+                const INFO: &'static ::stickslip::memory::MemoryLawInfo = &::stickslip::memory::MemoryLawInfo {
+                    name: #text,
+                    doc: "",
+                    parameters: &[],
+                    states: &[],
+                    abbreviations: &[],
+                    speed: "",
+                    force: "",
+                };
+
+                fn answer(&self, _: [D; #states], _: D) -> ::stickslip::memory::Answer<D, #states> {
+                    ::core::unreachable!()
+                }
+
+                fn slopes(&self, _: &Self, _: [D; #states], _: D) -> ::stickslip::memory::AnswerSlopes<D, #states> {
+                    ::core::unreachable!()
+                }
+
+                fn kinks(&self, _: [D; #states], _: D, _: impl ::core::ops::FnMut(D)) {
+                    ::core::unreachable!()
+                }
+            }
+        };
+    }
     quote! {
         #structure
 
@@ -98,6 +136,7 @@ fn shell(written: &Declaration) -> Shell<'_> {
     };
     Shell {
         header: written.header(),
+        page: TokenStream::new(),
         fields: declared(written, "param").into_iter().map(field).collect(),
         bounded: Vec::new(),
     }
@@ -110,9 +149,10 @@ fn declared<'a>(written: &'a Declaration, keyword: &str) -> Vec<&'a Ident> {
         Line::State(line) => Some(&line.name).filter(|_| keyword == "state"),
         Line::Param(line) => Some(&line.name).filter(|_| keyword == "param"),
         Line::Let(line) => Some(&line.name).filter(|_| keyword == "let"),
+        Line::Drive(line) => Some(&line.name).filter(|_| keyword == "drive"),
         Line::Friction(line) => Some(&line.name).filter(|_| keyword == "friction"),
         Line::Broken(line) => line.name.as_ref().filter(|_| line.keyword == Some(keyword)),
-        Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) => None,
+        Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) | Line::Force(_) => None,
     });
     names
         .filter(|name| is_field(name) && seen.insert(name.to_token_stream().to_string()))

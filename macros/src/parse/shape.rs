@@ -17,12 +17,17 @@ pub(super) const FRICTION: &str = "friction F: N = Law { field: value } opposing
 pub(super) const DER: &str = "der(x) = v;";
 pub(super) const STICK: &str = "stick = limit;";
 pub(super) const SLIP: &str = "slip(s) = limit / (1.0 + decay * s);";
+pub(super) const DRIVE: &str = "drive phi at omega;";
+pub(super) const LAW_STATE: &str = "state z: m;";
+pub(super) const FORCE: &str = "force(w) = stiffness * z;";
 
 /// The words that begin a line.
 fn keywords(grammar: Grammar) -> &'static [&'static str] {
     match grammar {
-        Grammar::Model => &["state", "param", "let", "friction", "der"],
-        Grammar::Law => &["param", "stick", "slip"],
+        Grammar::Model => &["state", "param", "let", "friction", "drive", "der"],
+        Grammar::Law | Grammar::Memory => {
+            &["param", "let", "stick", "slip", "state", "der", "force"]
+        }
     }
 }
 
@@ -30,8 +35,8 @@ fn keywords(grammar: Grammar) -> &'static [&'static str] {
 pub(super) fn shaped(
     shape: &str,
     input: ParseStream,
-    read: impl FnOnce(ParseStream) -> syn::Result<Line>,
-) -> syn::Result<Line> {
+    read: impl FnOnce(ParseStream) -> syn::Result<Vec<Line>>,
+) -> syn::Result<Vec<Line>> {
     let outcome = read(input).and_then(|line| ended(input).map(|()| line));
     outcome.map_err(|error| {
         let message = error.to_string();
@@ -52,7 +57,11 @@ fn ended(input: ParseStream) -> syn::Result<()> {
     if input.peek(Token![;]) || keyword_of(&rest).is_some() {
         return Ok(());
     }
-    Err(input.error("expected `;` here"))
+    let next = rest.into_iter().next().map(|token| token.to_string());
+    let next = next.unwrap_or_default();
+    Err(input.error(format!(
+        "expected `;` before `{next}`, or `*` if a product is meant"
+    )))
 }
 
 /// The word with which another line begins in these tokens, if one does.

@@ -10,7 +10,7 @@ fn a_line_begins_with_a_keyword() {
     assert_eq!(
         of_belt("param k", "constant k"),
         [
-            "`constant` does not begin a line; a line begins with `state`, `param`, `let`, `friction` or `der`"
+            "`constant` does not begin a line; a line begins with `state`, `param`, `let`, `friction`, `drive` or `der`"
         ]
     );
     assert_eq!(
@@ -20,7 +20,7 @@ fn a_line_begins_with_a_keyword() {
     );
     assert_eq!(
         of_law("stick = 1.0; slip(s) = 1.0; (3)"),
-        ["a line begins with `param`, `stick` or `slip`"]
+        ["a line begins with `param`, `let`, `stick`, `slip`, `state`, `der` or `force`"]
     );
 }
 
@@ -62,7 +62,8 @@ fn a_broken_line_shows_the_form_it_should_have() {
     );
     assert_eq!(
         of_belt("param v_dr: m/s = 0.2", "param v_dr = 0.2 m/s"),
-        ["expected `;` here; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
+        ["expected `;` before `m`, or `*` if a product is meant; \
+          the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
     );
 }
 

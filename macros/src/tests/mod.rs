@@ -1,9 +1,13 @@
 //! What users are told: the list of messages for each mistake.
 
+mod arrays;
 mod bounds;
+mod drive;
 mod equations;
 mod formulas;
+mod hostile;
 mod lines;
+mod memory;
 mod names;
 mod tokens;
 mod units;
@@ -20,7 +24,7 @@ fn messages(declaration: &str, grammar: Grammar) -> Vec<String> {
     if let Some(written) = parse::declaration(tokens, grammar, &mut errors) {
         match grammar {
             Grammar::Model => drop(check::model(&written, &mut errors)),
-            Grammar::Law => drop(check::law(&written, &mut errors)),
+            Grammar::Law | Grammar::Memory => drop(check::law(&written, &mut errors)),
         }
     }
     let found = errors.finish().err().into_iter().flatten();

@@ -1,8 +1,8 @@
-use super::{NONE, of_belt, of_law};
+use super::{BELT, NONE, of_belt, of_law, of_model};
 
 #[test]
 fn unknown_names_get_a_proposal() {
-    let told = |written| of_belt("/ mass;", &format!("/ {written};"));
+    let told = |written| of_belt("/ mass;", &format!("/ mass / {written};"));
     assert_eq!(told("mas"), ["unknown name `mas`; did you mean `mass`?"]);
     assert_eq!(told("f_s"), ["unknown name `f_s`; did you mean `F_s`?"]);
     assert_eq!(
@@ -23,7 +23,10 @@ fn unknown_names_get_a_proposal() {
 fn time_does_not_occur() {
     assert_eq!(
         of_belt("k * x;", "k * x * sin(t);"),
-        ["`t` is not declared: equations are autonomous and cannot depend on time"]
+        [
+            "`t` is not declared: equations are autonomous and cannot depend on time; \
+          a harmonic force is `cos(phi)` with the line `drive phi at omega;`"
+        ]
     );
 }
 
@@ -48,6 +51,20 @@ fn lines_are_computed_from_top_to_bottom() {
     assert_eq!(
         of_belt("= k * x;", "= k * stretched;"),
         ["`stretched` is defined by itself; lines are computed from top to bottom"]
+    );
+}
+
+#[test]
+fn what_an_unknown_name_was_meant_for_is_not_accused_as_well() {
+    let told = |written: &str| of_belt("/ mass;", &format!("/ {written};"));
+    assert_eq!(told("mas").len(), 1);
+    assert_eq!(told("kilograms").len(), 1);
+    let independent = of_belt("param k", "param spare: N = 1.0; param k").len()
+        + of_belt("k * x", "kk * x").len();
+    let both = BELT.replacen("param k", "param spare: N = 1.0; param k", 1);
+    assert_eq!(
+        of_model(&both.replacen("k * x", "kk * x", 1)).len(),
+        independent
     );
 }
 

@@ -5,12 +5,18 @@ use crate::arithmetic;
 use crate::errors::Errors;
 use crate::expand::lifted;
 use crate::parse::Grammar;
+use crate::repeated::Repeated;
 
 /// A formula as it is lifted, and as it is written in the data of a model.
 fn both(written: &str) -> (String, String) {
     let expression = syn::parse_str(written).expect("the test is an expression");
     let mut errors = Errors::new();
-    let formula = arithmetic::formula(&expression, Grammar::Model, &mut errors);
+    let formula = arithmetic::formula(
+        &expression,
+        Grammar::Model,
+        &mut Repeated::default(),
+        &mut errors,
+    );
     errors.finish().expect("the test is a formula");
     (lifted(&formula).to_string(), formula.to_string())
 }

@@ -7,11 +7,11 @@ fn equations_agree_with_their_states() {
             "(F - stretched) / mass",
             "F - stretched / 1.0 * mass / mass"
         ),
-        ["unit mismatch: `der(v)` is in m/s^2, but this is in N"]
+        ["unit mismatch: `der(v)` is in m/s^2, but `F - stretched / 1.0 * mass / mass` is in N"]
     );
     assert_eq!(
         of_belt("der(x) = v", "der(x) = x"),
-        ["unit mismatch: `der(x)` is in m/s, but this is in m"]
+        ["unit mismatch: `der(x)` is in m/s, but `x` is in m"]
     );
 }
 
@@ -71,7 +71,7 @@ fn a_nondimensional_model_has_a_nondimensional_time() {
     assert_eq!(of_model(lines), NONE);
     assert_eq!(
         of_model(&lines.replace("v: 1", "v: s")),
-        ["unit mismatch: `der(x)` is in 1/s, but this is in s",]
+        ["unit mismatch: `der(x)` is in 1/s, but `v` is in s",]
     );
 }
 
@@ -79,11 +79,11 @@ fn a_nondimensional_model_has_a_nondimensional_time() {
 fn a_law_gives_forces() {
     assert_eq!(
         of_law("param a: N; param b: s/m; stick = a; slip(v) = a * b;"),
-        ["unit mismatch: `slip` is the contact's force, in N, but this is in N*s/m"]
+        ["unit mismatch: `slip` is the contact's force, in N, but `a * b` is in N*s/m"]
     );
     assert_eq!(
         of_law("param a: N; param b: s; stick = a; slip(v) = a / (1.0 + b * v);"),
-        ["unit mismatch: `slip` is the contact's force, in N, but this is in N/m"]
+        ["unit mismatch: `slip` is the contact's force, in N, but `a / (1.0 + b * v)` is in N/m"]
     );
     assert_eq!(
         of_law("param a: N; param b: s; stick = a; slip(v) = a * exp(-b * v);"),

@@ -5,7 +5,13 @@ use stickslip::friction_law;
 friction_law! {
     /// Stribeck's curve with a viscous part: Bo and Pavelescu's exponential form.
     ///
-    /// Exponent 1 is Tustin's law, exponent 2 the Gaussian form. Below 1 the slope at rest is infinite.
+    /// With F_s = `static_level`, F_c = `kinetic_level` ≤ F_s, v_s = `speed`, a = `exponent`, σ = `viscous`:
+    ///
+    /// |F| ≤ F_s at rest, F_c + (F_s − F_c) exp(−(s/v_s)^a) + σ s at the sliding speed s
+    ///
+    /// Exponent 1 is Tustin's law, exponent 2 the Gaussian form; below 1 the slope at rest would be infinite.
+    ///
+    /// Source: L. C. Bo, D. Pavelescu, Wear 82, 1982.
     pub struct Stribeck {
         /// Largest static force, not below the kinetic one.
         param static_level: N where static_level >= 0.0;

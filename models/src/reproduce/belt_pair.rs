@@ -5,9 +5,9 @@ use stickslip::study::report::{Axis, Column, Curve, Figure, Panel, Section, Tabl
 
 use super::ReproduceError;
 use super::follow::{Drawn, draw_stable, family};
-use super::parallel::parallel;
 use super::words::{decimals, duration};
 use crate::BeltPair;
+use stickslip::study::parallel;
 
 const SIZE: f64 = 1e5;
 /// A motion in phase at v_dr = 0.14, from which the others in phase settle.

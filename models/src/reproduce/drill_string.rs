@@ -18,9 +18,9 @@ use super::ReproduceError;
 use super::cost::Cost;
 use super::exact::{self, Exact};
 use super::follow::{Drawn, Followed, draw, family, follow, search};
-use super::parallel::parallel;
 use super::words::power;
 use crate::DrillString;
+use stickslip::study::parallel;
 
 /// The smoothings are of size 10ⁱ.
 const EXPONENTS: [i32; 5] = [0, -1, -2, -3, -4];

@@ -132,7 +132,7 @@ pub(super) fn draw_stable<M: Model<N>, const N: usize>(
             state: state.to_vec(),
         }
         .into()),
-        Settled::Neither(time) => Err(OrbitError::NotSettled { time }.into()),
+        Settled::Neither(time) => Err(OrbitError::NotSettled { time, last: None }.into()),
     }
 }
 
@@ -214,9 +214,12 @@ fn stretch<M: Model<N>, const N: usize>(
     let end = end.unwrap_or_else(|| match branch.ending() {
         Some(Ending::Refused(FlowError::Vanished { .. })) => vanishing(&orbits),
         None | Some(Ending::ReachedEnd | Ending::ReachedStart) => End::Reached(last),
-        Some(Ending::StepTooSmall(_) | Ending::TooManyPoints | Ending::Refused(_)) => {
-            End::GaveUp(last)
-        }
+        Some(
+            Ending::StepTooSmall(_)
+            | Ending::Creeping(_)
+            | Ending::TooManyPoints
+            | Ending::Refused(_),
+        ) => End::GaveUp(last),
     });
     Ok(Followed {
         orbits,

@@ -1,5 +1,6 @@
 //! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
 
+mod atlas;
 mod belt_oscillator;
 mod belt_pair;
 mod cost;
@@ -7,9 +8,9 @@ mod drill_string;
 mod equilibrium;
 mod errors;
 mod exact;
+pub mod extremes;
 mod follow;
 mod introduction;
-mod parallel;
 mod smoothing;
 mod van_der_pol;
 mod words;
@@ -18,6 +19,7 @@ use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use stickslip::study::StudyError;
 use stickslip::study::report::{Report, ReportError, Written};
 
 pub use follow::FollowError;
@@ -44,6 +46,14 @@ pub enum ReproduceError {
         /// Why.
         source: FollowError,
     },
+    /// A branch of the atlas could not be begun.
+    #[error("{what}: {source}")]
+    Atlas {
+        /// Which.
+        what: String,
+        /// Why.
+        source: StudyError,
+    },
     /// A file could not be written.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -56,6 +66,31 @@ impl ReproduceError {
     }
 }
 
+/// Follows the branches of the belt pair and writes only what shows them into the folder `out`.
+///
+/// # Errors
+/// A branch cannot be begun, or a file cannot be written.
+pub fn reproduce_atlas(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
+    let clock = Instant::now();
+    if !quiet {
+        eprintln!("The branches of two masses on a belt ...");
+    }
+    let (section, branches) = atlas::section()?;
+    let report = Report {
+        title: "Two masses on a belt: all branches".to_owned(),
+        subtitle: "The bifurcations of section 3.3.2 of B. L. van de Vrande's *Modeling Dry Friction in DIANA* \
+                   (Eindhoven, 1996), smoothed and exact"
+            .to_owned(),
+        sections: vec![section],
+    };
+    let written = report.write(out)?;
+    Ok(Summary {
+        written,
+        branches,
+        time: clock.elapsed(),
+    })
+}
+
 /// Computes everything and writes `index.html`, `figures/` and `data/` into the folder `out`.
 ///
 /// Says on standard error what it is at, unless `quiet`.
@@ -63,6 +98,18 @@ impl ReproduceError {
 /// # Errors
 /// An orbit cannot be found or followed, or a file cannot be written.
 pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
+    write(out, quiet, true)
+}
+
+/// The same without the branches of the belt pair, which take most of the time.
+///
+/// # Errors
+/// See [`reproduce`].
+pub fn reproduce_but_the_atlas(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
+    write(out, quiet, false)
+}
+
+fn write(out: &Path, quiet: bool, with_atlas: bool) -> Result<Summary, ReproduceError> {
     let clock = Instant::now();
     let say = |what: &str| {
         if !quiet {
@@ -76,25 +123,33 @@ pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
     let belt_oscillator = belt_oscillator::section(&mut costs)?;
     say("Two masses on a belt");
     let belt_pair = belt_pair::section()?;
+    let mut sections = vec![
+        introduction::section(),
+        van_der_pol,
+        belt_oscillator,
+        belt_pair,
+    ];
+    let mut branches = 0;
+    if with_atlas {
+        say("The branches of two masses on a belt");
+        let (atlas, followed) = atlas::section()?;
+        sections.push(atlas);
+        branches += followed;
+    }
     say("Drill string");
     let drill_string = drill_string::section(&mut costs)?;
     say("What smoothing costs");
     let smoothing = smoothing::section()?;
-    let branches = costs.len();
+    say("The extremes");
+    let extremes = extremes::section();
+    branches += costs.len();
+    sections.extend([drill_string, smoothing, extremes, cost::section(costs)]);
     let report = Report {
         title: "Stick-slip vibrations, thirty years later".to_owned(),
         subtitle: "The periodic motions of B. L. van de Vrande's *Modeling Dry Friction in DIANA* (Eindhoven, 1996), \
                    computed again from declared models"
             .to_owned(),
-        sections: vec![
-            introduction::section(),
-            van_der_pol,
-            belt_oscillator,
-            belt_pair,
-            drill_string,
-            smoothing,
-            cost::section(costs),
-        ],
+        sections,
     };
     let written = report.write(out)?;
     Ok(Summary {

@@ -10,8 +10,8 @@ use stickslip::study::trade::{Scope, Trade};
 
 use super::ReproduceError;
 use super::errors::trade;
-use super::parallel::parallel;
 use crate::BeltOscillator;
+use stickslip::study::parallel;
 
 /// The belt speed of the comparison.
 const SPEED: f64 = 0.2;

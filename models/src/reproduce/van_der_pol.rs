@@ -6,9 +6,9 @@ use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Secti
 use super::ReproduceError;
 use super::cost::Cost;
 use super::follow::{Drawn, draw, family, follow, search};
-use super::parallel::parallel;
 use super::words::{decimals, scientific, stability};
 use crate::VanDerPol;
+use stickslip::study::parallel;
 
 /// How near to ν = 0 the branch is followed: at 0 itself every motion is periodic.
 const LEAST: f64 = 1e-3;

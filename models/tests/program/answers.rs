@@ -21,7 +21,7 @@ fn what_cannot_be_found_is_no_usage_error() {
     assert!(
         answer
             .stderr
-            .contains("settles on an equilibrium, x = 0.76"),
+            .contains("only an equilibrium: the motion settles at x = 0.76"),
         "{}",
         answer.stderr
     );
@@ -62,7 +62,9 @@ fn models_are_shown_as_declared() {
             "van-der-pol",
             "belt-oscillator",
             "belt-pair",
-            "drill-string"
+            "drill-string",
+            "bristle-oscillator",
+            "forced-belt"
         ]
     );
     let belt = json("models belt-oscillator --json");
@@ -212,20 +214,20 @@ fn files_are_written_where_asked() {
     for (line, files) in [
         (
             "simulate belt-oscillator --smooth tanh:1e2 --time 3",
-            ["trajectory.csv", "trajectory.json"],
+            ["trajectory.csv", "trajectory.json", "trajectory.svg"],
         ),
         (
             "orbit belt-oscillator --smooth tanh:1e2",
-            ["orbit.csv", "orbit.json"],
+            ["orbit.csv", "orbit.json", "orbit.svg"],
         ),
         (
             "branch van-der-pol --along nu=1..0.9",
-            ["branch.csv", "branch.json"],
+            ["branch.csv", "branch.json", "branch.svg"],
         ),
     ] {
         let answer = stickslip(&[words(line), vec!["--out", place]].concat());
         assert_eq!(answer.code, Some(0), "{line}: {}", answer.stderr);
-        let [sheet, document] =
+        let [sheet, document, picture] =
             files.map(|file| std::fs::read_to_string(folder.join(file)).unwrap());
         let columns: Vec<usize> = sheet.lines().map(|row| row.split(',').count()).collect();
         assert!(
@@ -237,7 +239,25 @@ fn files_are_written_where_asked() {
                 .unwrap()
                 .is_object()
         );
+        assert!(
+            picture.starts_with("<svg") && !picture.contains("NaN"),
+            "{line}"
+        );
     }
+}
+
+#[test]
+fn an_accuracy_that_is_missed_is_admitted() {
+    let answer = stickslip(&words("orbit van-der-pol --set nu=1e-8"));
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    assert!(
+        answer
+            .stderr
+            .contains("larger than the accuracy asked for, 1e-9"),
+        "{}",
+        answer.stderr
+    );
+    assert_eq!(stickslip(&words("orbit van-der-pol")).stderr, "");
 }
 
 #[test]

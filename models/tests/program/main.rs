@@ -1,7 +1,13 @@
 //! The program `stickslip`, from outside.
 
+mod absences;
 mod answers;
+mod curve;
+mod diagram;
 mod equilibria;
+mod hostile;
+mod laws;
+mod losses;
 mod refusals;
 mod trade;
 

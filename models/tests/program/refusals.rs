@@ -39,7 +39,7 @@ fn misspelt_names() {
         ("orbt van-der-pol", &["`orbt`", "did you mean `orbit`?"]),
         (
             "frobnicate",
-            &["`frobnicate`", "models, simulate, orbit, branch"],
+            &["`frobnicate`", "models, laws, simulate, orbit, branch"],
         ),
         (
             "orbit belt-oscilator",

@@ -1,4 +1,4 @@
-//! What happens between two neighbouring points of a branch, with bookkeeping: theory section 8.1.
+//! What happens between two neighbouring points of a branch, with bookkeeping.
 
 use super::locate::zero;
 use super::test_function::{flip, fold, is_torus, torus};
@@ -12,6 +12,12 @@ const HALVINGS: u32 = 12;
 /// Distance between two changes of the event word, in units of the accuracy, below which they are one.
 const SAME: f64 = 30.0;
 
+/// A doubled orbit whose halves differ by this share of what they did has met the orbit that it doubles.
+const MEETING: f64 = 0.1;
+
+/// Halves that differ by less than this are one: where branches meet, steps become short.
+const NO_ASYMMETRY: f64 = 1e-3;
+
 /// A bifurcation that was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Located<P> {
@@ -21,6 +27,10 @@ pub struct Located<P> {
     pub r: f64,
     /// The orbit there, or the nearest on the side from which the branch came.
     pub point: P,
+    /// Whether the branch meets another one there, from which it is a doubling, and only runs back beyond.
+    pub meets: bool,
+    /// r and number of unstable multipliers at the points between which it was found.
+    pub sides: [(f64, usize); 2],
     share: f64,
 }
 
@@ -30,8 +40,40 @@ impl<P> Located<P> {
             kind,
             r,
             point,
+            meets: false,
+            sides: [(r, 0); 2],
             share: 1.0,
         }
+    }
+
+    fn between(kind: Kind, [from, to]: [&Spot<P>; 2], at: Spot<P>) -> Self
+    where
+        P: Watched,
+    {
+        let side = |spot: &Spot<P>| (spot.point.r(), spot.point.floquet().unstable);
+        Self {
+            kind,
+            r: at.point.r(),
+            meets: false,
+            sides: [side(from), side(to)],
+            share: at.share,
+            point: at.point,
+        }
+    }
+
+    /// Which side of it a branch at `r` lies on: by how many multipliers the branch on which it was found
+    /// is more unstable there than on the other side. `None` where that cannot be told.
+    #[must_use]
+    pub fn more_unstable_towards(&self, r: f64) -> Option<i64> {
+        let [from, to] = self.sides;
+        let between = (from.0 - self.r) * (to.0 - self.r) < 0.0;
+        let (here, there) = if (from.0 - self.r) * (r - self.r) > 0.0 {
+            (from, to)
+        } else {
+            (to, from)
+        };
+        let change = here.1 as i64 - there.1 as i64;
+        (between && r != self.r && change != 0).then_some(change)
     }
 }
 
@@ -144,10 +186,8 @@ impl<Q: Path> Hunt<'_, Q> {
         }
         if change.sharp {
             self.found.located.push(Located {
-                kind: change.kind,
                 r: 0.5 * (before.point.r() + after.point.r()),
-                share: before.share,
-                point: before.point,
+                ..Located::between(change.kind, [&before, &after], before.clone())
             });
         } else {
             self.give_up(
@@ -182,17 +222,34 @@ impl<Q: Path> Hunt<'_, Q> {
                 }
                 _ => (kind, test),
             };
-            let Spot { share, point } = zero(self.path, [from, to], test, self.accuracy)?;
-            if kind != Kind::Torus || is_torus(&point.floquet().multipliers) {
-                found.push(Located {
-                    kind,
-                    r: point.r(),
-                    share,
-                    point,
-                });
+            let at = zero(self.path, [from, to], test, self.accuracy)?;
+            if kind != Kind::Torus || is_torus(&at.point.floquet().multipliers) {
+                found.push(Located::between(kind, [from, to], at));
             }
         }
+        if turns && !found.iter().any(|event| event.kind == Kind::Fold) {
+            found.extend(self.meeting(from, to)?);
+        }
         Ok(found)
+    }
+
+    /// Where a doubled orbit meets the one from which it branches: r turns there while no multiplier
+    /// passes through 1, and both halves of the orbit become one.
+    fn meeting(
+        &mut self,
+        from: &Spot<Q::Point>,
+        to: &Spot<Q::Point>,
+    ) -> Result<Option<Located<Q::Point>>, Q::Error> {
+        let before = from.point.asymmetry().max(to.point.asymmetry());
+        if !before.is_finite() {
+            return Ok(None);
+        }
+        let at = zero(self.path, [from, to], Q::Point::slope, self.accuracy)?;
+        let near = (MEETING * before).max(NO_ASYMMETRY);
+        Ok((at.point.asymmetry() <= near).then(|| Located {
+            meets: true,
+            ..Located::between(Kind::Flip, [from, to], at)
+        }))
     }
 
     fn give_up(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, reason: &str) {
@@ -217,7 +274,8 @@ fn accounts<P: Watched>(events: &[Located<P>], from: &P, to: &P) -> bool {
     }
     let change = to.unstable as i64 - from.unstable as i64;
     let mut sums = vec![0];
-    for jump in events.iter().filter_map(|event| event.kind.jump()) {
+    let own = events.iter().filter(|event| !event.meets);
+    for jump in own.filter_map(|event| event.kind.jump()) {
         sums = sums
             .iter()
             .flat_map(|sum| [sum - jump, sum + jump])

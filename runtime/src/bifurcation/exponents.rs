@@ -1,4 +1,4 @@
-//! Logarithms of multipliers that underflow: cyclic QR of the factors of Φ, theory section 6.
+//! Logarithms of multipliers that underflow: cyclic QR of the factors of Φ.
 
 use nalgebra::DMatrix;
 

@@ -1,4 +1,4 @@
-//! Multipliers of a periodic orbit, from its section map: theory section 6.
+//! Multipliers of a periodic orbit, from its section map.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
@@ -90,7 +90,7 @@ pub fn floquet<const N: usize>(
     }
 }
 
-/// DP = Qᵀ Φ Q with Q an orthonormal basis of the complement of f: (6a) for the section normal to f.
+/// DP = Qᵀ Φ Q with Q an orthonormal basis of the complement of f, which is normal to the section.
 fn section_map(phi: &DMatrix<f64>, f: &DVector<f64>) -> DMatrix<f64> {
     let n = f.len();
     // Householder's reflection that carries the first axis to f: its other columns span the complement.

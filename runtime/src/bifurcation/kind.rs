@@ -1,4 +1,4 @@
-//! The kinds of bifurcations of periodic orbits: theory section 8.
+//! The kinds of bifurcations of periodic orbits.
 
 /// What changes at a special point of a branch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -16,4 +16,5 @@ pub use detect::{Findings, Located, Unexplained, detect};
 pub use ending::explain;
 pub use floquet::{Floquet, Stability, floquet};
 pub use kind::Kind;
+pub use locate::reach;
 pub use watched::{Margin, Path, Watched};

@@ -1,4 +1,4 @@
-//! Test functions of smooth bifurcations, on the multipliers of the section map: theory section 8.1.
+//! Test functions of smooth bifurcations, on the multipliers of the section map.
 
 use nalgebra::Complex;
 

@@ -22,6 +22,10 @@ pub trait Watched: Clone {
     /// How many modes it runs through in a period.
     fn word_length(&self) -> usize;
 
+    /// How much the second half of the orbit differs from the first one, relative to its extents: 0 where
+    /// a doubled orbit meets the one from which it branches.
+    fn asymmetry(&self) -> f64;
+
     /// How far it is from events that do not happen: positive, 0 where one begins to happen.
     fn near_misses(&self) -> Vec<Margin>;
 

@@ -1,4 +1,4 @@
-//! Where the event word changes, and why: theory section 8.2.
+//! Where the event word changes, and why.
 
 use super::Kind;
 use super::watched::{Margin, Path, Spot, Watched};

@@ -6,48 +6,8 @@ use super::ZeroProblem;
 use super::corrector::{Corrected, Failure, correct};
 use super::link::Link;
 use super::predictor::tangent;
+use super::range::{Ending, Settings};
 use super::step::{angles, growth};
-
-/// How a branch is followed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
-    /// Where r begins.
-    pub from: f64,
-    /// Where r shall end.
-    pub to: f64,
-    /// Corrections at most this, relative to the scale of the unknowns, end an iteration.
-    pub accuracy: f64,
-    /// First step, as an arclength in scaled coordinates; r is scaled by |to − from|.
-    pub first_step: f64,
-    /// Smallest step.
-    pub smallest_step: f64,
-    /// Largest step.
-    pub largest_step: f64,
-    /// Largest angle between tangent and chord (2.21), rad.
-    pub beta_1: f64,
-    /// Largest angle between tangent and chord without r (2.22), rad.
-    pub beta_2: f64,
-    /// Most points.
-    pub points: usize,
-}
-
-impl Settings {
-    /// The usual settings for r from `from` to `to`.
-    #[must_use]
-    pub fn new(from: f64, to: f64, accuracy: f64) -> Self {
-        Self {
-            from,
-            to,
-            accuracy,
-            first_step: 0.02,
-            smallest_step: 1e-7,
-            largest_step: 0.5,
-            beta_1: 0.35,
-            beta_2: 0.7,
-            points: 10_000,
-        }
-    }
-}
 
 /// An accepted point of a branch.
 #[derive(Debug, Clone)]
@@ -60,25 +20,10 @@ pub struct Point<Extra> {
     pub extra: Extra,
     /// Norm of the residual.
     pub residual: f64,
-    /// r-component of the unit tangent in scaled coordinates: changes sign at a fold.
-    pub tangent_r: f64,
+    /// Unit tangent in scaled coordinates, r last: that component changes sign at a fold.
+    pub tangent: DVector<f64>,
     /// Newton iterations spent.
     pub newton: u64,
-}
-
-/// Why a branch ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Ending<E> {
-    /// r reached its end.
-    ReachedEnd,
-    /// r came back to where it began.
-    ReachedStart,
-    /// The step fell below the smallest; with the last reason: (2.23).
-    StepTooSmall(Failure<E>),
-    /// The limit of points.
-    TooManyPoints,
-    /// The problem says that the branch ends here.
-    Refused(E),
 }
 
 /// A branch under way; an iterator over its points.
@@ -90,10 +35,23 @@ pub struct Branch<P: ZeroProblem> {
     r_scale: f64,
     point: Option<Base>,
     link: Option<Link<P>>,
+    /// Problem, point and step before the last step.
+    before: Option<(P, Base, f64)>,
     step: f64,
     count: usize,
+    /// Steps in a row that were tiny.
+    tiny: usize,
     ending: Option<Ending<P::Error>>,
 }
+
+/// Share of a step that was taken back with which the next one begins.
+const RETRACTED: f64 = 0.25;
+/// Steps shorter than this, in scaled coordinates, are tiny: so many in a row lead nowhere.
+const TINY: f64 = 1e-4;
+const CREEPING: usize = 300;
+
+/// Failures at one point after which it is tried in other unknowns.
+const PATIENCE: usize = 3;
 
 /// Why a step was not made.
 enum Stop<E> {
@@ -126,35 +84,45 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     /// # Errors
     /// The first point could not be found.
     pub fn start(
-        mut problem: P,
+        problem: P,
         z: DVector<f64>,
+        settings: Settings,
+    ) -> Result<Started<P>, Failure<P::Error>> {
+        let mut direction = unit(z.len());
+        if settings.to < settings.from {
+            direction.neg_mut();
+        }
+        Self::set_out(problem, (z, settings.from), &direction, settings)
+    }
+
+    /// Converges across `direction` (scaled, r last) from (z, r) and gives the first point; the branch
+    /// goes on to the side of `direction`, between the ends of the settings.
+    ///
+    /// # Errors
+    /// The first point could not be found.
+    pub fn set_out(
+        mut problem: P,
+        (z, r): (DVector<f64>, f64),
+        direction: &DVector<f64>,
         settings: Settings,
     ) -> Result<Started<P>, Failure<P::Error>> {
         let span = settings.to - settings.from;
         let r_scale = if span == 0.0 { 1.0 } else { span.abs() };
-        let n = z.len();
-        let mut normal = DVector::zeros(n + 1);
-        normal[n] = if span < 0.0 { -1.0 } else { 1.0 };
-        let corrected = correct(
-            &mut problem,
-            z,
-            settings.from,
-            &normal,
-            r_scale,
-            settings.accuracy,
-        )?;
+        let corrected = correct(&mut problem, z, r, direction, r_scale, settings.accuracy)?;
         let mut branch = Self {
             problem,
             settings,
             r_scale,
             point: None,
             link: None,
+            before: None,
+            tiny: 0,
             step: settings.first_step,
-            count: 0,
             ending: (span == 0.0).then_some(Ending::ReachedEnd),
+            count: 0,
         };
         let point = branch
-            .accept(corrected, &normal)
+            .accept(corrected, direction)
             .map_err(|stop| match stop {
                 Stop::Retry(failure) => failure,
                 Stop::Refused(error) => Failure::Evaluation(error),
@@ -172,6 +140,25 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     #[must_use]
     pub fn link(&self) -> Option<&Link<P>> {
         self.link.as_ref()
+    }
+
+    /// Takes the last step back, so that the next one is made from the point before it and is much
+    /// shorter; `false` if it was as short as may be, or if it has been taken back already.
+    pub fn retract(&mut self) -> bool {
+        let Some((problem, point, step)) = self.before.take() else {
+            return false;
+        };
+        let step = RETRACTED * step;
+        if step < self.settings.smallest_step {
+            return false;
+        }
+        self.problem = problem;
+        self.point = Some(point);
+        self.step = step;
+        self.count -= 1;
+        self.link = None;
+        self.ending = None;
+        true
     }
 
     fn accept(
@@ -208,11 +195,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             residual,
             ..
         } = corrected;
-        let tangent_r = tangent[z.len()];
         self.point = Some(Base {
             z: z.clone(),
             r,
-            tangent,
+            tangent: tangent.clone(),
         });
         self.count += 1;
         Ok(Point {
@@ -220,7 +206,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             r,
             extra: linearisation.extra,
             residual,
-            tangent_r,
+            tangent,
             newton: newton as u64,
         })
     }
@@ -241,46 +227,75 @@ impl<P: ZeroProblem + Clone> Branch<P> {
 
     /// One prediction and correction with the present step.
     fn attempt(&mut self, base: &Base) -> Result<Point<P::Extra>, Stop<P::Error>> {
-        let Settings {
-            to, from, accuracy, ..
-        } = self.settings;
+        let Settings { accuracy, .. } = self.settings;
         let n = base.z.len();
         let scale = self.problem.scale();
-        let towards = |r: f64| (r - to) * (to - from) >= 0.0;
         let mut length = self.step;
         let slope = base.tangent[n] * self.r_scale;
         let mut normal = base.tangent.clone();
-        let mut last = towards(base.r + length * slope);
-        if last {
-            length = (to - base.r) / slope;
+        let mut end = self.settings.passed(base.r, base.r + length * slope);
+        if let Some((r, _)) = &end {
+            length = (r - base.r) / slope;
             normal = unit(n);
         }
-        let predict = |length: f64| -> (DVector<f64>, f64) {
-            let z = &base.z + length * base.tangent.rows(0, n).component_mul(&scale);
-            (z, base.r + length * slope)
-        };
-        let (z, r) = predict(length);
-        let r = if last { to } else { r };
+        let z = &base.z + length * base.tangent.rows(0, n).component_mul(&scale);
+        let r = end.as_ref().map_or(base.r + length * slope, |end| end.0);
         let mut corrected = correct(&mut self.problem, z, r, &normal, self.r_scale, accuracy)?;
-        if !last && towards(corrected.r) {
+        if end.is_none()
+            && let Some(passed) = self.settings.passed(base.r, corrected.r)
+        {
             // The correction carried r beyond the end: come back to it along the chord.
-            let share = (to - base.r) / (corrected.r - base.r);
+            let share = (passed.0 - base.r) / (corrected.r - base.r);
             let z = &base.z + (&corrected.z - &base.z) * share;
-            corrected = correct(&mut self.problem, z, to, &unit(n), self.r_scale, accuracy)?;
-            last = true;
+            let r = passed.0;
+            corrected = correct(&mut self.problem, z, r, &unit(n), self.r_scale, accuracy)?;
+            end = Some(passed);
         }
         let bend = self.guard(base, &corrected, &scale)?;
         let factor = growth(&corrected.corrections, bend);
         let direction = base.tangent.clone();
         let problem = self.problem.clone();
+        let before = (problem.clone(), base.clone(), length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let point = self.accept(corrected, &direction)?;
         self.link = Some(Link::new(problem, ends, self.r_scale, accuracy));
+        self.before = Some(before);
+        self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
         self.step = (self.step * factor).min(self.settings.largest_step);
-        if last {
-            self.ending = Some(Ending::ReachedEnd);
-        }
+        self.ending = end.map(|(_, ending)| ending);
         Ok(point)
+    }
+
+    /// The same point in other unknowns, if the problem knows any: from there a step may succeed.
+    fn elsewhere(&mut self, base: &Base, trial: usize) -> Option<Base> {
+        let before = self.problem.clone();
+        let moved = self.other_unknowns(base, trial);
+        if moved.is_none() {
+            self.problem = before;
+        }
+        moved
+    }
+
+    fn other_unknowns(&mut self, base: &Base, trial: usize) -> Option<Base> {
+        let z = self.problem.elsewhere(base.r, trial)?;
+        let lasting = self.problem.lasting(&base.tangent).try_normalize(0.0)?;
+        let Settings { accuracy, .. } = self.settings;
+        let normal = unit(z.len());
+        let found = correct(
+            &mut self.problem,
+            z,
+            base.r,
+            &normal,
+            self.r_scale,
+            accuracy,
+        )
+        .ok()?;
+        let tangent = self.tangent(&found, &lasting).ok()?;
+        Some(Base {
+            z: found.z,
+            r: found.r,
+            tangent,
+        })
     }
 
     fn guard(
@@ -331,12 +346,12 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
             self.ending = Some(Ending::TooManyPoints);
             return None;
         }
-        let base = self.point.clone()?;
-        let span = self.settings.to - self.settings.from;
-        if self.count > 1 && (base.r - self.settings.from) * span <= 0.0 {
-            self.ending = Some(Ending::ReachedStart);
+        if self.tiny > CREEPING {
+            self.ending = Some(Ending::Creeping(TINY));
             return None;
         }
+        let mut base = self.point.clone()?;
+        let (step, mut failures) = (self.step, 0);
         loop {
             match self.attempt(&base) {
                 Ok(point) => return Some(point),
@@ -345,6 +360,13 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
                     return None;
                 }
                 Err(Stop::Retry(failure)) => {
+                    failures += 1;
+                    if failures % PATIENCE == 0
+                        && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
+                    {
+                        base = moved;
+                        self.step = step;
+                    }
                     self.step *= 0.4;
                     if self.step < self.settings.smallest_step {
                         self.ending = Some(Ending::StepTooSmall(failure));

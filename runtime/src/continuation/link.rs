@@ -43,6 +43,12 @@ impl<P: ZeroProblem> Link<P> {
         }
     }
 
+    /// Unit vector from end to end, in scaled coordinates with r last.
+    #[must_use]
+    pub fn chord(&self) -> &DVector<f64> {
+        &self.chord
+    }
+
     /// The point of the branch in the plane across the chord at this share of it, 0 < share < 1.
     ///
     /// # Errors
@@ -73,7 +79,7 @@ impl<P: ZeroProblem> Link<P> {
             corrections,
         } = found;
         Ok(Point {
-            tangent_r: direction[z.len()],
+            tangent: direction,
             z,
             r,
             extra: linearisation.extra,

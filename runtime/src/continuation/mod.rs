@@ -6,12 +6,18 @@ mod branch;
 mod corrector;
 mod link;
 mod predictor;
+mod range;
+mod root;
 mod step;
+mod switch;
 
-pub use branch::{Branch, Ending, Point, Settings, Started};
+pub use branch::{Branch, Point, Started};
 pub use corrector::{Corrected, Failure, correct};
 pub use link::Link;
 pub(crate) use predictor::tangent;
+pub use range::{Ending, Settings};
+pub(crate) use root::root;
+pub use switch::across;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -48,6 +54,12 @@ pub trait ZeroProblem {
         _extra: &Self::Extra,
     ) -> Result<Option<DVector<f64>>, Self::Error> {
         Ok(None)
+    }
+
+    /// Other unknowns for the solution accepted last, at this r: tried where no step succeeds, with
+    /// `trial` = 0, 1, ... until there are none left.
+    fn elsewhere(&mut self, _r: f64, _trial: usize) -> Option<DVector<f64>> {
+        None
     }
 
     /// The part of a tangent (scaled, r last) that keeps its meaning when the unknowns are changed for others.

@@ -96,7 +96,7 @@ impl<const N: usize> Walk<N> {
         F::Flow: Confined<N>,
     {
         let continuation::Point { z, r, extra, .. } = point;
-        let mut here = spot(problem, z, *r, extra, point.tangent_r, point.residual)?;
+        let mut here = spot(problem, z, *r, extra, point.tangent[N], point.residual)?;
         let mut locator = Locator {
             problem,
             r_scale: self.r_scale,

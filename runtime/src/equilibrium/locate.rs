@@ -2,10 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::root::root;
 use super::special::{Found, Kind, Spot};
 use super::{Confined, EquilibriumProblem, Spectrum};
-use crate::continuation::{Linearisation, ZeroProblem, correct, tangent};
+use crate::continuation::{Linearisation, ZeroProblem, correct, root, tangent};
 use crate::flow::{Family, Velocity};
 
 /// Bisections of a step within which every change of stability must be explained.

@@ -8,7 +8,6 @@ mod confined;
 mod locate;
 mod newton;
 mod problem;
-mod root;
 mod special;
 mod spectrum;
 mod starts;

@@ -10,7 +10,7 @@ mod system;
 
 use num_dual::Dual64;
 
-use super::{Field, Linear};
+use super::{Field, Linear, memory};
 use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
@@ -21,7 +21,7 @@ pub(crate) use solve::solve;
 use system::singular;
 pub use system::{ContactError, ContactState, ExactSystem};
 
-/// Speed, in the model's units, from which a law changes so fast that the tolerance of states is too coarse.
+/// Share of a contact's usual speed within which a law changes so fast that the tolerance of states is too coarse.
 const THIN: f64 = 0.02;
 
 /// The exact field while every contact keeps its mode.
@@ -56,7 +56,8 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             None => None,
         };
         let layers = system.layers(state);
-        let thin = layers.as_ref().iter().any(|layer| *layer < THIN);
+        let usual = |i: usize| system.usual_speed(i);
+        let thin = (layers.as_ref().iter().enumerate()).any(|(i, layer)| *layer < THIN * usual(i));
         Ok(Self {
             layers: thin.then_some(layers),
             system,
@@ -171,13 +172,26 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
             let terms = gradient.iter().zip(y).map(|(g, y)| (g * y).abs());
             let speed = speeds.as_ref()[i].abs();
             let rounding = f64::EPSILON * (terms.sum::<f64>() + speed);
-            let layer = (tolerance.absolute + tolerance.relative) * layers.as_ref()[i].min(1.0);
+            let layer = (tolerance.absolute + tolerance.relative)
+                * layers.as_ref()[i].min(self.system.usual_speed(i));
             let allowed = layer + tolerance.relative * speed + rounding;
             for (scale, slope) in scale.iter_mut().zip(gradient) {
                 *scale = scale.min(allowed / slope.abs());
             }
         }
         scale
+    }
+
+    fn kinks(&self) -> usize {
+        self.system.corners
+    }
+
+    fn corners(&self) -> usize {
+        self.system.corners
+    }
+
+    fn kink(&self, index: usize, y: &[f64; N]) -> f64 {
+        memory::corner::<M, N>(&self.system.plain, index, y)
     }
 
     #[inline]

@@ -2,6 +2,7 @@
 
 mod count;
 pub mod exact;
+mod memory;
 mod smooth;
 mod smoothing;
 
@@ -34,7 +35,7 @@ pub trait Field<const N: usize> {
     /// Whether a step between these states may have carried the motion out of a thin layer that holds it.
     ///
     /// A stiff step that jumps such a layer solves its equations all the same, and its error estimate, damped by the
-    /// layer's own stiffness, does not see it: theory section 9.
+    /// layer's own stiffness, does not see it.
     fn leaps(&self, _from: &[f64; N], _to: &[f64; N]) -> bool {
         false
     }
@@ -42,6 +43,17 @@ pub trait Field<const N: usize> {
     /// Number of surfaces on which the field is continuous but not smooth; steps are split there.
     fn kinks(&self) -> usize {
         0
+    }
+
+    /// How many of them, the first ones, are corners of the field itself and not of a friction layer: explicit steps,
+    /// which resolve a layer anyway, are split there too.
+    fn corners(&self) -> usize {
+        0
+    }
+
+    /// What kink function number `index` is small against, if it is `from` and `to` at the ends of a step.
+    fn kink_size(&self, _index: usize, _from: f64, _to: f64) -> f64 {
+        1.0
     }
 
     /// A function of the state that changes sign on kink surface number `index`.

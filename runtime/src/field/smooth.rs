@@ -1,13 +1,15 @@
 //! The smooth vector field of a declared model: without friction, or with every contact smoothed.
 
+mod dip;
 mod readout;
 
 use super::smoothing::{Sloped, Smoothed, Smoothing, SmoothingError};
-use super::{Field, Linear};
+use super::{Field, Linear, memory};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::integrate::Tolerance;
-use crate::model::Model;
+use crate::model::{Model, Rates};
 use crate::scalar::{Inline, Lanes, Scalar};
+use num_dual::DualStruct;
 
 /// What a derivative with respect to "the design variable" means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -30,6 +32,8 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
     rule: Smoothed<f64>,
     sloped: Sloped,
     magnitude: [f64; N],
+    /// Number of kinks of laws with internal state.
+    corners: usize,
 }
 
 /// Layer widths within which a contact is held.
@@ -49,7 +53,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     /// `smoothing` may be left out for models without friction only; models with friction then have no contact to ask.
     ///
     /// # Errors
-    /// The smoothing would falsify a law at these parameters (theory 2.3).
+    /// The smoothing would falsify a law at these parameters.
     pub fn new(
         model: &M,
         smoothing: Option<Smoothing>,
@@ -71,14 +75,15 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
                 sharpness,
                 seed: moves * sign * sharpness,
             },
-            magnitude: [1.0; N],
+            magnitude: memory::bounded::<M, N>(&values, [1.0; N]),
+            corners: memory::corners::<M, N>(&values),
         })
     }
 
     /// The same field, its states measured against these magnitudes where they pass through zero.
     #[must_use]
     pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
-        self.magnitude = magnitude;
+        self.magnitude = memory::bounded::<M, N>(&self.values, magnitude);
         self
     }
 
@@ -100,6 +105,11 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         )
     }
 
+    /// f and ∂f/∂r at `y`, and each entry of the Jacobian that can differ from zero, as [`Model::entries`] gives them.
+    pub fn entries(&self, y: &[f64; N], entry: impl FnMut(usize, usize, f64)) -> Rates<N> {
+        M::entries(&self.values, &self.seeds, *y, &mut { self.sloped }, entry)
+    }
+
     /// The first contact that slides backwards beyond what a one-directional smoothing stands for,
     /// and its relative speed; `None` for sign-type smoothings.
     #[must_use]
@@ -114,6 +124,21 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             }
         });
         first
+    }
+
+    /// Rounding error of the relative speed of a contact, in widths of its layer.
+    fn rounding(&self, contact: usize, y: &[f64; N]) -> f64 {
+        let mut terms = 0.0;
+        let mut visit = Terms(|number, speed: M::Lanes| {
+            if number == contact {
+                let moving = speed.slopes().0.into_iter().zip(y).map(|(g, y)| g * y);
+                let rest = DualStruct::re(&speed) - moving.clone().sum::<f64>();
+                terms = moving.map(f64::abs).sum::<f64>() + rest.abs();
+            }
+        });
+        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+        let _ = M::rhs(&self.lifted(), state, &mut visit);
+        f64::EPSILON * terms * self.rule.sharpness
     }
 
     /// The parameters as constants.
@@ -172,10 +197,26 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
     }
 
     fn kinks(&self) -> usize {
-        M::INFO.contacts.len() * self.smoothing.kinks().len()
+        self.corners + M::INFO.contacts.len() * self.smoothing.kinks().len()
+    }
+
+    fn corners(&self) -> usize {
+        self.corners
+    }
+
+    fn kink_size(&self, index: usize, from: f64, to: f64) -> f64 {
+        if index < self.corners {
+            (from - to).abs()
+        } else {
+            1.0
+        }
     }
 
     fn kink(&self, index: usize, y: &[f64; N]) -> f64 {
+        if index < self.corners {
+            return memory::corner::<M, N>(&self.values, index, y);
+        }
+        let index = index - self.corners;
         let places = self.smoothing.kinks();
         let (wanted, place) = (index / places.len(), places[index % places.len()]);
         let mut value = 1.0;
@@ -184,11 +225,16 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
                 value = speed * self.rule.sharpness - place;
             }
         });
-        value
+        // In a thin layer the rounding of a speed is not small: what it cannot tell from the kink is on it.
+        if value.abs() < 1.0 && value.abs() <= self.rounding(wanted, y) {
+            0.0
+        } else {
+            value
+        }
     }
 }
 
-/// Theory 2.3: a smoothing must not turn a law into another one.
+/// A smoothing must not turn a law into another one.
 fn accept<M: Model<N>, const N: usize>(
     values: &M::Params<f64>,
     smoothing: &Smoothing,
@@ -212,28 +258,9 @@ struct Levels<'a> {
 
 impl ContactRule<f64> for Levels<'_> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
-        let (stick, slip) = (law.stick(), law.slip(0.0));
-        let peak = stick - slip > 1e-12 * stick;
-        let kernel = self.smoothing.kernel;
-        let (law, contact) = (L::INFO.name, self.contacts[contact].name);
-        if self.verdict.is_ok() && stick > 0.0 && peak != kernel.is_bump() {
-            self.verdict = Err(if peak {
-                SmoothingError::DropsPeak {
-                    kernel,
-                    law,
-                    contact,
-                    stick,
-                    slip,
-                }
-            } else {
-                SmoothingError::NoPeak {
-                    kernel,
-                    law,
-                    contact,
-                    stick,
-                    slip,
-                }
-            });
+        if self.verdict.is_ok() {
+            let name = self.contacts[contact].name;
+            self.verdict = self.smoothing.kernel.suits(law, Some(name));
         }
         0.0
     }
@@ -247,6 +274,16 @@ impl<V: FnMut(usize, f64)> ContactRule<f64> for Speeds<V> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, speed: f64) -> f64 {
         self.0(contact, speed);
         0.0
+    }
+}
+
+/// Visits the relative speeds with their derivatives.
+struct Terms<V>(V);
+
+impl<D: Scalar, V: FnMut(usize, D)> ContactRule<D> for Terms<V> {
+    fn force<L: FrictionLaw<D>>(&mut self, contact: usize, _law: &L, speed: D) -> D {
+        (self.0)(contact, speed);
+        D::from(0.0)
     }
 }
 

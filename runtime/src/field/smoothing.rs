@@ -1,7 +1,9 @@
 //! Smooth copies of set-valued friction: chosen at use, never part of a model.
 
+mod refusal;
 mod sloped;
 
+pub use refusal::SmoothingError;
 pub(super) use sloped::Sloped;
 
 use std::fmt;
@@ -41,66 +43,6 @@ pub struct Smoothing {
     pub kernel: Kernel,
     /// The size ε > 0.
     pub size: f64,
-}
-
-/// Why a smoothing cannot be used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SmoothingError {
-    /// No kernel has this name.
-    #[error(
-        "there is no smoothing `{word}`: {}; write for instance `arctan:1e5`",
-        Kernel::suggest(word)
-    )]
-    UnknownKernel {
-        /// The word given.
-        word: String,
-    },
-    /// The size is not a number, not finite, or not positive.
-    #[error(
-        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{example}`"
-    )]
-    BadSize {
-        /// The kernel.
-        kernel: Kernel,
-        /// The word given for the size.
-        word: String,
-        /// A usual size.
-        example: &'static str,
-    },
-    /// A sign-type kernel would drop the static peak of a law.
-    #[error(
-        "`{kernel}` would drop the static peak of `{law}` at contact `{contact}`: its limit at rest is {stick}, but sliding \
-         starts at {slip}, and the copy would converge to a law with the limit {slip}; use `quartic`, which keeps the peak"
-    )]
-    DropsPeak {
-        /// The kernel.
-        kernel: Kernel,
-        /// The law.
-        law: &'static str,
-        /// The contact.
-        contact: &'static str,
-        /// Limit at rest.
-        stick: f64,
-        /// slip(0⁺).
-        slip: f64,
-    },
-    /// A bump has nothing to stand on.
-    #[error(
-        "`{kernel}` smooths a static peak, and `{law}` at contact `{contact}` has none (limit at rest {stick}, sliding starts \
-         at {slip}): the copy would never stick; use a sign type such as `arctan` or `cubic`"
-    )]
-    NoPeak {
-        /// The kernel.
-        kernel: Kernel,
-        /// The law.
-        law: &'static str,
-        /// The contact.
-        contact: &'static str,
-        /// Limit at rest.
-        stick: f64,
-        /// slip(0⁺).
-        slip: f64,
-    },
 }
 
 impl Kernel {
@@ -241,7 +183,7 @@ impl std::str::FromStr for Smoothing {
             })?;
         size.parse()
             .ok()
-            .filter(|size: &f64| size.is_finite() && *size > 0.0)
+            .filter(|size: &f64| *size > 0.0 && crate::model::within_reach(*size))
             .map(|size| Self { kernel, size })
             .ok_or_else(|| SmoothingError::BadSize {
                 kernel,
@@ -279,7 +221,7 @@ fn bump<D: Scalar, L: FrictionLaw<D>>(law: &L, u: D, speed: D) -> D {
     bump_of(law.stick(), slip, u)
 }
 
-/// Theory (2b): slip + (stick − slip) u (4 − u)³/27, for u ≤ 4; slip beyond.
+/// The bump of a static peak: slip + (stick − slip) u (4 − u)³/27, for u ≤ 4; slip beyond.
 #[inline]
 fn bump_of<D: Scalar>(stick: D, slip: D, u: D) -> D {
     let rest = -u + 4.0;

@@ -5,6 +5,7 @@ mod box_qp;
 mod depart;
 mod departure;
 mod extrema;
+mod glide;
 mod guard;
 mod observe;
 mod passing;
@@ -19,6 +20,7 @@ use crate::integrate::explicit::Settings;
 use crate::integrate::{Motion, Tolerance};
 use crate::model::{Model, ParamId};
 use crate::scalar::{Inline, Lanes};
+pub use glide::Glide;
 use run::Run;
 pub use settle::Arrival;
 use settle::Rest;
@@ -64,7 +66,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     /// The same flow, its states measured against these magnitudes where they pass through zero.
     #[must_use]
     pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
-        self.system.magnitude = magnitude;
+        self.system = self.system.with_magnitude(magnitude);
         self
     }
 
@@ -126,6 +128,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
 
 impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
     type Mode = Modes<M, N>;
+    const PHASE: Option<usize> = M::INFO.drive;
 
     fn place(&self, state: [f64; N]) -> Result<Place<N, Self::Mode>, FlowError> {
         self.settle_at(state)

@@ -1,7 +1,7 @@
 //! Flows that depend on a design variable.
 
 use super::exact::ExactFlow;
-use super::{Flow, FlowError, SmoothFlow};
+use super::{Flow, FlowError, SmoothFlow, standing};
 use crate::field::{Design, SmoothField, Smoothing};
 use crate::integrate::Tolerance;
 use crate::model::{Model, ParamId};
@@ -61,6 +61,7 @@ impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
             _ => {}
         }
         M::INFO.check(values.as_ref())?;
+        standing::<M, N>(&values)?;
         let field = SmoothField::new(&M::from_values(values), smoothing, self.design)?;
         Ok(SmoothFlow::new(
             field.with_magnitude(self.magnitude),
@@ -98,6 +99,8 @@ impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
         if let Some(value) = self.design.and_then(|index| values.as_mut().get_mut(index)) {
             *value = r;
         }
+        M::INFO.check(values.as_ref())?;
+        standing::<M, N>(&values)?;
         let design = self.design.map(ParamId::new);
         let flow = ExactFlow::new(&M::from_values(values), design, self.tolerance.explicit())?;
         Ok(flow.with_magnitude(self.magnitude))

@@ -1,16 +1,20 @@
 //! Where a motion is after a time, and how that depends on where it began.
 
+mod drive;
 pub mod event;
 pub mod exact;
 mod extrema;
 mod family;
 pub(crate) mod saltation;
 mod smooth;
+mod steered;
 mod word;
 
+pub(crate) use drive::{standing, strobes, wrapped};
 pub use event::{Event, EventKind};
 pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
+pub use steered::Steered;
 pub use word::word;
 
 use crate::field::SmoothingError;
@@ -23,6 +27,11 @@ use crate::model::ParameterError;
 pub trait Flow<const N: usize> {
     /// What a place knows besides its state: nothing for a smooth system, the mode of each contact for an exact one.
     type Mode: Copy + PartialEq + std::fmt::Debug + Send + Sync;
+
+    /// The state that is the phase of a drive, if there is one: 2π more of it is the same.
+    ///
+    /// It has no extrema; in their place a passage reports each time at which it begins anew, there as 0.
+    const PHASE: Option<usize> = None;
 
     /// The place of a state: decides the modes from which the motion will continue.
     ///
@@ -119,6 +128,10 @@ pub struct Calm<const N: usize, Mode> {
     pub step: f64,
     /// Where.
     pub place: Place<N, Mode>,
+    /// Least value of each state at the ends of the steps.
+    pub low: [f64; N],
+    /// Largest value of each state there.
+    pub high: [f64; N],
     /// When and where the last step ended, and its length.
     last: (f64, f64, Place<N, Mode>),
 }
@@ -130,6 +143,8 @@ impl<const N: usize, Mode: Copy> Calm<N, Mode> {
             time: 0.0,
             step: 0.0,
             place,
+            low: place.state,
+            high: place.state,
             last: (0.0, 0.0, place),
         }
     }
@@ -143,6 +158,10 @@ impl<const N: usize, Mode: Copy> Calm<N, Mode> {
             self.place = last_place;
         }
         self.last = (time, step, place);
+        for (j, value) in place.state.into_iter().enumerate() {
+            self.low[j] = self.low[j].min(value);
+            self.high[j] = self.high[j].max(value);
+        }
     }
 }
 
@@ -274,6 +293,16 @@ pub enum FlowError {
         found: String,
         /// Modes of the contacts at the start.
         wanted: String,
+    },
+    /// A drive that stands still, or turns backwards.
+    #[error(
+        "the drive `{name}` advances at the rate {rate}, which must be a finite number above 0"
+    )]
+    Standing {
+        /// The phase.
+        name: &'static str,
+        /// Its rate.
+        rate: f64,
     },
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]

@@ -1,4 +1,4 @@
-//! Derivatives through an event (5a).
+//! Derivatives through an event: the saltation matrix of Aizerman and Gantmakher (1958).
 
 use crate::integrate::{Carried, Motion};
 

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::extrema::extrema;
+use super::strobes;
 use super::{
     Calm, Derivatives, Factor, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want,
 };
@@ -15,6 +16,13 @@ use crate::model::Model;
 const DRAWN: usize = 6;
 /// Trial steps after which a passage is given up.
 const BUDGET: u64 = 200_000;
+/// Trial steps through which derivatives are worth carrying.
+const DIFFERENTIATED: u64 = 50_000;
+/// A step that has jumped a layer is tried again over this share of its length.
+const SHORTER: f64 = 0.3;
+/// Explicit trial steps after which the rest is left to the implicit method: where errors are tolerated that hide its
+/// stiffness, an explicit method creeps without an end.
+const EXPLICIT_BUDGET: u64 = 20_000;
 /// A layer this many times faster than the rest of the motion is stiff from the start.
 const STIFF_LAYER: f64 = 30.0;
 
@@ -47,9 +55,16 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         &self.field
     }
 
+    /// Whether some state decays so fast that an explicit method could not follow it for this time.
+    fn damps(&self, state: &[f64; N], time: f64) -> bool {
+        let jacobian = self.field.linearise(state).jacobian;
+        let fastest = (0..N).map(|i| -jacobian[i][i]).fold(0.0, f64::max);
+        fastest * time > EXPLICIT_BUDGET as f64
+    }
+
     fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
         let settings = Settings {
-            steps: BUDGET,
+            steps: EXPLICIT_BUDGET,
             ..Settings::new(self.tolerance.explicit())
         };
         let mut work = Work::default();
@@ -86,7 +101,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         backwards?;
         match outcome {
             Ok(_) => record.time = time,
-            Err(IntegrationError::Stiff { .. }) => {}
+            Err(IntegrationError::Stiff { .. } | IntegrationError::TooManySteps { .. }) => {}
             Err(error) => return Err(error.into()),
         }
         Ok(())
@@ -104,12 +119,37 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     fn implicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
         let (offset, rest) = (record.time, time - record.time);
         let start = record.motion.state;
-        let mut radau = Radau::new(&self.field, &RADAU_5, self.tolerance, start, 0.0, BUDGET)?;
+        let budget = if record.want.derivatives {
+            DIFFERENTIATED
+        } else {
+            BUDGET
+        };
+        let mut radau = Radau::new(&self.field, &RADAU_5, self.tolerance, start, 0.0, budget)?;
         let mut outcome = Ok(());
-        while outcome.is_ok() && radau.time() < rest {
-            outcome = match radau.step(rest) {
+        // When the integrator set out.
+        let mut since = 0.0;
+        while outcome.is_ok() && radau.time() < rest - since {
+            outcome = match radau.step(rest - since) {
+                Ok(step) if self.jumps(&step) => {
+                    since += step.time;
+                    record.work += radau.work;
+                    record.work.steps -= 1;
+                    record.work.rejected += 1;
+                    let left = budget.saturating_sub(record.work.steps + record.work.rejected);
+                    let shorter = SHORTER * step.step;
+                    Radau::new(
+                        &self.field,
+                        &RADAU_5,
+                        self.tolerance,
+                        step.start,
+                        shorter,
+                        left,
+                    )
+                    .map(|again| radau = again)
+                    .map_err(FlowError::from)
+                }
                 Ok(step) => {
-                    record.implicit_step(&mut radau, &step, offset);
+                    record.implicit_step(&mut radau, &step, offset + since);
                     self.check_direction(record)
                 }
                 Err(error) => Err(error.into()),
@@ -118,6 +158,15 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         record.work += radau.work;
         record.time = time;
         outcome
+    }
+
+    /// Whether a step has gone through a friction layer and back without feeling it: friction would add energy.
+    fn jumps<const S: usize>(&self, step: &Accepted<N, S>) -> bool {
+        !M::INFO.contacts.is_empty()
+            && self.field.dips(|theta| {
+                let increment = step.collocation.at(theta);
+                std::array::from_fn(|j| step.start[j] + increment[j])
+            })
     }
 
     fn check_direction(&self, record: &Record<N>) -> Result<(), FlowError> {
@@ -134,6 +183,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
 
 impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
     type Mode = ();
+    const PHASE: Option<usize> = M::INFO.drive;
 
     fn place(&self, state: [f64; N]) -> Result<Place<N, ()>, FlowError> {
         Ok(Place { state, mode: () })
@@ -148,8 +198,8 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(FlowError::BadTime { time });
         }
-        let mut record = Record::new(from.state, want);
-        if time > 0.0 && !self.stiff {
+        let mut record = Record::new(from.state, want, M::INFO.drive);
+        if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
             self.explicit(&mut record, time)?;
         }
         if record.time < time {
@@ -179,6 +229,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
 /// What a passage gathers on its way.
 struct Record<const N: usize> {
     want: Want,
+    phase: Option<usize>,
     time: f64,
     motion: Motion<N>,
     extrema: Vec<super::Extremum<N>>,
@@ -189,7 +240,7 @@ struct Record<const N: usize> {
 }
 
 impl<const N: usize> Record<N> {
-    fn new(state: [f64; N], want: Want) -> Self {
+    fn new(state: [f64; N], want: Want, phase: Option<usize>) -> Self {
         let path = if want.path {
             vec![Sample { time: 0.0, state }]
         } else {
@@ -197,6 +248,7 @@ impl<const N: usize> Record<N> {
         };
         Self {
             want,
+            phase,
             time: 0.0,
             motion: Motion::from(state),
             extrema: Vec::new(),
@@ -234,6 +286,14 @@ impl<const N: usize> Record<N> {
                     Some((state, field.linearise(&state)))
                 },
             );
+            let ends = (*step.from().state(), *step.end().state());
+            strobes(
+                self.phase,
+                (&ends.0, &ends.1),
+                (time, length),
+                &mut self.extrema,
+                |theta| Some(step.step_map(theta * length)),
+            );
         }
         self.draw(time, length, |theta| dense.state(theta));
     }
@@ -266,6 +326,13 @@ impl<const N: usize> Record<N> {
                 step.step,
                 &mut self.extrema,
                 |theta| radau.probe(step, theta),
+            );
+            strobes(
+                self.phase,
+                (&step.start, &step.end),
+                (offset + step.time, step.step),
+                &mut self.extrema,
+                |theta| Some(radau.probe(step, theta)?.0),
             );
         }
         self.draw(offset + step.time, step.step, |theta| {

@@ -86,8 +86,12 @@ impl Bernstein {
         }
     }
 
-    /// Signs of the first and last coefficients that do not vanish, and the number of sign variations.
+    /// Signs of the first and last coefficients that do not vanish, and the number of sign variations; `None` if all
+    /// vanish, or if any is no number: halves of such a polynomial vary as often as the whole, without an end.
     fn signs(&self) -> Option<(f64, f64, usize)> {
+        if self.coefficients().iter().any(|c| c.is_nan()) {
+            return None;
+        }
         let mut signs = self
             .coefficients()
             .iter()

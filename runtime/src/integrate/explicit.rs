@@ -49,7 +49,9 @@ pub fn integrate<F: Field<N>, V: Carried<N>, const N: usize>(
     let mut stepper = Stepper::new(field, settings, from, 0.0, span)?;
     let mut outcome = Ok(());
     while outcome.is_ok() && stepper.time() < span {
-        outcome = stepper.attempt(span - stepper.time());
+        outcome = stepper
+            .attempt(span - stepper.time())
+            .and_then(|()| stepper.stop_at_corner());
         if outcome.is_ok() {
             let stop = observe(&mut stepper).is_break();
             // What is left may round to less than the time can resolve.

@@ -4,6 +4,7 @@ mod bernstein;
 mod carried;
 mod collocation;
 mod control;
+mod corner;
 mod dense;
 mod dop853;
 mod estimate;

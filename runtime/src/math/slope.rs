@@ -14,6 +14,8 @@ macro_rules! slopes {
 }
 
 slopes! {
+    abs(x, value) = super::sign(x);
+    sign(x, value) = D::from(0.0);
     acos(x, value) = -complement(x).sqrt().recip();
     acosh(x, value) = ((x - 1.0) * (x + 1.0)).sqrt().recip();
     asin(x, value) = complement(x).sqrt().recip();

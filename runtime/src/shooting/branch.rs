@@ -1,11 +1,14 @@
 //! A branch of periodic orbits along the design variable.
 
+use nalgebra::DVector;
+
+use super::anchor::problem;
 use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
 use super::problem::{OrbitProblem, Shot};
-use super::search::{Search, problem};
+use super::search::Search;
 use crate::bifurcation::Path;
-use crate::continuation::{Branch, Ending, Failure, Link, Point, Settings};
+use crate::continuation::{Branch, Ending, Failure, Link, Point, Settings, Started};
 use crate::field::Work;
 use crate::flow::{Family, Flow, FlowError};
 use crate::integrate::Tolerance;
@@ -34,9 +37,23 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         search: &Search<N>,
         settings: Settings,
     ) -> Result<Self, Failure<FlowError>> {
-        let half = |j: usize| 0.5 * (orbit.max[j] - orbit.min[j]);
-        // A state that rests along the orbit has no extent to be measured against.
-        let magnitude = std::array::from_fn(|j| if half(j) > 0.0 { half(j) } else { 1.0 });
+        let upwards = settings.to >= settings.from;
+        Self::start_at(family, orbit, search, settings, (settings.from, upwards))
+    }
+
+    /// Starts from an orbit found at r, anywhere in the range of the settings, and goes up from there or
+    /// down; the first item is that orbit.
+    ///
+    /// # Errors
+    /// The orbit cannot be converged on with the family's derivative ∂/∂r.
+    pub fn start_at(
+        family: &F,
+        orbit: &Orbit<N, Mode<F, N>>,
+        search: &Search<N>,
+        settings: Settings,
+        (r, upwards): (f64, bool),
+    ) -> Result<Self, Failure<FlowError>> {
+        let magnitude = orbit.magnitude();
         let family = family
             .with_tolerance(Tolerance::for_accuracy(search.accuracy))
             .with_magnitude(magnitude);
@@ -46,26 +63,44 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
             magnitude,
         };
         let (mut problem, z) =
-            problem(family, settings.from, &guess, search.segments).map_err(Failure::Evaluation)?;
+            problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
         problem
-            .float(&orbit.place, settings.from)
+            .float(&orbit.place, r)
             .map_err(Failure::Evaluation)?;
-        let (branch, first) = Branch::start(problem, z, settings)?;
+        let mut direction = DVector::zeros(z.len() + 1);
+        direction[z.len()] = if upwards { 1.0 } else { -1.0 };
+        let started = Branch::set_out(problem, (z, r), &direction, settings)?;
+        Ok(Self::begin(started, search.accuracy))
+    }
+
+    /// The orbits of a branch of which the first point has been found.
+    pub(super) fn begin(started: Started<OrbitProblem<F, N>>, accuracy: f64) -> Self {
+        let (branch, first) = started;
         let mut orbits = Self {
             branch,
             first: None,
-            accuracy: search.accuracy,
+            accuracy,
             counted: Work::default(),
         };
-        let first = orbits.read(&first);
-        orbits.first = Some(first);
-        Ok(orbits)
+        orbits.first = Some(orbits.read(&first));
+        orbits
+    }
+
+    /// The orbit from which the branch sets out, until it has been taken.
+    #[must_use]
+    pub fn first(&self) -> Option<&Orbit<N, Mode<F, N>>> {
+        self.first.as_ref()
     }
 
     /// Why the branch ended; `None` while it goes on.
     #[must_use]
     pub fn ending(&self) -> Option<&Ending<FlowError>> {
         self.branch.ending()
+    }
+
+    /// Takes the last step back: see [`Branch::retract`].
+    pub fn retract(&mut self) -> bool {
+        self.branch.retract()
     }
 
     /// What lies between the last two orbits; `None` at the first.
@@ -104,7 +139,7 @@ fn read<F: Family<N>, const N: usize>(
         residual: point.residual,
     };
     let mut orbit = Orbit::read(family, solution, accuracy, work);
-    orbit.slope = point.tangent_r;
+    orbit.heading.follow(&point.tangent);
     orbit
 }
 
@@ -130,7 +165,12 @@ impl<F: Family<N> + Clone, const N: usize> Path for OrbitPath<F, N> {
     fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error> {
         let point = self.link.between(share)?;
         let family = &self.link.problem.family;
-        Ok(read(family, &point, self.accuracy, Work::default()))
+        let mut orbit = read(family, &point, self.accuracy, Work::default());
+        // At a branch point the kernel has no one direction; that of the step is good enough for all.
+        let slope = orbit.heading.slope;
+        orbit.heading.follow(self.link.chord());
+        orbit.heading.slope = slope;
+        Ok(orbit)
     }
 }
 

@@ -1,9 +1,14 @@
 //! A first guess: let the motion settle, and watch it come back to its section.
 
-use crate::flow::{Flow, FlowError, Place, Want};
+use std::f64::consts::TAU;
+
+use crate::flow::{Flow, FlowError, Place, Want, wrapped};
+use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
 const PATIENCE: usize = 3000;
+/// Most steps of the integrator that are spent on it.
+const STEPS: u64 = 500_000;
 /// Longest period sought, in crossings of the section.
 const LONGEST: usize = 32;
 /// Chunks without a crossing after which the motion is no oscillation.
@@ -14,7 +19,7 @@ const VANISHED: f64 = 1e-7;
 /// A place near a periodic orbit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Guess<const N: usize, Mode> {
-    /// On the section where the first state is least.
+    /// On the section where the first state is least, or where the phase of the drive begins.
     pub place: Place<N, Mode>,
     /// Time to come back.
     pub period: f64,
@@ -43,11 +48,11 @@ pub fn settle<F: Flow<N>, T, const N: usize>(
     mut accept: impl FnMut(&Guess<N, F::Mode>) -> Option<T>,
 ) -> Result<Settled<N, T>, FlowError> {
     let mut watch = Watch::new(start);
-    let mut chunk = watch.first_chunk(flow)?;
+    let mut chunk = radian(flow, &start)?;
     let mut silent = 0;
-    while watch.minima.len() < PATIENCE && silent < SILENCE {
+    while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < STEPS {
         let crossings = watch.follow(flow, chunk)?;
-        if watch.at_rest() {
+        if F::PHASE.is_none() && watch.at_rest() {
             return Ok(Settled::Equilibrium(watch.place.state));
         }
         if crossings < 2 {
@@ -87,6 +92,7 @@ struct Watch<const N: usize, Mode> {
     extent: [f64; N],
     first_extent: f64,
     swings: Vec<f64>,
+    steps: u64,
 }
 
 impl<const N: usize, Mode: Copy> Watch<N, Mode> {
@@ -100,17 +106,8 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
             extent: [0.0; N],
             first_extent: 0.0,
             swings: Vec::new(),
+            steps: 0,
         }
-    }
-
-    /// A time in which the linearised motion turns by about a radian.
-    fn first_chunk<F: Flow<N, Mode = Mode>>(&self, flow: &F) -> Result<f64, FlowError> {
-        let jacobian = flow.velocity(&self.place)?.jacobian;
-        let norm = jacobian
-            .iter()
-            .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())
-            .fold(0.0, f64::max);
-        Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 })
     }
 
     /// Follows one chunk; returns the number of minima in it.
@@ -124,13 +121,15 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
             ..Want::default()
         };
         let passage = flow.advance(&self.place, chunk, want)?;
+        self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
+        let section = F::PHASE.unwrap_or(0);
         let (mut low, mut high) = (passage.end.state, passage.end.state);
         for extremum in &passage.extrema {
             let (j, value) = (extremum.index, extremum.state[extremum.index]);
             low[j] = low[j].min(value);
             high[j] = high[j].max(value);
-            if j == 0 && !extremum.maximum {
+            if j == section && !extremum.maximum {
                 self.minima.push(Minimum {
                     time: self.time + extremum.time,
                     state: extremum.state,
@@ -138,12 +137,18 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
             }
         }
         let crossings = self.minima.len() - before;
+        // A motion that creeps to rest has been somewhere else, too.
+        let reach = (self.place.state[0] - low[0]).abs().max(high[0] - low[0]);
+        self.first_extent = self.first_extent.max(reach);
         if crossings >= 2 {
+            if let Some(phase) = F::PHASE {
+                (low[phase], high[phase]) = (0.0, TAU);
+            }
             self.extent = std::array::from_fn(|j| high[j] - low[j]);
-            self.first_extent = self.first_extent.max(self.extent[0]);
             self.swings.push(self.extent[0]);
         }
         self.place = passage.end;
+        self.place.state = wrapped::<F, N>(self.place.state);
         self.time += chunk;
         Ok(crossings)
     }

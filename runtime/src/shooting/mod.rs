@@ -1,17 +1,28 @@
 //! Periodic orbits by shooting: thesis section 2.2.
 
+mod anchor;
 mod branch;
+mod converge;
+mod error;
 mod guess;
+mod hopf;
 mod orbit;
 mod phase;
 mod problem;
+mod same;
 mod search;
+mod switch;
 mod watched;
 
+pub use anchor::anchored;
+pub(crate) use anchor::problem;
 pub use branch::{OrbitBranch, OrbitPath};
+pub use converge::converge;
+pub use error::OrbitError;
 pub use guess::{Guess, Settled, settle};
-pub use orbit::Orbit;
+pub(crate) use orbit::Solution;
+pub use orbit::{Heading, Orbit};
 pub use phase::Phase;
 pub use problem::{OrbitProblem, Shot};
-pub(crate) use search::problem;
-pub use search::{OrbitError, Search, anchored, closest, converge};
+pub use search::{Search, closest};
+pub use switch::{SwitchError, Turn};

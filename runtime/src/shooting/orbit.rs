@@ -1,8 +1,10 @@
 //! A periodic orbit with everything that is known of it.
 
+use std::f64::consts::TAU;
+
 use nalgebra::DVector;
 
-use super::problem::Shot;
+use super::problem::{Shot, half_extents};
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
 use crate::flow::{Event, Factor, Family, Flow, Place, Segment};
@@ -12,7 +14,7 @@ use crate::flow::{Event, Factor, Family, Flow, Place, Segment};
 pub struct Orbit<const N: usize, Mode> {
     /// The design variable.
     pub r: f64,
-    /// Its start: on the default section, the first state least.
+    /// Its start: on the default section, the first state least; with a drive, where its phase begins.
     pub place: Place<N, Mode>,
     /// Its minimal period.
     pub period: f64,
@@ -20,7 +22,7 @@ pub struct Orbit<const N: usize, Mode> {
     pub max: [f64; N],
     /// Smallest value of each state.
     pub min: [f64; N],
-    /// Crossings of the section der(first state) = 0, upwards, in one period.
+    /// Crossings of the section der(first state) = 0, upwards, in one period; with a drive, how often that turns.
     pub period_count: usize,
     /// Stability.
     pub floquet: Floquet,
@@ -32,10 +34,32 @@ pub struct Orbit<const N: usize, Mode> {
     pub segments: Vec<Segment<Mode>>,
     /// What happened at the contacts, or nearly did; nothing for a smooth system.
     pub events: Vec<Event<N>>,
-    /// r-component of the unit tangent of its branch, in scaled coordinates; 1 off any branch.
-    pub slope: f64,
+    /// Its points on the default section, where the first state is least, in the order of time.
+    pub section: Vec<[f64; N]>,
+    /// Where it stands on its branch.
+    pub heading: Heading<N, Mode>,
     /// Work of finding it.
     pub work: Work,
+}
+
+/// Where an orbit stands on its branch, so that another branch can set out from there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heading<const N: usize, Mode> {
+    /// Where shooting starts: not always on the section.
+    pub start: Place<N, Mode>,
+    /// Unit tangent of the branch in scaled coordinates (start, period, r); `None` off any branch, or
+    /// where shooting has several segments.
+    pub tangent: Option<DVector<f64>>,
+    /// r-component of the unit tangent; 1 off any branch.
+    pub slope: f64,
+}
+
+impl<const N: usize, Mode> Heading<N, Mode> {
+    /// Takes the tangent of the branch.
+    pub(crate) fn follow(&mut self, tangent: &DVector<f64>) {
+        self.slope = tangent[tangent.len() - 1];
+        self.tangent = (tangent.len() == N + 2).then(|| tangent.clone());
+    }
 }
 
 /// A converged solution of the shooting equations.
@@ -116,9 +140,23 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
                 .flat_map(|passage| passage.events.clone())
                 .collect(),
             segments,
-            slope: 1.0,
+            section: shot.minima().map(|(_, state)| state).collect(),
+            heading: Heading {
+                start: Place {
+                    state: std::array::from_fn(|j| z[j]),
+                    mode: shot.start.mode,
+                },
+                tangent: None,
+                slope: 1.0,
+            },
             work,
         }
+    }
+
+    /// Half the extent of each state; 1 for one that rests, and so has none to be measured against.
+    #[must_use]
+    pub fn magnitude(&self) -> [f64; N] {
+        half_extents(&self.min, &self.max, &[1.0; N])
     }
 
     /// Largest magnitude of each state.
@@ -159,10 +197,12 @@ impl<const N: usize, Mode: Copy> Shot<N, Mode> {
         (phi, trace)
     }
 
-    /// Time and state of each minimum of the first state in [0, T), the start included once if it is one.
+    /// Time and state of each minimum of the first state in [0, T), the start included once if it is one; with a drive,
+    /// of each beginning of its phase.
     pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, [f64; N])> + '_ {
         let share = self.period / self.passages.len().max(1) as f64;
         let near = INSTANT * self.period;
+        let section = self.drive.unwrap_or(0);
         let all = self
             .passages
             .iter()
@@ -171,7 +211,7 @@ impl<const N: usize, Mode: Copy> Shot<N, Mode> {
                 let minima = passage
                     .extrema
                     .iter()
-                    .filter(|e| e.index == 0 && !e.maximum);
+                    .filter(move |e| e.index == section && !e.maximum);
                 minima.map(move |e| (i as f64 * share + e.time, e.state))
             });
         let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
@@ -179,8 +219,12 @@ impl<const N: usize, Mode: Copy> Shot<N, Mode> {
         start.into_iter().chain(inside)
     }
 
-    /// Whether the first state is least at the start.
+    /// Whether the first state is least at the start; with a drive, whether its phase begins there.
     fn starts_on_section(&self) -> bool {
+        if let Some(phase) = self.drive {
+            let turns = self.start.state[phase] / TAU;
+            return (turns - turns.round()).abs() <= INSTANT;
+        }
         let terms = (0..N).map(|j| self.velocity.jacobian[0][j] * self.velocity.f[j]);
         let (bend, size) = terms.fold((0.0, 0.0), |(sum, size), term: f64| {
             (sum + term, size + term.abs())

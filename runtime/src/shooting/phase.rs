@@ -14,9 +14,28 @@ pub enum Phase<const N: usize> {
         /// The field there.
         velocity: [f64; N],
     },
+    /// The state of this index, the phase of a drive, has this value: a stroboscopic section.
+    Strobe {
+        /// Which state.
+        index: usize,
+        /// Its value.
+        at: f64,
+    },
 }
 
 impl<const N: usize> Phase<N> {
+    /// The condition that lets a start float: with a drive its phase stays, otherwise it moves orthogonally to the field.
+    #[must_use]
+    pub fn floating(drive: Option<usize>, at: [f64; N], velocity: [f64; N]) -> Self {
+        match drive {
+            Some(index) => Self::Strobe {
+                index,
+                at: at[index],
+            },
+            None => Self::Orthogonal { at, velocity },
+        }
+    }
+
     /// The condition at `state`, and its derivatives with respect to state and design variable.
     #[must_use]
     pub fn equation(&self, state: &[f64; N], velocity: &Velocity<N>) -> (f64, [f64; N], f64) {
@@ -32,6 +51,10 @@ impl<const N: usize> Phase<N> {
             Self::Orthogonal { at, velocity } => {
                 let value = (0..N).map(|j| velocity[j] * (state[j] - at[j])).sum();
                 (value, *velocity, 0.0)
+            }
+            Self::Strobe { index, at } => {
+                let gradient = std::array::from_fn(|j| f64::from(j == *index));
+                (state[*index] - at, gradient, 0.0)
             }
         }
     }

@@ -5,7 +5,11 @@ use nalgebra::{DMatrix, DVector};
 use super::phase::Phase;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Passage, Place, Velocity, Want};
+use crate::flow::{Family, Flow, FlowError, Passage, Place, Velocity, Want, wrapped};
+use std::f64::consts::TAU;
+
+/// Half an extent below this share of a state is rounding error.
+const RESTS: f64 = 1e-8;
 
 type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
@@ -34,6 +38,8 @@ pub struct OrbitProblem<F: Family<N>, const N: usize> {
     pub work: Work,
     modes: Vec<Mode<F, N>>,
     largest: [f64; N],
+    /// States of the last accepted orbit at which it could begin as well.
+    others: Vec<[f64; N]>,
 }
 
 /// One evaluation of the problem: the motion once around.
@@ -47,6 +53,8 @@ pub struct Shot<const N: usize, Mode> {
     pub velocity: Velocity<N>,
     /// The period tried.
     pub period: f64,
+    /// The state that is the phase of a drive, if there is one.
+    pub drive: Option<usize>,
 }
 
 impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
@@ -71,6 +79,7 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
             work: Work::default(),
             modes: starts.iter().map(|place| place.mode).collect(),
             largest: magnitude,
+            others: Vec::new(),
         }
     }
 
@@ -87,10 +96,7 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
     /// The field is not finite there.
     pub fn float(&mut self, place: &Place<N, Mode<F, N>>, r: f64) -> Result<(), FlowError> {
         let velocity = self.family.at(r)?.velocity(place)?.f;
-        self.phase = Phase::Orthogonal {
-            at: place.state,
-            velocity,
-        };
+        self.phase = Phase::floating(F::Flow::PHASE, place.state, velocity);
         Ok(())
     }
 
@@ -136,7 +142,12 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
             if let Some(derivatives) = &passage.derivatives {
                 for row in 0..N {
                     let (at, unit) = (i * N + row, self.magnitude[row]);
-                    h[at] = (passage.end.state[row] - next[row]) / unit;
+                    let mut gap = passage.end.state[row] - next[row];
+                    if F::Flow::PHASE == Some(row) && i + 1 == m {
+                        // Once around, the phase has turned a whole number of times, and at least once.
+                        gap -= TAU * (gap / TAU).round().max(1.0);
+                    }
+                    h[at] = gap / unit;
                     h_r[at] = derivatives.design[row] / unit;
                     h_z[(at, n - 1)] = derivatives.time[row] / (m as f64 * unit);
                     for column in 0..N {
@@ -172,6 +183,7 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
                 start,
                 velocity,
                 period,
+                drive: F::Flow::PHASE,
             },
         })
     }
@@ -209,18 +221,28 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
         if matches!(self.phase, Phase::Section(_)) {
             return Ok(None);
         }
+        self.others = shot.turns();
         let calmer = self.calmer(r, shot)?;
         let start = calmer.unwrap_or(Place {
             state: self.segment(z, 0),
             mode: self.modes[0],
         });
         let velocity = self.family.at(r)?.velocity(&start)?.f;
-        self.phase = Phase::Orthogonal {
-            at: start.state,
-            velocity,
-        };
+        self.phase = Phase::floating(F::Flow::PHASE, start.state, velocity);
         self.modes[0] = start.mode;
         Ok(calmer.map(|place| Self::unknowns(&[place.state], shot.period)))
+    }
+
+    fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
+        let state = *self.others.get(trial)?;
+        let flow = self.family.at(r).ok()?;
+        let place = flow.place(state).ok()?;
+        self.phase = Phase::Orthogonal {
+            at: state,
+            velocity: flow.velocity(&place).ok()?.f,
+        };
+        self.modes[0] = place.mode;
+        Some(Self::unknowns(&[state], self.period))
     }
 
     /// What depends on where along the orbit it starts is left out: only the period and r stay.
@@ -244,7 +266,8 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
         let [passage] = shot.passages.as_slice() else {
             return Ok(None);
         };
-        let place = passage.calm.place;
+        let mut place = passage.calm.place;
+        place.state = wrapped::<F::Flow, N>(place.state);
         let haste = |velocity: &Velocity<N>| {
             let bend = |i: usize| {
                 (0..N)
@@ -270,8 +293,27 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
     }
 }
 
+/// Most places at which an orbit is begun anew.
+const OTHERS: usize = 4;
+
 impl<const N: usize, Mode> Shot<N, Mode> {
+    /// States in which the first state is least or greatest, spread over the motion; none where it is
+    /// divided into segments.
+    fn turns(&self) -> Vec<[f64; N]> {
+        let [passage] = self.passages.as_slice() else {
+            return Vec::new();
+        };
+        let turns = |maximum: bool| {
+            let found = passage.extrema.iter();
+            let found = found.filter(move |e| e.index == 0 && e.maximum == maximum);
+            found.map(|e| e.state).take(OTHERS / 2)
+        };
+        turns(false).chain(turns(true)).collect()
+    }
+
     /// Smallest and largest value of each state along the motion.
+    ///
+    /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.
     #[must_use]
     pub fn extent(&self) -> ([f64; N], [f64; N]) {
         let (mut low, mut high) = (self.start.state, self.start.state);
@@ -281,6 +323,13 @@ impl<const N: usize, Mode> Shot<N, Mode> {
                 low[j] = low[j].min(value);
                 high[j] = high[j].max(value);
             }
+            for j in 0..N {
+                low[j] = low[j].min(passage.calm.low[j]);
+                high[j] = high[j].max(passage.calm.high[j]);
+            }
+        }
+        if let Some(phase) = self.drive {
+            (low[phase], high[phase]) = (0.0, TAU);
         }
         (low, high)
     }
@@ -288,13 +337,22 @@ impl<const N: usize, Mode> Shot<N, Mode> {
     /// Half the extent of each state; `fallback` where it has none.
     fn magnitude(&self, fallback: &[f64; N]) -> [f64; N] {
         let (low, high) = self.extent();
-        std::array::from_fn(|j| {
-            let half = 0.5 * (high[j] - low[j]);
-            if half > 0.0 && half.is_finite() {
-                half
-            } else {
-                fallback[j]
-            }
-        })
+        half_extents(&low, &high, fallback)
     }
+}
+
+/// Half the extent of each state; `fallback` for one that rests, and so has none to be measured against.
+pub(super) fn half_extents<const N: usize>(
+    low: &[f64; N],
+    high: &[f64; N],
+    fallback: &[f64; N],
+) -> [f64; N] {
+    std::array::from_fn(|j| {
+        let half = 0.5 * (high[j] - low[j]);
+        if half > RESTS * low[j].abs().max(high[j].abs()) && half.is_finite() {
+            half
+        } else {
+            fallback[j]
+        }
+    })
 }

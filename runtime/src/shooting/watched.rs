@@ -15,7 +15,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
     }
 
     fn slope(&self) -> f64 {
-        self.slope
+        self.heading.slope
     }
 
     fn floquet(&self) -> &Floquet {
@@ -30,6 +30,10 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
 
     fn word_length(&self) -> usize {
         stretches(self).len()
+    }
+
+    fn asymmetry(&self) -> f64 {
+        self.halves()
     }
 
     fn near_misses(&self) -> Vec<Margin> {

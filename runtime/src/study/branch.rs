@@ -1,29 +1,49 @@
-//! A branch of periodic orbits, and all that is reported of it.
+//! A branch of periodic orbits as it is reported, with those that leave it.
 
 use super::case::Along;
-use super::orbit::{OrbitRecord, Sought};
-use super::special::{Special, Specials};
-use crate::bifurcation::{Findings, Kind, Located, Unexplained, detect, explain};
-use crate::continuation::{Ending, Settings};
-use crate::flow::{Family, Flow, FlowError};
-use crate::shooting::{Orbit, OrbitBranch, OrbitError};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use super::orbit::OrbitRecord;
+use super::special::Special;
+use crate::bifurcation::{Kind, Unexplained};
+use crate::continuation::Ending;
+use crate::flow::FlowError;
 
 /// A branch whose period has grown this many times has none in the end.
-const ENDLESS: f64 = 1e6;
+pub(super) const ENDLESS: f64 = 1e6;
 
 /// A branch as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BranchRecord {
     /// What was followed.
     pub along: Along,
-    /// Its orbits in the order in which they were found.
+    /// The label of the special point of the branch above from which it leaves; `None` for the first.
+    pub from: Option<String>,
+    /// Its orbits in their order along it.
     pub points: Vec<OrbitRecord>,
-    /// Where its stability or its make-up changes.
+    /// Where its stability or its make-up changes, in the same order.
     pub special: Vec<Special>,
     /// Why it ended.
     pub ended: Ended,
+    /// Why it ended at its other side, if it was followed both ways.
+    pub began: Option<Ended>,
+    /// The branches that leave it.
+    pub branches: Vec<BranchRecord>,
+}
+
+impl BranchRecord {
+    /// The first end, of this branch or of those that leave it, that does not lie in the branch itself.
+    #[must_use]
+    pub fn unlocated(&self) -> Option<&Ended> {
+        let own = self.began.iter().chain([&self.ended]);
+        let below = self.branches.iter().filter_map(Self::unlocated);
+        own.filter(|ended| !ended.located).chain(below).next()
+    }
+
+    /// This branch and all that leave it, each before those that leave it in turn.
+    #[must_use]
+    pub fn all(&self) -> Vec<&Self> {
+        let below = self.branches.iter().flat_map(Self::all);
+        std::iter::once(self).chain(below).collect()
+    }
 }
 
 /// Why a branch ended.
@@ -37,108 +57,9 @@ pub struct Ended {
     pub reason: String,
 }
 
-impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
-    /// Follows the orbit at the beginning of `along`; `watch` sees each point as it is found.
-    pub(super) fn branch(
-        &self,
-        along: Along,
-        watch: &mut dyn FnMut(&OrbitRecord),
-    ) -> Result<BranchRecord, OrbitError> {
-        let (from, to) = along.span();
-        let first = self.orbit(from)?;
-        let settings = Settings::new(from, to, self.search.accuracy);
-        let branch = OrbitBranch::start(self.family, &first, &self.search, settings)
-            .map_err(OrbitError::Newton)?;
-        let mut following = Following {
-            sought: self,
-            branch,
-            orbits: Vec::new(),
-            points: Vec::new(),
-            specials: Specials::new(along),
-        };
-        let ended = following.run(&first, watch);
-        let specials = following.specials;
-        Ok(BranchRecord {
-            along,
-            points: following.points,
-            ended: specials.unexplained().map_or(ended, Ended::unexplained),
-            special: specials.finish(),
-        })
-    }
-}
-
-/// A branch being followed.
-struct Following<'a, F: Family<N> + Clone, const N: usize> {
-    sought: &'a Sought<'a, F, N>,
-    branch: OrbitBranch<F, N>,
-    orbits: Vec<Orbit<N, Mode<F, N>>>,
-    points: Vec<OrbitRecord>,
-    specials: Specials,
-}
-
-impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
-    /// Goes on to the end; `first` is the orbit from which it starts.
-    fn run(&mut self, first: &Orbit<N, Mode<F, N>>, watch: &mut dyn FnMut(&OrbitRecord)) -> Ended {
-        while let Some(orbit) = self.branch.next() {
-            let mut point = self.sought.record(&orbit);
-            if self.points.is_empty() {
-                point.work += first.work;
-            }
-            if let Some(end) = self.examine(&orbit, &mut point) {
-                return self.end(end);
-            }
-            watch(&point);
-            let endless = point.period > ENDLESS * first.period;
-            self.points.push(point);
-            self.orbits.push(orbit);
-            if endless {
-                return Ended::endless();
-            }
-        }
-        let reason = match self.branch.ending() {
-            Some(Ending::StepTooSmall(_)) => explain(&self.orbits, self.sought.search.accuracy),
-            _ => None,
-        };
-        match reason {
-            Some(reason) => self.end(reason),
-            None => self
-                .branch
-                .ending()
-                .map_or_else(Ended::endless, Ended::from),
-        }
-    }
-
-    /// Looks for bifurcations on the way to `orbit`; gives the one that ends the branch before it.
-    fn examine(
-        &mut self,
-        orbit: &Orbit<N, Mode<F, N>>,
-        point: &mut OrbitRecord,
-    ) -> Option<Located<Orbit<N, Mode<F, N>>>> {
-        let (mut path, before) = (self.branch.path()?, self.orbits.last()?);
-        let accuracy = self.sought.search.accuracy;
-        let findings = detect(&mut path, before, orbit, accuracy);
-        point.work += path.work();
-        if !findings.unexplained.is_empty() {
-            // Beyond a graze, what was found is not the same motion any more.
-            let end = explain(&self.orbits, accuracy);
-            if end.is_some() {
-                return end;
-            }
-        }
-        self.specials.take(findings);
-        None
-    }
-
-    fn end(&mut self, reason: Located<Orbit<N, Mode<F, N>>>) -> Ended {
-        let ended = Ended::at(reason.kind, self.specials.along.value(reason.r));
-        self.specials.take(Findings::of(reason));
-        ended
-    }
-}
-
 impl Ended {
     /// A bifurcation beyond which no orbit continues the branch, or none that can be reached.
-    fn at(kind: Kind, r: f64) -> Self {
+    pub(super) fn at(kind: Kind, r: f64) -> Self {
         let reason = match kind {
             Kind::Fold => format!("it turns at {r}, too sharply to be followed round"),
             _ => format!(
@@ -153,8 +74,28 @@ impl Ended {
         }
     }
 
+    /// A doubled orbit that has become the one from which it branches.
+    pub(super) fn meets(r: f64) -> Self {
+        Self {
+            word: Kind::Flip.name(),
+            located: true,
+            reason: format!(
+                "at {r} both halves of the orbit become one: it meets the branch from which it doubles"
+            ),
+        }
+    }
+
+    /// A branch that has come round to where it began.
+    pub(super) fn closed(r: f64) -> Self {
+        Self {
+            word: "closed",
+            located: true,
+            reason: format!("it is closed: it came back to the orbit at {r} with which it began"),
+        }
+    }
+
     /// A change that no bifurcation accounts for.
-    fn unexplained(change: &Unexplained) -> Self {
+    pub(super) fn unexplained(change: &Unexplained) -> Self {
         let ([from, to], [before, after]) = (change.between, change.unstable);
         let reason = &change.reason;
         Self {
@@ -168,7 +109,7 @@ impl Ended {
     }
 
     /// The period grows without bound, as it does towards rest.
-    fn endless() -> Self {
+    pub(super) fn endless() -> Self {
         Self {
             word: "infinite-period",
             located: true,
@@ -190,6 +131,11 @@ impl From<&Ending<FlowError>> for Ended {
                 "step-too-small",
                 false,
                 format!("no step is small enough: {failure}"),
+            ),
+            Ending::Creeping(length) => (
+                "step-too-small",
+                false,
+                format!("no step was longer than {length:e} of its extent for too long"),
             ),
             Ending::TooManyPoints => (
                 "too-many-points",

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::bifurcation::Kind;
 use crate::field::{Design, Smoothing};
 use crate::model::ModelInfo;
 
@@ -20,6 +21,44 @@ pub struct Case {
     pub period: Option<f64>,
     /// Relative accuracy of period and extrema.
     pub accuracy: f64,
+    /// Where on the way of the design variable a branch of orbits begins.
+    pub beginning: Beginning,
+    /// Which branches that leave it are followed too.
+    pub switch: Switch,
+}
+
+/// Where on the way of its design variable a branch begins.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Beginning {
+    /// At the beginning of the way.
+    #[default]
+    End,
+    /// At this value between its ends, in both directions.
+    At(f64),
+    /// At the first Hopf point of the equilibrium that begins at the beginning of the way.
+    Hopf,
+}
+
+/// The special points at which other branches are followed, too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Switch {
+    /// Flips: the doubled orbits.
+    pub flips: bool,
+    /// Branch points: the branch that crosses.
+    pub branch_points: bool,
+    /// How many switches lie between the first branch and the last at most.
+    pub depth: usize,
+}
+
+impl Switch {
+    /// Whether another branch is wanted at this kind of point.
+    pub(super) fn wants(&self, kind: Kind) -> bool {
+        match kind {
+            Kind::Flip => self.flips,
+            Kind::BranchPoint => self.branch_points,
+            _ => false,
+        }
+    }
 }
 
 /// How friction acts in a system.
@@ -55,6 +94,8 @@ impl Case {
             start: None,
             period: None,
             accuracy: 1e-9,
+            beginning: Beginning::End,
+            switch: Switch::default(),
         }
     }
 

@@ -30,8 +30,12 @@ pub fn choose(info: &ModelInfo, dynamics: Option<Dynamics>, accuracy: f64) -> Ch
         Dynamics::Smooth => (
             "smooth dynamics",
             tolerance,
-            "the model has no friction, so that nothing switches; explicit steps until the motion turns out to be stiff"
-                .to_owned(),
+            format!(
+                "{}; explicit steps until the motion turns out to be stiff",
+                info.only_form().unwrap_or_else(|| {
+                    "the model has no friction, so that nothing switches".to_owned()
+                })
+            ),
         ),
         Dynamics::Exact => (
             "exact dynamics",

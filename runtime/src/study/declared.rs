@@ -2,21 +2,32 @@
 
 use std::marker::PhantomData;
 
+use super::atlas::Hopf;
 use super::branch::BranchRecord;
-use super::case::{Case, Dynamics};
+use super::case::{Along, Beginning, Case, Dynamics};
+use super::characteristic::{Characteristic, Laws};
+use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
+use super::diagram::{Diagram, DiagramRecord};
 use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
+use super::modes::sliding_modes;
 use super::orbit::{OrbitRecord, Sought};
+use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
-use super::trade::{Scope, TradeError, trade};
+use super::trade::{Scope, tradable, trade};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
+use crate::equilibrium::find;
 use crate::field::Design;
 use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, word};
 use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
+use crate::poincare::Section;
 use crate::scalar::Inline;
-use crate::shooting::Search;
+use crate::shooting::{OrbitError, Search};
+
+/// A motion that has settled is this near to its equilibrium.
+const SETTLED: f64 = 1e-3;
 
 /// The model `M`, whose number of states nobody else needs to know.
 pub(super) struct Declared<M, const N: usize>(PhantomData<fn() -> M>);
@@ -108,6 +119,70 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         })
     }
 
+    /// A model with a drive has no equilibrium.
+    fn may_rest() -> Result<(), StudyError> {
+        match M::INFO.drive {
+            None => Ok(()),
+            Some(phase) => Err(StudyError::Driven {
+                model: M::INFO.command,
+                phase: M::INFO.states[phase].name,
+            }),
+        }
+    }
+
+    /// An error that names an equilibrium, with its exact place where Newton finds it.
+    fn sharpened(case: &Case, error: OrbitError) -> OrbitError {
+        let OrbitError::Equilibrium { state } = &error else {
+            return error;
+        };
+        let near: [f64; N] = std::array::from_fn(|j| state.get(j).copied().unwrap_or(0.0));
+        let r = Self::beginning(case);
+        let places: Vec<[f64; N]> = match case.dynamics {
+            Dynamics::Exact => {
+                let model = Self::model(case);
+                let found = find(&Self::exact(case), r, &[near], |y| sliding_modes(&model, y));
+                found.iter().map(|one| one.place.state).collect()
+            }
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                let found = find(&Self::smooth(case), r, &[near], |_| vec![()]);
+                found.iter().map(|one| one.place.state).collect()
+            }
+        };
+        let size = near.iter().fold(1.0_f64, |size, y| size.max(y.abs()));
+        let close = |place: &&[f64; N]| {
+            let off = place.iter().zip(&near).map(|(a, b)| (a - b).abs());
+            off.fold(0.0, f64::max) <= SETTLED * size
+        };
+        match places.iter().find(close) {
+            Some(place) => OrbitError::Equilibrium {
+                state: place.to_vec(),
+            },
+            None => error,
+        }
+    }
+
+    /// The Hopf point at which the branch of a case begins, if it begins at one.
+    fn hopf(case: &Case, along: Along) -> Result<Option<Hopf<N>>, StudyError> {
+        if case.beginning != Beginning::Hopf {
+            return Ok(None);
+        }
+        let branch = Self::equilibria_along(case, along, &mut |_| ())?;
+        let point = branch.special.iter().find_map(|point| {
+            let period = point.period?;
+            let r = Along {
+                from: point.r,
+                ..along
+            };
+            let state = point.state.as_slice().try_into().ok()?;
+            Some(Hopf {
+                r: r.span().0,
+                state,
+                period,
+            })
+        });
+        point.map(Some).ok_or(StudyError::NoHopf)
+    }
+
     fn search(case: &Case) -> Search<N> {
         Search {
             start: Self::start(case),
@@ -157,6 +232,14 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         M::INFO
     }
 
+    fn laws(&self, case: &Case, see: &mut dyn FnMut(usize, &dyn Characteristic)) {
+        let _ = M::rhs(
+            &Self::model(case).values(),
+            Self::start(case),
+            &mut Laws(see),
+        );
+    }
+
     fn check(&self, case: &Case) -> Result<(), StudyError> {
         let smoothing = case.along.map(|along| along.design) == Some(Design::Smoothing);
         if smoothing && case.smoothing().is_none() {
@@ -183,18 +266,35 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         })
     }
 
-    fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
-        let r = Self::beginning(case);
+    fn crossings(
+        &self,
+        case: &Case,
+        section: Section,
+        span: Span,
+    ) -> Result<Vec<CrossingRecord>, StudyError> {
+        let (start, r) = (Self::start(case), Self::beginning(case));
         Ok(match case.dynamics {
-            Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).found(r)?,
+            Dynamics::Exact => span.crossings(&Self::exact(case).at(r)?, start, section)?,
             Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                Self::sought_smoothly(case, &Self::smooth(case)).found(r)?
+                span.crossings(&Self::smooth(case).at(r)?, start, section)?
             }
         })
     }
 
+    fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
+        let r = Self::beginning(case);
+        let found = match case.dynamics {
+            Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).found(r),
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                Self::sought_smoothly(case, &Self::smooth(case)).found(r)
+            }
+        };
+        Ok(found.map_err(|error| Self::sharpened(case, error))?)
+    }
+
     fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
         self.check(case)?;
+        Self::may_rest()?;
         Self::all_equilibria(case)
     }
 
@@ -204,6 +304,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         watch: &mut dyn FnMut(&EquilibriumRecord),
     ) -> Result<EquilibriaRecord, StudyError> {
         self.check(case)?;
+        Self::may_rest()?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         Self::equilibria_along(case, along, watch)
     }
@@ -215,12 +316,55 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     ) -> Result<BranchRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
-        Ok(match case.dynamics {
+        let hopf = Self::hopf(case, along)?;
+        match case.dynamics {
             Dynamics::Exact => {
-                Self::sought_exactly(case, &Self::exact(case)).branch(along, watch)?
+                Self::sought_exactly(case, &Self::exact(case)).branch(along, hopf, watch)
             }
             Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                Self::sought_smoothly(case, &Self::smooth(case)).branch(along, watch)?
+                Self::sought_smoothly(case, &Self::smooth(case)).branch(along, hopf, watch)
+            }
+        }
+    }
+
+    fn curve(
+        &self,
+        case: &Case,
+        scope: &CurveScope,
+        watch: &mut dyn FnMut(&CurvePointRecord),
+    ) -> Result<CurveRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        for value in [scope.and.from, scope.and.to] {
+            let other = Case {
+                along: Some(scope.and),
+                ..case.clone()
+            };
+            self.check(&other.at(value))?;
+        }
+        match case.dynamics {
+            Dynamics::Exact => {
+                Self::sought_exactly(case, &Self::exact(case)).curve(along, scope, watch)
+            }
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                Self::sought_smoothly(case, &Self::smooth(case)).curve(along, scope, watch)
+            }
+        }
+    }
+
+    fn diagram(
+        &self,
+        case: &Case,
+        diagram: &Diagram,
+        watch: &(dyn Fn(f64) + Sync),
+    ) -> Result<DiagramRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        let start = Self::start(case);
+        Ok(match case.dynamics {
+            Dynamics::Exact => diagram.draw(&Self::exact(case), along, start, watch),
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                diagram.draw(&Self::smooth(case), along, start, watch)
             }
         })
     }
@@ -234,12 +378,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
                 trade,
             })
         };
-        if M::INFO.contacts.is_empty() {
-            return Err(TradeError::NoFriction {
-                model: M::INFO.command,
-            }
-            .into());
-        }
+        tradable(M::INFO)?;
         TradeRecord::gather(case, at)
     }
 }

@@ -2,16 +2,21 @@
 
 use super::branch::BranchRecord;
 use super::case::Case;
+use super::characteristic::Characteristic;
+use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
 use super::declared::Declared;
+use super::diagram::{Diagram, DiagramRecord};
 use super::ends::TradeRecord;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::orbit::OrbitRecord;
+use super::section::{CrossingRecord, Span};
 use super::trade::{Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::continuation::Failure;
 use crate::flow::FlowError;
 use crate::model::{Model, ModelInfo};
-use crate::shooting::OrbitError;
+use crate::poincare::Section;
+use crate::shooting::{OrbitError, SwitchError};
 
 /// A declared model that answers a [`Case`].
 pub trait Entry: Send + Sync {
@@ -24,11 +29,25 @@ pub trait Entry: Send + Sync {
     /// A parameter is out of its bounds, a smoothing would falsify a law, or there is nothing to follow.
     fn check(&self, case: &Case) -> Result<(), StudyError>;
 
+    /// Shows the law of each contact with its number, at the parameters and the start of the case.
+    fn laws(&self, case: &Case, see: &mut dyn FnMut(usize, &dyn Characteristic));
+
     /// The motion from the start of the case for the time `time`.
     ///
     /// # Errors
     /// The motion cannot be followed.
     fn motion(&self, case: &Case, time: f64) -> Result<Trajectory, StudyError>;
+
+    /// The points at which the motion from the start of the case meets a section.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    fn crossings(
+        &self,
+        case: &Case,
+        section: Section,
+        span: Span,
+    ) -> Result<Vec<CrossingRecord>, StudyError>;
 
     /// The periodic orbit that is reached from the start of the case.
     ///
@@ -62,6 +81,30 @@ pub trait Entry: Send + Sync {
         watch: &mut dyn FnMut(&OrbitRecord),
     ) -> Result<BranchRecord, StudyError>;
 
+    /// A special point of that branch, followed in the design variable of the case and another one; `watch` sees each
+    /// point as it is found.
+    ///
+    /// # Errors
+    /// There is no orbit to begin with, or no such point on its branch.
+    fn curve(
+        &self,
+        case: &Case,
+        scope: &CurveScope,
+        watch: &mut dyn FnMut(&CurvePointRecord),
+    ) -> Result<CurveRecord, StudyError>;
+
+    /// Where the motions of the case meet a section, for many values of its design variable; `watch` is told the
+    /// share of the work done, from any thread.
+    ///
+    /// # Errors
+    /// Nothing is followed, or the case cannot be asked.
+    fn diagram(
+        &self,
+        case: &Case,
+        diagram: &Diagram,
+        watch: &(dyn Fn(f64) + Sync),
+    ) -> Result<DiagramRecord, StudyError>;
+
     /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.
     ///
     /// # Errors
@@ -89,15 +132,67 @@ pub enum StudyError {
         /// From how many places it was looked for.
         starts: usize,
     },
+    /// A driven model never rests.
+    #[error(
+        "`{model}` has no equilibrium: its drive `{phase}` never stands still; `orbit` finds the motion that answers it"
+    )]
+    Driven {
+        /// The model.
+        model: &'static str,
+        /// The phase of its drive.
+        phase: &'static str,
+    },
     /// An equilibrium cannot be followed.
     #[error("the equilibrium cannot be followed: {0}")]
     Equilibrium(Failure<FlowError>),
+    /// The branch has no such special point.
+    #[error("{}", no_special(.wanted.as_deref(), .labels))]
+    NoSpecial {
+        /// Its label, if one was asked for.
+        wanted: Option<String>,
+        /// The labels that there are.
+        labels: Vec<String>,
+    },
+    /// A special point that has no curve here.
+    #[error(
+        "{label} is a {kind} point, and only folds, flips, torus and grazing points can be followed in two parameters"
+    )]
+    NotFollowed {
+        /// Its label.
+        label: String,
+        /// What it is.
+        kind: &'static str,
+    },
+    /// A curve cannot be begun.
+    #[error("the special point cannot be followed: {0}")]
+    Curve(Failure<FlowError>),
     /// No orbit was found.
     #[error(transparent)]
     Orbit(#[from] OrbitError),
+    /// The equilibrium has no Hopf point on the way.
+    #[error(
+        "the equilibrium has no Hopf point there from which orbits could be followed: `equilibria` shows what it has"
+    )]
+    NoHopf,
+    /// No orbit begins at the Hopf point.
+    #[error("no orbit was found that begins at the Hopf point: {0}")]
+    Hopf(SwitchError),
     /// The motion cannot be followed.
     #[error(transparent)]
     Flow(#[from] FlowError),
+}
+
+fn no_special(wanted: Option<&str>, labels: &[String]) -> String {
+    let there = match labels {
+        [] => "the branch has no special point at all".to_owned(),
+        labels => format!("the branch has {}", labels.join(", ")),
+    };
+    match wanted {
+        Some(wanted) => format!("there is no special point {wanted}: {there}"),
+        None => format!(
+            "there is no fold, flip, torus or grazing point to be followed in two parameters: {there}"
+        ),
+    }
 }
 
 /// The model `M` as an entry; the number of its states is inferred: `entry::<BeltOscillator, _>()`.

@@ -5,40 +5,56 @@
 
 #[cfg(feature = "app")]
 pub mod app;
+mod atlas;
 mod branch;
 mod case;
+mod characteristic;
 mod choice;
 mod counterpart;
+mod curve;
 mod declared;
+mod diagram;
 mod ends;
 mod entry;
 mod equilibria;
 mod equilibrium;
+mod follow;
+mod hysteresis;
 mod modes;
 mod orbit;
+mod parallel;
 pub mod predict;
 #[cfg(feature = "app")]
 pub mod report;
+mod section;
 mod seed;
 mod special;
+mod specimen;
 pub mod trade;
 mod trajectory;
 
 pub use branch::{BranchRecord, Ended};
-pub use case::{Along, Case, Dynamics};
+pub use case::{Along, Beginning, Case, Dynamics, Switch};
+pub use characteristic::Characteristic;
 pub use choice::{Choice, choose};
+pub use curve::{CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
+pub use diagram::{Diagram, DiagramRecord, Motion, Slice, Sweep, SweepRecord};
 pub use ends::{End, TradeRecord};
 pub use entry::{Entry, StudyError, entry};
 pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
+pub use hysteresis::Hysteresis;
 pub use orbit::OrbitRecord;
+pub use parallel::{parallel, parallel_on};
+pub use section::{CrossingRecord, Span};
 pub use special::Special;
+pub use specimen::{Remembering, Shown, Specimen};
 pub use trajectory::Trajectory;
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
 #[cfg(not(feature = "app"))]
 #[macro_export]
 macro_rules! app {
-    ($($model:ty),+ $(,)?) => {
+    ($($models:tt)*) => {
         compile_error!("`app!` needs the feature `app`: write `stickslip = { version = \"...\", features = [\"app\"] }`");
     };
 }

@@ -30,6 +30,8 @@ pub struct OrbitRecord {
     pub max_abs: Vec<f64>,
     /// Crossings of the default section in one period.
     pub period_count: usize,
+    /// Its points on the default section, in the order of time.
+    pub section: Vec<Vec<f64>>,
     /// Multipliers and what they say.
     pub floquet: Floquet,
     /// The modes that it runs through, for exact dynamics.
@@ -40,6 +42,16 @@ pub struct OrbitRecord {
     pub error_estimate: f64,
     /// What it cost.
     pub work: Work,
+}
+
+/// How much a failure tells of the system: that motions settle elsewhere is more than that a search ended.
+fn tells(error: &OrbitError) -> u8 {
+    match error {
+        OrbitError::NotIsolated { .. } => 3,
+        OrbitError::Equilibrium { .. } => 2,
+        OrbitError::NotSettled { .. } => 1,
+        OrbitError::Newton(_) | OrbitError::Flow(_) => 0,
+    }
 }
 
 /// How the stretches of an orbit are spelt.
@@ -58,7 +70,7 @@ pub(super) struct Sought<'a, F: Family<N>, const N: usize> {
 impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
     /// The orbit at r, in the family's own count, from the first seed that leads to one.
     pub(super) fn orbit(&self, r: f64) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-        let mut last = None;
+        let mut telling = None::<OrbitError>;
         for &Seed { start, period } in &self.seeds {
             let search = Search {
                 start,
@@ -67,10 +79,16 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
             };
             match closest(self.family, r, &search) {
                 Ok(orbit) => return Ok(orbit),
-                Err(error) => last = Some(error),
+                Err(error) if telling.as_ref().is_none_or(|t| tells(t) <= tells(&error)) => {
+                    telling = Some(error);
+                }
+                Err(_) => {}
             }
         }
-        Err(last.unwrap_or(OrbitError::NotSettled { time: 0.0 }))
+        Err(telling.unwrap_or(OrbitError::NotSettled {
+            time: 0.0,
+            last: None,
+        }))
     }
 
     /// The orbit at r as it is reported.
@@ -92,6 +110,7 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
             min: orbit.min.to_vec(),
             max_abs: orbit.max_abs().to_vec(),
             period_count: orbit.period_count,
+            section: orbit.section.iter().map(|state| state.to_vec()).collect(),
             floquet: orbit.floquet.clone(),
             word: (self.spelling)(&orbit.segments),
             residual: orbit.residual,

@@ -1,11 +1,12 @@
-//! Special points of a branch, numbered as they are found.
+//! Special points of a branch, numbered in their order.
 
 use std::collections::HashMap;
 
 use nalgebra::Complex;
 
 use super::case::Along;
-use crate::bifurcation::{Findings, Kind, Unexplained, Watched};
+use crate::bifurcation::{Kind, Located};
+use crate::shooting::Orbit;
 
 /// A point of a branch where something changes.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,59 +15,46 @@ pub struct Special {
     pub kind: &'static str,
     /// Kind and number, for instance `PD1`.
     pub label: String,
+    /// How many points of its branch precede it.
+    pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
     /// The period there.
     pub period: f64,
     /// The multipliers there.
     pub multipliers: Vec<Complex<f64>>,
+    /// Where the orbit there begins.
+    pub state: Vec<f64>,
+    /// Its largest magnitude of each state.
+    pub max_abs: Vec<f64>,
+    /// `supercritical` or `subcritical`, where that was looked at.
+    pub criticality: Option<&'static str>,
+    /// What is to be said of the branch that leaves it, if it was not followed from here.
+    pub note: Option<String>,
 }
 
-/// The special points of a branch under way.
-pub(super) struct Specials {
-    pub(super) along: Along,
-    points: Vec<Special>,
-    counts: HashMap<Kind, usize>,
-    unexplained: Option<Unexplained>,
-}
-
-impl Specials {
-    pub(super) fn new(along: Along) -> Self {
-        Self {
-            along,
-            points: Vec::new(),
-            counts: HashMap::new(),
-            unexplained: None,
+/// The special points as they are reported.
+pub(super) fn numbered<const N: usize, M: Copy + PartialEq>(
+    along: &Along,
+    located: &[Located<Orbit<N, M>>],
+    after: &[usize],
+) -> Vec<Special> {
+    let mut counts: HashMap<Kind, usize> = HashMap::new();
+    let special = |(found, after): (&Located<Orbit<N, M>>, &usize)| {
+        let count = counts.entry(found.kind).or_default();
+        *count += 1;
+        Special {
+            kind: found.kind.name(),
+            label: format!("{}{count}", found.kind.letters()),
+            after: *after,
+            r: along.value(found.r),
+            period: found.point.period,
+            multipliers: found.point.floquet.multipliers.clone(),
+            state: found.point.place.state.to_vec(),
+            max_abs: found.point.max_abs().to_vec(),
+            criticality: None,
+            note: None,
         }
-    }
-
-    /// Takes what was found on one step.
-    pub(super) fn take<P: Watched>(&mut self, findings: Findings<P>) {
-        for found in findings.located {
-            let count = self.counts.entry(found.kind).or_default();
-            *count += 1;
-            self.points.push(Special {
-                kind: found.kind.name(),
-                label: format!("{}{count}", found.kind.letters()),
-                r: self.along.value(found.r),
-                period: found.point.period(),
-                multipliers: found.point.floquet().multipliers.clone(),
-            });
-        }
-        let first = findings.unexplained.into_iter().next();
-        self.unexplained = self.unexplained.take().or(first.map(|change| Unexplained {
-            between: change.between.map(|r| self.along.value(r)),
-            ..change
-        }));
-    }
-
-    /// The first change that no special point accounts for.
-    pub(super) fn unexplained(&self) -> Option<&Unexplained> {
-        self.unexplained.as_ref()
-    }
-
-    /// All special points.
-    pub(super) fn finish(self) -> Vec<Special> {
-        self.points
-    }
+    };
+    located.iter().zip(after).map(special).collect()
 }

@@ -1,15 +1,19 @@
-//! What derivatives, flows and branches cost: `cargo bench`, or `cargo bench --features diffsol` to have the same
-//! flows by that library beside them.
+//! What derivatives, flows, branches and digits cost: `cargo bench`, or `cargo bench --features diffsol` to have the
+//! same flows by that library beside them; `tests/cvode` has them by CVODES.
 //!
 //! Times are the best of many runs. On a busy machine the ratios decide.
 
 mod branches;
+mod chains;
 mod clock;
+mod contender;
 mod derivatives;
 mod exact;
 mod flows;
 #[cfg(feature = "diffsol")]
 mod rival;
+mod round;
+mod work_precision;
 
 fn main() {
     // Cargo passes `--bench`; a word besides picks the tables whose name holds it.
@@ -22,11 +26,20 @@ fn main() {
     if asked("derivatives") {
         derivatives::table();
     }
+    if asked("chains") {
+        chains::table();
+    }
     if asked("flows") {
         flows::table();
     }
+    if asked("growth") {
+        flows::growth();
+    }
     if asked("exact") {
         exact::table();
+    }
+    if asked("work-precision") {
+        work_precision::table();
     }
     if asked("branches") {
         branches::table();

@@ -1,37 +1,18 @@
 //! The same flows by the `diffsol` crate: BDF with forward sensitivities, the closest that a library offers.
 
-use std::time::Duration;
-
 use diffsol::error::DiffsolError;
 use diffsol::{DenseMatrix, NalgebraLU, NalgebraMat, OdeBuilder, SensitivitiesOdeSolverMethod};
-use stickslip::field::{Design, Field, SmoothField};
+use stickslip::field::Field;
 use stickslip::model::Model;
 
-use crate::flows::{PHI, Round, errors, loosest};
+use crate::round::{Round, Sensitivities};
 
-type Sensitivities<const N: usize> = ([[f64; N]; N], [f64; N]);
-
-pub(crate) fn row<M: Model<N>, const N: usize>(round: &Round<M, N>, ours: f64) {
-    let truth = round.truth();
-    let error = |tolerance: f64| {
-        let (state, design) = go(round, tolerance).ok()?;
-        Some(errors(&state, &design, &truth))
-    };
-    let Some(tolerance) = loosest(|tolerance| error(tolerance).map(|error| error.0)) else {
-        println!("{:<18}does not reach an error of {PHI:e}", "  diffsol");
-        return;
-    };
-    let (phi, by_r) = error(tolerance).unwrap_or((f64::NAN, f64::NAN));
-    let seconds = super::clock::best(Duration::from_secs(1), || {
-        let _ = std::hint::black_box(go(round, std::hint::black_box(tolerance)));
-    });
-    println!(
-        "{:<18}{tolerance:>10.1e}{:>10.1}{:>33}{phi:>10.1e}{by_r:>10.1e}   {:.1} times ours (10 is wanted)",
-        "  diffsol",
-        seconds * 1e6,
-        "",
-        seconds / ours,
-    );
+/// Once around by BDF.
+pub(crate) fn bdf<M: Model<N>, const N: usize>(
+    round: &Round<M, N>,
+    tolerance: f64,
+) -> Option<Sensitivities<N>> {
+    go(round, tolerance).ok()
 }
 
 /// Φ and ∂φ/∂r: the start and the design variable are the parameters.
@@ -39,9 +20,7 @@ fn go<M: Model<N>, const N: usize>(
     round: &Round<M, N>,
     tolerance: f64,
 ) -> Result<Sensitivities<N>, DiffsolError> {
-    let smoothing = "arctan:1e5".parse().ok();
-    let design = Design::Parameter(round.design);
-    let field = SmoothField::new(&round.model_at_r(), smoothing, design).expect("a smoothing");
+    let field = round.field();
     let state = |x: &[f64]| std::array::from_fn::<f64, N, _>(|j| x[j]);
     let problem = OdeBuilder::<NalgebraMat<f64>>::new()
         .rtol(tolerance)

@@ -7,9 +7,9 @@ use super::super::ReproduceError;
 use super::super::errors::{
     self, Errors, Names, Of, Printed, against_parameter, against_size, measure,
 };
-use super::super::parallel::parallel;
 use super::super::words::scientific;
 use crate::BeltOscillator;
+use stickslip::study::parallel;
 
 /// The thesis's belt speeds.
 const SPEEDS: [f64; 4] = [0.05, 0.1, 0.15, 0.2];

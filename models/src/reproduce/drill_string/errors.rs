@@ -7,8 +7,8 @@ use super::super::ReproduceError;
 use super::super::errors::{
     self, Errors, Names, Of, Printed, against_parameter, against_size, measure,
 };
-use super::super::parallel::parallel;
 use crate::DrillString;
+use stickslip::study::parallel;
 
 /// The thesis's table speeds.
 const SPEEDS: [f64; 4] = [1.0, 2.0, 3.0, 4.0];

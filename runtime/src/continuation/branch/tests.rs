@@ -41,7 +41,7 @@ fn goes_through_a_fold_and_comes_back() {
     assert!(
         points
             .windows(2)
-            .any(|pair| pair[0].tangent_r * pair[1].tangent_r < 0.0)
+            .any(|pair| pair[0].tangent[1] * pair[1].tangent[1] < 0.0)
     );
 }
 
@@ -64,5 +64,5 @@ fn a_point_between_two_lies_on_the_branch() {
     let mut link = branch.link().unwrap().clone();
     let point = link.between(0.3).unwrap();
     assert!((point.z[0].hypot(point.r) - 1.0).abs() < 1e-12);
-    assert!(point.r < last.r && point.tangent_r > last.tangent_r);
+    assert!(point.r < last.r && point.tangent[1] > last.tangent[1]);
 }

@@ -103,7 +103,7 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
         }
     }
 
-    /// The forces that keep ẇ = 0 where contacts stick (3a); `None` if they are not unique.
+    /// The forces that keep ẇ = 0 where contacts stick; `None` if they are not unique.
     pub(super) fn sticking_forces(&self, modes: &Modes<M, N>) -> Option<M::PerContact<D>> {
         let stuck = |i: usize| modes.as_slice()[i] == Mode::Stick;
         let (rate, force) = (self.rate.as_ref(), self.force.as_ref());

@@ -7,6 +7,7 @@ use super::columns::Columns;
 use super::constants::Constants;
 use super::mode::{Mode, Modes};
 use super::rule::Branches;
+use crate::field::memory;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
@@ -56,6 +57,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) constants: Option<Constants<M, N>>,
     /// Usual magnitudes of the states: what errors are measured against where they pass through zero.
     pub(crate) magnitude: [f64; N],
+    /// Number of kinks of laws with internal state.
+    pub(super) corners: usize,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -72,8 +75,15 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             columns: Columns::of::<M>(design.is_some()),
             constants: Constants::find(&lanes),
             lanes,
-            magnitude: [1.0; N],
+            magnitude: memory::bounded::<M, N>(&plain, [1.0; N]),
+            corners: memory::corners::<M, N>(&plain),
         }
+    }
+
+    /// The same system, its states measured against these magnitudes where they pass through zero.
+    pub(crate) fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
+        self.magnitude = memory::bounded::<M, N>(&self.plain, magnitude);
+        self
     }
 
     /// Number of contacts.
@@ -105,6 +115,15 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// w_y of each contact, if none depends on the state.
     pub(crate) fn gradients(&self) -> Option<&[[f64; N]]> {
         self.constants.as_ref().map(|c| c.gradient.as_ref())
+    }
+
+    /// Usual magnitude of a contact's relative speed, as far as that of the states tells.
+    pub(super) fn usual_speed(&self, contact: usize) -> f64 {
+        let Some(gradients) = self.gradients() else {
+            return 1.0;
+        };
+        let terms = gradients[contact].iter().zip(&self.magnitude);
+        terms.map(|(slope, size)| (slope * size).abs()).sum()
     }
 
     /// The equations with the sticking forces left open.

@@ -1,4 +1,4 @@
-//! Friction forces at rest as a box-constrained problem: which contacts hold, and which are at their limit (3b).
+//! Friction forces at rest as a box-constrained problem: which contacts hold, and which are at their limit.
 
 use crate::field::exact::{Square, solve};
 use crate::model::Model;

@@ -1,7 +1,7 @@
 //! Local extrema of every state: located like events, not read off stored samples.
 
 use crate::field::Field;
-use crate::flow::Extremum;
+use crate::flow::{Extremum, strobes};
 use crate::integrate::event::Bernstein;
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Carried, Dense};
@@ -51,6 +51,23 @@ impl<const N: usize> Extrema<N> {
             }
             self.sign[index] = last;
         }
+    }
+
+    /// Notes where the phase of a drive begins anew in the step just made.
+    pub(super) fn strobe<F: Field<N>, V: Carried<N>>(
+        &mut self,
+        phase: Option<usize>,
+        stepper: &mut Stepper<'_, F, V, N>,
+    ) {
+        let ends = (*stepper.from().state(), *stepper.end().state());
+        let (time, length) = (stepper.time(), stepper.length());
+        strobes(
+            phase,
+            (&ends.0, &ends.1),
+            (time, length),
+            &mut self.found,
+            |theta| Some(stepper.step_map(theta * length)),
+        );
     }
 
     /// All extrema in the order of time; a plateau that the passage begins or ends with is one too.

@@ -42,6 +42,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     pub(super) fn observe(&mut self, stepper: &mut Steps<'_, 'f, M, V, N>, dense: &Dense<N>) {
         if self.want.extrema {
             self.extrema.look(stepper, dense);
+            self.extrema.strobe(M::INFO.drive, stepper);
         }
         for k in 1..=SAMPLES {
             let theta = f64::from(k) / f64::from(SAMPLES);

@@ -18,7 +18,11 @@ use crate::scalar::Inline;
 
 /// Events that may follow each other within [`NO_TIME`] of the passage.
 const CHATTER: u64 = 100;
-const NO_TIME: f64 = 1e-6;
+const NO_TIME: f64 = 1e-10;
+/// Trial steps through which derivatives are worth carrying.
+const DIFFERENTIATED: u64 = 50_000;
+/// Steps on end that may advance the time by no more than [`NO_TIME`] of the passage.
+const CREEP: u64 = 20_000;
 
 /// A motion under way.
 pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
@@ -134,13 +138,27 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let field = ExactField::new(&flow.system, self.modes, self.carried.state())?;
         self.scales = flow.speed_scales(self.carried.state());
         let mut settings = flow.settings;
+        if self.carried.motion().is_some() {
+            settings.steps = settings.steps.min(DIFFERENTIATED);
+        }
         let spent = self.work.steps + self.work.rejected;
         settings.steps = settings.steps.saturating_sub(spent);
         let span = self.span - self.time;
         let mut stepper = Stepper::new(&field, settings, self.carried, self.time, span)?;
         let mut strike = None;
+        let mut since = (0_u64, self.time);
         while strike.is_none() && self.time < self.span {
             strike = self.step(&mut stepper, &field)?;
+            since.0 += 1;
+            if self.time - since.1 > NO_TIME * self.span {
+                since = (0, self.time);
+            } else if since.0 > CREEP {
+                return Err(FlowError::Integration(IntegrationError::StepTooSmall {
+                    time: self.time,
+                    step: stepper.length(),
+                    state: self.carried.state().to_vec(),
+                }));
+            }
         }
         self.work += stepper.work;
         match strike {
@@ -159,7 +177,19 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         stepper
             .attempt(limit)
             .map_err(|error| self.explain(error))?;
+        stepper.stop_at_corner()?;
         let mut dense = stepper.dense();
+        // Between finite ends the way may overflow, and no event would be seen on it.
+        if dense
+            .state(0.5)
+            .iter()
+            .any(|component| !component.is_finite())
+        {
+            return Err(self.explain(IntegrationError::NotFinite {
+                time: self.time,
+                state: self.carried.state().to_vec(),
+            }));
+        }
         let mut nearest = Vec::new();
         let fall = self.watch(stepper, &dense, &mut nearest)?;
         let mut strike = None;
@@ -272,7 +302,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     }
 
     /// A failure of the integrator, or what caused it.
-    fn explain(&self, error: IntegrationError) -> FlowError {
+    fn explain(&self, mut error: IntegrationError) -> FlowError {
+        if let IntegrationError::TooManySteps { steps, .. } = &mut error {
+            *steps += self.work.steps + self.work.rejected;
+        }
         if let IntegrationError::NotFinite { .. } = error
             && let Err(cause) = self.flow.system.snapshot(self.carried.state(), &self.modes)
         {

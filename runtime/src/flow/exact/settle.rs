@@ -1,4 +1,4 @@
-//! The mode of every contact at rest: which stick, which slide, and how those leave the surface (3.2 to 3.4).
+//! The mode of every contact at rest: which stick, which slide, and how those leave the surface.
 
 use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::flow::FlowError;

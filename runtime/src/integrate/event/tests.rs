@@ -147,3 +147,17 @@ fn polishing_is_safe_and_sharp() {
     });
     assert!((flat - 0.4).abs() < 1e-7, "{flat}");
 }
+
+/// Each half of such a polynomial varies as much as the whole: a search that goes by that never ends.
+#[test]
+fn what_is_no_number_has_no_roots() {
+    for hole in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for place in 0..8 {
+            let mut coefficients = [1.0, -2.0, 0.5, 3.0, -1.0, 0.25, 2.0, -0.5];
+            coefficients[place] = hole;
+            let p = Bernstein::new(&coefficients);
+            assert!(p.sign_changes().iter().count() <= 7);
+            let _ = p.first_fall();
+        }
+    }
+}

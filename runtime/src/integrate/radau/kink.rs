@@ -27,35 +27,35 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
         collocation: &Collocation<N, S>,
     ) -> Kink<N, S> {
         let (start, end) = (trial.start, trial.end());
-        let mut first: Option<(f64, usize)> = None;
+        let mut first: Option<(f64, usize, f64)> = None;
         for index in 0..self.field.kinks() {
             let (a, b) = (self.field.kink(index, &start), self.field.kink(index, &end));
-            if a.abs() > KINK_REACHED && a * b < 0.0 {
+            let size = self.field.kink_size(index, a, b);
+            if a.abs() > KINK_REACHED * size && a * b < 0.0 {
                 let theta = bisect(
                     |theta| self.field.kink(index, &add(&start, &collocation.at(theta))),
                     a,
                 );
-                if first.is_none_or(|(earliest, _)| theta < earliest) {
-                    first = Some((theta, index));
+                if first.is_none_or(|(earliest, ..)| theta < earliest) {
+                    first = Some((theta, index, size));
                 }
             }
         }
-        let Some((theta, index)) = first else {
+        let Some(first @ (theta, ..)) = first else {
             return Kink::None;
         };
-        match self.locate_kink(trial, collocation, theta, index) {
+        match self.locate_kink(trial, collocation, first) {
             Some(shorter) => Kink::At(shorter),
             None => Kink::Missed(theta),
         }
     }
 
-    /// The step to kink number `index`, which the polynomial sees at `theta`.
+    /// The step to kink number `index`, which the polynomial sees at `theta`, and whose function has this size.
     fn locate_kink(
         &mut self,
         trial: &Trial<N, S>,
         collocation: &Collocation<N, S>,
-        theta: f64,
-        index: usize,
+        (theta, index, size): (f64, usize, f64),
     ) -> Option<Trial<N, S>> {
         let along = |theta: f64| add(&trial.start, &collocation.at(theta));
         let mut shorter = self.solve_within(trial, collocation, theta)?;
@@ -64,11 +64,11 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
         let nearby = self.field.kink(index, &along(theta * (1.0 - 1e-4)));
         let slope = (self.field.kink(index, &along(theta)) - nearby) / (1e-4 * theta);
         let better = theta - value / slope;
-        if value.abs() > KINK_REACHED && better > 0.0 && better < 1.0 {
+        if value.abs() > KINK_REACHED * size && better > 0.0 && better < 1.0 {
             shorter = self.solve_within(trial, collocation, better)?;
         }
         // The stage equations have other solutions that leave a layer at once; they fail here.
-        let reached = self.field.kink(index, &shorter.end()).abs() <= KINK_MISSED;
+        let reached = self.field.kink(index, &shorter.end()).abs() <= KINK_MISSED * size;
         (reached && self.error(&shorter) <= 1.0).then_some(shorter)
     }
 }

@@ -19,15 +19,18 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
         .version(app.version)
         .about("Periodic motions of systems with dry friction, exact or smoothed")
         .subcommand(models())
+        .subcommand(laws())
         .subcommand(simulate())
         .subcommand(orbit())
         .subcommand(branch())
         .subcommand(trade())
-        .subcommand(equilibria());
+        .subcommand(equilibria())
+        .subcommand(diagram());
     if app.reproduction.is_some() {
         command = command.args(to_reproduce()).subcommand(
             Command::new("reproduce")
                 .about(REPRODUCE)
+                .arg(word("PART", "Only this part of it").hide(app.parts.is_empty()))
                 .args(to_reproduce()),
         );
     }
@@ -47,11 +50,42 @@ fn models() -> Command {
         .args([json(), quiet()])
 }
 
+fn laws() -> Command {
+    Command::new("laws")
+        .about("Show friction laws: their formulas, and force against sliding speed")
+        .after_help(
+            "Of a model, the laws of its contacts are shown at its parameters and its start",
+        )
+        .arg(word("LAW", "A law or a model; all laws without it"))
+        .args([
+            setting(),
+            valued(
+                "smooth",
+                "KERNEL:SIZE",
+                "The copy beside it, for instance tanh:50",
+            ),
+            valued(
+                "speed",
+                "V",
+                "The largest sliding speed, or that of a swing",
+            ),
+            valued(
+                "amplitude",
+                "X",
+                "Of a swing that shows what a law remembers",
+            ),
+            out(),
+            json(),
+            quiet(),
+        ])
+}
+
 fn simulate() -> Command {
     Command::new("simulate")
         .about("Follow one motion from its start")
         .args(shared())
         .arg(valued("time", "T", "How long").default_value("100"))
+        .arg(section())
 }
 
 fn orbit() -> Command {
@@ -59,6 +93,7 @@ fn orbit() -> Command {
         .about("Find a periodic orbit and judge its stability")
         .args(shared())
         .arg(period())
+        .arg(section())
 }
 
 fn branch() -> Command {
@@ -67,6 +102,31 @@ fn branch() -> Command {
         .args(shared())
         .arg(period())
         .arg(along())
+        .arg(valued(
+            "from",
+            "VALUE",
+            "Begin at this value between A and B and follow both ways, or begin at the equilibrium's first `hopf` point",
+        ))
+        .arg(valued(
+            "switch",
+            "WHERE",
+            "Follow the branches that leave it, too: at flips, branch-points, or all",
+        ))
+        .arg(valued(
+            "depth",
+            "N",
+            "How many switches deep: 1 without --depth",
+        ))
+        .arg(valued(
+            "and",
+            "NAME=C..D",
+            "Follow a fold, flip, torus or grazing point of the branch in this parameter too, from C to D",
+        ))
+        .arg(valued(
+            "of",
+            "LABEL",
+            "Which one, for instance PD1; the first without --of",
+        ))
 }
 
 fn equilibria() -> Command {
@@ -74,6 +134,33 @@ fn equilibria() -> Command {
         .about("List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds")
         .args(shared())
         .arg(along())
+}
+
+fn diagram() -> Command {
+    Command::new("diagram")
+        .about("Draw a Poincaré diagram: let the motion settle at many values of a parameter, and note where it meets a section")
+        .after_help(
+            "A sweep begins each value where the one before ended, and so stays with its attractor; \
+             `--sweep fresh` begins each at the start. Nothing depends on the number of threads",
+        )
+        .args(shared())
+        .arg(along())
+        .arg(section())
+        .arg(valued("sweep", "WAY", "`up`, `down`, `both` or `fresh`").default_value("both"))
+        .arg(valued("values", "N", "How many values of the parameter").default_value("200"))
+        .arg(valued("settle", "N", "Points left out while the motion settles").default_value("300"))
+        .arg(valued("points", "N", "Points noted at each value").default_value("64"))
+        .arg(valued("lyapunov", "N", "The largest Lyapunov exponent too, averaged over N laps"))
+        .arg(valued("show", "NAME", "The state on the vertical axis of the drawing"))
+        .arg(valued("threads", "N", "How many threads; all cores if nothing is said"))
+}
+
+fn section() -> Arg {
+    valued(
+        "section",
+        "NAME=VALUE",
+        "Points where a state has this value: `v=0.1`, `'v=0.1 down'`, `der(x)=0`; counted `up` unless `down` or `both`",
+    )
 }
 
 fn along() -> Arg {
@@ -102,12 +189,7 @@ fn trade() -> Command {
 fn shared() -> [Arg; 9] {
     [
         word("MODEL", "A model, as `models` names it"),
-        valued(
-            "set",
-            "NAME=VALUE",
-            "Set a parameter; may be given several times",
-        )
-        .action(ArgAction::Append),
+        setting(),
         flag("exact", "Friction by its set-valued law: the default"),
         valued(
             "smooth",
@@ -124,6 +206,15 @@ fn shared() -> [Arg; 9] {
         json(),
         quiet(),
     ]
+}
+
+fn setting() -> Arg {
+    valued(
+        "set",
+        "NAME=VALUE",
+        "Set a parameter; may be given several times",
+    )
+    .action(ArgAction::Append)
 }
 
 fn period() -> Arg {

@@ -3,30 +3,44 @@
 use clap::ArgMatches;
 
 use super::App;
+use super::curve;
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, request, text};
+use super::picture;
 use super::progress::Progress;
 use super::spreadsheet::Spreadsheet;
-use super::text::{digits, number, parameters, table};
+use super::text::{digits, followed, label, number as significant, parameters, table, timed};
+use super::words::{number, unknown};
 use crate::model::ModelInfo;
-use crate::study::{BranchRecord, Case, OrbitRecord};
+use crate::study::{Beginning, BranchRecord, Case, Ended, OrbitRecord, Switch};
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     if text(options, "along").is_none() {
         let message = "`branch` needs `--along NAME=A..B`: what to follow, from where to where";
         return Err(Failure::usage(message));
     }
+    if curve::wanted(options)? {
+        return curve::perform(request(app, options)?, options);
+    }
     let Request {
         entry,
-        case,
+        mut case,
         output,
     } = request(app, options)?;
     let info = entry.info();
+    case.switch = switch(options)?;
+    case.beginning = beginning(options, &case)?;
+    if let Beginning::At(value) = case.beginning {
+        case = case.at(value);
+    }
     let progress = Progress::along(&output);
+    let mut journal = output.journal("branch");
     let mut watch = |point: &OrbitRecord| {
         if let (Some(along), Some(r)) = (case.along, point.r) {
-            let message = format!("{} = {}", along.name(info), number(r, 6));
+            let name = followed(info, &along);
+            journal.add(|| Spreadsheet::orbits(info, &name, std::slice::from_ref(point)));
+            let message = format!("{} = {}", along.name(info), significant(r, 6));
             progress.reach(along.share(r), message);
         }
     };
@@ -34,23 +48,89 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         .branch(&case, &mut watch)
         .map_err(|error| Failure::of(&error, info))?;
     drop(progress);
-    let sheet = Spreadsheet::orbits(info, branch.along.name(info), &branch.points);
+    let name = followed(info, &branch.along);
+    let sheets: Vec<(String, Spreadsheet)> = branch
+        .all()
+        .into_iter()
+        .enumerate()
+        .map(|(i, branch)| (sheet(i), Spreadsheet::orbits(info, &name, &branch.points)))
+        .collect();
+    let sheets: Vec<(&str, Spreadsheet)> = sheets
+        .iter()
+        .map(|(name, sheet)| (name.as_str(), sheet.clone()))
+        .collect();
     let document = json::Branch::new(info, &case, &branch);
+    output.draw([("branch", picture::branch(info, &branch))])?;
     output.deliver(
         "branch",
         &describe(info, &case, &branch),
         &document,
-        &[("branch", sheet)],
+        &sheets,
     )?;
-    let reason = format!(
-        "the branch ended, {}: {}",
-        branch.ended.word, branch.ended.reason
-    );
-    if !branch.ended.located {
-        return Err(Failure::failed(reason));
+    let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word, ended.reason);
+    if let Some(ended) = branch.unlocated() {
+        return Err(Failure::failed(reason(ended)));
     }
-    output.note(reason);
+    output.note(reason(&branch.ended));
     Ok(())
+}
+
+/// The branches to switch to, as `--switch` and `--depth` say.
+fn switch(options: &ArgMatches) -> Result<Switch, Failure> {
+    let depth = text(options, "depth");
+    let Some(word) = text(options, "switch") else {
+        return match depth {
+            Some(depth) => Err(Failure::usage(format!(
+                "`--depth {depth}` says how deep to switch, but not at what: add `--switch flips`"
+            ))),
+            None => Ok(Switch::default()),
+        };
+    };
+    let depth = match depth {
+        None => 1,
+        Some(word) => word
+            .trim()
+            .parse()
+            .ok()
+            .filter(|depth| *depth > 0)
+            .ok_or_else(|| {
+                Failure::usage(format!("`--depth {word}`: give a whole number from 1"))
+            })?,
+    };
+    let (flips, branch_points) = match word {
+        "flips" => (true, false),
+        "branch-points" => (false, true),
+        "all" => (true, true),
+        _ => {
+            let what = "`--switch` knows no";
+            let message = unknown(what, word, &["flips", "branch-points", "all"]);
+            return Err(Failure::usage(message));
+        }
+    };
+    Ok(Switch {
+        flips,
+        branch_points,
+        depth,
+    })
+}
+
+/// Where `--from` says that the branch begins: between the ends of `--along`, or at a Hopf point.
+fn beginning(options: &ArgMatches, case: &Case) -> Result<Beginning, Failure> {
+    let (Some(word), Some(along)) = (text(options, "from"), case.along) else {
+        return Ok(Beginning::End);
+    };
+    if word == "hopf" {
+        return Ok(Beginning::Hopf);
+    }
+    let place = format!("--from {word}");
+    let value = number(&place, word)?;
+    if (value - along.from) * (value - along.to) > 0.0 {
+        return Err(Failure::usage(format!(
+            "`{place}` lies outside `--along`, which goes from {} to {}",
+            along.from, along.to
+        )));
+    }
+    Ok(Beginning::At(value))
 }
 
 fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
@@ -60,23 +140,44 @@ fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
         info.command, case.dynamics
     );
     text.push_str(&format!("  {}\n\n", parameters(info, case)));
-    text.push_str(&table(&points(info, name, branch)));
+    text.push_str(&table(&points(info, branch)));
     if !branch.special.is_empty() {
-        text.push_str(&format!("\n{}", table(&special(name, branch))));
+        text.push_str(&format!("\n{}", table(&special(info, branch))));
+    }
+    for (i, below) in branch.all().into_iter().enumerate().skip(1) {
+        let from = below.from.as_deref().unwrap_or("another");
+        let count = below.points.first().map_or(0, |point| point.period_count);
+        text.push_str(&format!(
+            "\nbranch {i}, period {count}, leaves its parent at {from}; {} points, ended: {}\n",
+            below.points.len(),
+            below.ended.word
+        ));
+        if !below.special.is_empty() {
+            text.push_str(&table(&special(info, below)));
+        }
     }
     text
 }
 
-fn points(info: &ModelInfo, name: &str, branch: &BranchRecord) -> Vec<Vec<String>> {
-    let first = info.states.first().map_or("", |state| state.name);
+/// The name of the file of a branch: `branch`, and `branch-1`, ... of those that leave it.
+fn sheet(number: usize) -> String {
+    match number {
+        0 => "branch".to_owned(),
+        _ => format!("branch-{number}"),
+    }
+}
+
+fn points(info: &ModelInfo, branch: &BranchRecord) -> Vec<Vec<String>> {
+    let largest = info.states.first().map_or(String::new(), |state| {
+        label(&format!("max |{}|", state.name), state.unit)
+    });
     let head = [
-        name,
-        "period",
-        &format!("max |{first}|"),
-        "|multiplier|",
-        "stability",
-    ]
-    .map(str::to_owned);
+        followed(info, &branch.along),
+        timed(info, "period", "s"),
+        largest,
+        "|multiplier|".to_owned(),
+        "stability".to_owned(),
+    ];
     let mut rows = vec![head.to_vec()];
     rows.extend(branch.points.iter().map(point));
     rows
@@ -86,20 +187,23 @@ fn point(orbit: &OrbitRecord) -> Vec<String> {
     let digits = digits(orbit.error_estimate).min(9);
     let largest = orbit.floquet.multipliers.first();
     vec![
-        orbit.r.map_or(String::new(), |r| number(r, digits)),
-        number(orbit.period, digits),
+        orbit.r.map_or(String::new(), |r| significant(r, digits)),
+        significant(orbit.period, digits),
         orbit
             .max_abs
             .first()
-            .map_or(String::new(), |&value| number(value, digits)),
-        largest.map_or(String::new(), |multiplier| number(multiplier.norm(), 5)),
+            .map_or(String::new(), |&value| significant(value, digits)),
+        largest.map_or(String::new(), |multiplier| {
+            significant(multiplier.norm(), 5)
+        }),
         orbit.floquet.stability.name().to_owned(),
     ]
 }
 
-fn special(name: &str, branch: &BranchRecord) -> Vec<Vec<String>> {
+fn special(info: &ModelInfo, branch: &BranchRecord) -> Vec<Vec<String>> {
+    let (name, period) = (followed(info, &branch.along), timed(info, "period", "s"));
     let mut rows = vec![
-        ["special", "kind", name, "period"]
+        ["special", "kind", &name, &period, ""]
             .map(str::to_owned)
             .to_vec(),
     ];
@@ -107,8 +211,13 @@ fn special(name: &str, branch: &BranchRecord) -> Vec<Vec<String>> {
         vec![
             point.label.clone(),
             point.kind.to_owned(),
-            number(point.r, 10),
-            number(point.period, 10),
+            significant(point.r, 10),
+            significant(point.period, 10),
+            point
+                .criticality
+                .or(point.note.as_deref())
+                .unwrap_or("")
+                .to_owned(),
         ]
     }));
     rows

@@ -7,9 +7,10 @@ use super::App;
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, request};
+use super::picture;
 use super::progress::Progress;
 use super::spreadsheet::Spreadsheet;
-use super::text::{label, number, parameters, table, time_unit};
+use super::text::{followed, label, number, parameters, table, time_unit, timed};
 use crate::model::ModelInfo;
 use crate::study::{Case, EquilibriaRecord, EquilibriumRecord, SpecialEquilibrium};
 
@@ -51,8 +52,11 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
     } = request;
     let info = entry.info();
     let progress = Progress::along(output);
+    let mut journal = output.journal("equilibria");
     let mut watch = |point: &EquilibriumRecord| {
         if let (Some(along), Some(r)) = (case.along, point.r) {
+            let name = along.name(info);
+            journal.add(|| Spreadsheet::equilibria(info, name, std::slice::from_ref(point)));
             let message = format!("{} = {}", along.name(info), number(r, 6));
             progress.reach(along.share(r), message);
         }
@@ -61,9 +65,10 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
         .equilibria_along(case, &mut watch)
         .map_err(|error| Failure::of(&error, info))?;
     drop(progress);
-    let sheet = Spreadsheet::equilibria(info, branch.along.name(info), &branch.points);
+    let sheet = Spreadsheet::equilibria(info, &followed(info, &branch.along), &branch.points);
     let document = json::EquilibriumBranch::new(info, case, &branch);
     let text = describe(info, case, &branch);
+    output.draw([("equilibria", picture::equilibria(info, &branch))])?;
     output.deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
     let reason = format!(
         "the branch ended, {}: {}",
@@ -77,16 +82,16 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
 }
 
 fn describe(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> String {
-    let name = branch.along.name(info);
+    let (name, along) = (branch.along.name(info), followed(info, &branch.along));
     let mut text = format!(
         "{}, {}: a branch of equilibria along {name}\n  {}\n\n",
         info.command,
         case.dynamics,
         parameters(info, case)
     );
-    text.push_str(&table(&rows(info, Some(name), &branch.points)));
+    text.push_str(&table(&rows(info, Some(&along), &branch.points)));
     if !branch.special.is_empty() {
-        text.push_str(&format!("\n{}", table(&special(info, name, branch))));
+        text.push_str(&format!("\n{}", table(&special(info, &along, branch))));
     }
     let points = branch.points.iter().any(|point| point.artefact);
     let special = branch.special.iter().any(|point| point.artefact);
@@ -101,7 +106,7 @@ fn rows(info: &ModelInfo, name: Option<&str>, all: &[EquilibriumRecord]) -> Vec<
         .map(|state| label(state.name, state.unit));
     let modes = all.iter().any(|one| one.mode.is_some());
     let mut head: Vec<String> = name.map(str::to_owned).into_iter().chain(states).collect();
-    head.push(format!("eigenvalues{}", rate_unit(info)));
+    head.push(timed(info, "eigenvalues", "1/s"));
     head.push("stability".to_owned());
     if modes {
         head.push("mode".to_owned());
@@ -133,14 +138,6 @@ fn state(one: &EquilibriumRecord, j: usize) -> String {
 fn rounded(value: f64) -> String {
     let nothing = value.abs() < 1e-14;
     number(if nothing { 0.0 } else { value }, DIGITS)
-}
-
-fn rate_unit(info: &ModelInfo) -> &'static str {
-    if time_unit(info).is_empty() {
-        ""
-    } else {
-        " (1/s)"
-    }
 }
 
 fn eigenvalues(all: &[Complex<f64>]) -> String {

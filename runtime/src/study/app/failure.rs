@@ -36,8 +36,14 @@ impl Failure {
     pub(super) fn of(error: &StudyError, info: &ModelInfo) -> Self {
         let message = match error {
             StudyError::Orbit(OrbitError::Equilibrium { state }) => format!(
-                "the motion settles on an equilibrium, {}: there is no periodic orbit to be found from this start",
+                "no periodic orbit was found, only an equilibrium: the motion settles at {}; `--start` looks elsewhere",
                 named(info, state)
+            ),
+            StudyError::Orbit(OrbitError::NotIsolated { state, period }) => format!(
+                "the motion through {} is periodic, with the period {}, but so are those beside it: the orbits form a \
+                 family, and none is singled out",
+                named(info, state),
+                super::text::number(*period, 9)
             ),
             other => other.to_string(),
         };
@@ -62,15 +68,27 @@ impl Failure {
 /// Whether other words on the command line are the way out.
 fn is_usage(error: &StudyError) -> bool {
     let flow = match error {
-        StudyError::NothingToSmooth | StudyError::NothingToFollow => return true,
+        StudyError::NothingToSmooth | StudyError::NothingToFollow | StudyError::Driven { .. } => {
+            return true;
+        }
         StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
-        StudyError::Trade(TradeError::NoFriction { .. }) => return true,
+        StudyError::Trade(TradeError::NoFriction { .. } | TradeError::OnlyForm { .. }) => {
+            return true;
+        }
         StudyError::Orbit(_)
         | StudyError::Trade(_)
         | StudyError::NoEquilibrium { .. }
-        | StudyError::Equilibrium(_) => return false,
+        | StudyError::NoSpecial { .. }
+        | StudyError::NotFollowed { .. }
+        | StudyError::Curve(_)
+        | StudyError::Equilibrium(_)
+        | StudyError::NoHopf
+        | StudyError::Hopf(_) => return false,
     };
-    matches!(flow, FlowError::Parameter(_) | FlowError::Smoothing(_))
+    matches!(
+        flow,
+        FlowError::Parameter(_) | FlowError::Smoothing(_) | FlowError::Standing { .. }
+    )
 }
 
 fn named(info: &ModelInfo, state: &[f64]) -> String {

@@ -1,14 +1,21 @@
 //! Answers as JSON.
 
+mod curve;
+mod diagram;
 mod equilibrium;
 mod motion;
+mod section;
 mod trade;
 mod work;
 
 use serde::ser::{Serialize, Serializer};
 
+use super::text::time_unit;
+pub(super) use curve::CurveDocument;
+pub(super) use diagram::DiagramDocument;
 pub(super) use equilibrium::{Equilibria, EquilibriumBranch};
 pub(super) use motion::Motion;
+pub(super) use section::Crossings;
 pub(super) use trade::Trade;
 use work::Counts;
 
@@ -45,7 +52,7 @@ fn parameters<'a>(info: &'a ModelInfo, values: &[f64]) -> Named<'a, f64> {
     )
 }
 
-/// The stated units of states, parameters and friction forces.
+/// The units of states, parameters, friction forces and observables, and of time.
 pub(super) fn units(info: &ModelInfo) -> Named<'_, &'static str> {
     let states = info.states.iter().map(|state| (state.name, state.unit));
     let parameters = info
@@ -56,14 +63,25 @@ pub(super) fn units(info: &ModelInfo) -> Named<'_, &'static str> {
         .contacts
         .iter()
         .map(|contact| (contact.name, contact.unit));
-    let stated = |(name, unit): (&'static str, Option<Unit>)| Some((name, unit?.text));
-    Named(
-        states
-            .chain(parameters)
-            .chain(forces)
-            .filter_map(stated)
-            .collect(),
-    )
+    let observables = info.observables.iter().map(|line| (line.name, line.unit));
+    let known = |(name, unit): (&'static str, Option<Unit>)| Some((name, unit?.text));
+    let named = states.chain(parameters).chain(forces).chain(observables);
+    let mut units: Vec<(&str, &str)> = named.filter_map(known).collect();
+    let times = [
+        ("time", "s"),
+        ("period", "s"),
+        ("frequency", "1/s"),
+        ("eigenvalues", "1/s"),
+    ];
+    if !time_unit(info).is_empty() {
+        let taken = |name| units.iter().any(|(known, _)| *known == name);
+        let free: Vec<_> = times
+            .into_iter()
+            .filter(|(name, _)| !taken(*name))
+            .collect();
+        units.extend(free);
+    }
+    Named(units)
 }
 
 /// A periodic orbit.
@@ -83,7 +101,8 @@ pub(super) struct Orbit<'a> {
     period_count: usize,
     multipliers: Vec<[f64; 2]>,
     log_abs_multipliers: &'a [Option<f64>],
-    trivial_multiplier_error: f64,
+    /// Nothing with a drive: there is no trivial multiplier.
+    trivial_multiplier_error: Option<f64>,
     stability: &'static str,
     word: Option<&'a str>,
     units: Named<'a, &'static str>,
@@ -91,6 +110,8 @@ pub(super) struct Orbit<'a> {
     error_estimate: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     method: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    section: Option<Crossings<'a>>,
     work: Counts,
 }
 
@@ -98,6 +119,12 @@ impl<'a> Orbit<'a> {
     /// The same with the method that was chosen, and why.
     pub(super) fn with_method(mut self, reason: String) -> Self {
         self.method = Some(reason);
+        self
+    }
+
+    /// The same with its points on a section.
+    pub(super) fn with_section(mut self, section: Option<Crossings<'a>>) -> Self {
+        self.section = section;
         self
     }
 
@@ -122,13 +149,14 @@ impl<'a> Orbit<'a> {
                 .map(|m| [m.re, m.im])
                 .collect(),
             log_abs_multipliers: &orbit.floquet.log_moduli,
-            trivial_multiplier_error: orbit.floquet.trivial_error,
+            trivial_multiplier_error: info.drive.is_none().then_some(orbit.floquet.trivial_error),
             stability: orbit.floquet.stability.name(),
             word: orbit.word.as_deref(),
             units: units(info),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,
             method: None,
+            section: None,
             work: Counts::from(&orbit.work),
         }
     }
@@ -141,10 +169,15 @@ pub(super) struct Branch<'a> {
     dynamics: String,
     parameters: Named<'a, f64>,
     along: Range<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    from: Option<&'a str>,
     points: Vec<Orbit<'a>>,
     special: Vec<Point<'a>>,
     ended: &'static str,
     reason: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    began: Option<&'static str>,
+    branches: Vec<Branch<'a>>,
     units: Named<'a, &'static str>,
     work: Counts,
 }
@@ -175,6 +208,10 @@ struct Point<'a> {
     r: f64,
     period: f64,
     multipliers: Vec<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    criticality: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'a str>,
 }
 
 impl<'a> Point<'a> {
@@ -185,6 +222,8 @@ impl<'a> Point<'a> {
             r: special.r,
             period: special.period,
             multipliers: special.multipliers.iter().map(|m| [m.re, m.im]).collect(),
+            criticality: special.criticality,
+            note: special.note.as_deref(),
         }
     }
 }
@@ -205,8 +244,15 @@ impl<'a> Branch<'a> {
                 .map(|point| Orbit::new(info, point))
                 .collect(),
             special: branch.special.iter().map(Point::new).collect(),
+            from: branch.from.as_deref(),
             ended: branch.ended.word,
             reason: &branch.ended.reason,
+            began: branch.began.as_ref().map(|ended| ended.word),
+            branches: branch
+                .branches
+                .iter()
+                .map(|branch| Branch::new(info, case, branch))
+                .collect(),
             units: units(info),
             work: Counts::from(&work),
         }

@@ -7,8 +7,8 @@ use super::App;
 use super::failure::Failure;
 use super::options::text;
 use super::output::Output;
-use super::text::{label, short, table, unit};
-use crate::model::{Bound, Contact, ModelInfo, Parameter, State};
+use super::text::{indented, label, short, summary, table, unit};
+use crate::model::{Bound, Contact, Memory, ModelInfo, Parameter, State};
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let output = Output::new(options)?;
@@ -20,7 +20,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         None => {
             let infos = app.entries.iter().map(|entry| entry.info());
             let documents: Vec<Value> = infos.clone().map(document).collect();
-            let text = infos.map(summary).collect::<Vec<_>>().join("\n");
+            let text = infos.map(brief).collect::<Vec<_>>().join("\n");
             output.deliver("models", &text, &json!({ "models": documents }), &[])
         }
     }
@@ -35,13 +35,17 @@ fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     }
 }
 
-fn summary(info: &ModelInfo) -> String {
+fn brief(info: &ModelInfo) -> String {
     let row = |name: &str, value: String| vec![name.to_owned(), value];
     let contacts = info
         .contacts
         .iter()
         .map(|contact| format!("{} ({})", contact.name, contact.law.name));
-    let contacts: Vec<String> = contacts.collect();
+    let memories = info
+        .memories
+        .iter()
+        .map(|memory| format!("{} ({})", memory.name, memory.law.name));
+    let contacts: Vec<String> = contacts.chain(memories).collect();
     let rows = [
         row("states", names(info.states.iter().map(|state| state.name))),
         row(
@@ -50,11 +54,16 @@ fn summary(info: &ModelInfo) -> String {
         ),
         row("friction", names(contacts.iter().map(String::as_str))),
     ];
-    format!("{}\n  {}\n{}", info.command, info.doc.trim(), table(&rows))
+    format!(
+        "{}\n  {}\n{}",
+        info.command,
+        summary(info.doc),
+        table(&rows)
+    )
 }
 
 fn describe(info: &ModelInfo) -> String {
-    let mut text = format!("{}\n  {}\n", info.command, info.doc.trim());
+    let mut text = format!("{}\n{}", info.command, indented(info.doc));
     let mut section = |title: &str, rows: Vec<Vec<String>>| {
         if !rows.is_empty() {
             text.push_str(&format!("\n{title}\n{}", table(&rows)));
@@ -65,15 +74,17 @@ fn describe(info: &ModelInfo) -> String {
         "parameters",
         info.parameters.iter().map(parameter).collect(),
     );
-    section("friction", info.contacts.iter().flat_map(contact).collect());
+    let contacts = info.contacts.iter().flat_map(contact);
+    let memories = info.memories.iter().flat_map(|line| memory(info, line));
+    section("friction", contacts.chain(memories).collect());
     let observables = info.observables.iter();
     section(
         "observables",
         observables
             .map(|line| {
                 vec![
-                    format!("{} = {}", line.name, line.formula),
-                    line.doc.trim().to_owned(),
+                    format!("{} = {}", label(line.name, line.unit), line.formula),
+                    summary(line.doc),
                 ]
             })
             .collect(),
@@ -96,7 +107,7 @@ fn state(state: &State) -> Vec<String> {
             short(state.start),
             unit(state.unit)
         ),
-        state.doc.trim().to_owned(),
+        summary(state.doc),
     ]
 }
 
@@ -109,7 +120,7 @@ fn parameter(declared: &Parameter) -> Vec<String> {
             unit(declared.unit)
         ),
         declared.bounds.describe(declared.name),
-        declared.doc.trim().to_owned(),
+        summary(declared.doc),
     ]
 }
 
@@ -122,14 +133,54 @@ fn contact(contact: &Contact) -> [Vec<String>; 2] {
                 "{} {{ {} }} opposing {}",
                 law.name, contact.fields, contact.speed
             ),
-            contact.doc.trim().to_owned(),
+            summary(contact.doc),
         ],
         vec![
             String::new(),
             format!("stick = {}; slip(s) = {}", law.stick, law.slip),
-            law.doc.trim().to_owned(),
+            summary(law.doc),
         ],
     ]
+}
+
+/// The first paragraph of a documentation.
+fn summary_of(doc: &str) -> String {
+    doc.trim()
+        .split("\n\n")
+        .next()
+        .unwrap_or_default()
+        .replace('\n', " ")
+}
+
+fn memory(info: &ModelInfo, memory: &Memory) -> Vec<Vec<String>> {
+    let law = memory.law;
+    let row = |left: String, formula: String, doc: &str| vec![left, formula, summary_of(doc)];
+    let first = format!(
+        "{} {{ {} }} opposing {} with {}",
+        law.name,
+        memory.fields,
+        memory.speed,
+        names(carriers(info, memory))
+    );
+    let mut rows = vec![row(label(memory.name, memory.unit), first, memory.doc)];
+    let lets = law.abbreviations.iter();
+    let mut lines: Vec<String> = lets
+        .map(|(name, formula)| format!("{name} = {formula}"))
+        .collect();
+    let states = law.states.iter();
+    lines.extend(states.map(|state| format!("der({}) = {}", state.name, state.equation)));
+    lines.push(format!("force({}) = {}", law.speed, law.force));
+    rows.push(row(String::new(), lines.join("; "), law.doc));
+    rows
+}
+
+/// The states that carry the internal states of a law.
+fn carriers<'a>(info: &'a ModelInfo, memory: &'a Memory) -> impl Iterator<Item = &'a str> {
+    let states = memory
+        .states
+        .iter()
+        .filter_map(|&state| info.states.get(state));
+    states.map(|state| state.name)
 }
 
 fn document(info: &ModelInfo) -> Value {
@@ -145,18 +196,28 @@ fn document(info: &ModelInfo) -> Value {
                 "default": declared.default, "bounds": declared.bounds.describe(declared.name),
                 "lower": end(declared.bounds.lower), "upper": end(declared.bounds.upper) })
     });
-    let observables = info
-        .observables
-        .iter()
-        .map(|line| json!({ "name": line.name, "doc": line.doc.trim(), "formula": line.formula }));
+    let observables = info.observables.iter().map(|line| {
+        json!({ "name": line.name, "doc": line.doc.trim(), "unit": line.unit.map(|unit| unit.text),
+                               "formula": line.formula })
+    });
     let contacts = info.contacts.iter().map(|contact| {
         json!({ "name": contact.name, "doc": contact.doc.trim(), "unit": contact.unit.map(|unit| unit.text),
-                "law": contact.law.name, "fields": contact.fields, "speed": contact.speed,
+                "law": contact.law.name, "fields": contact.fields, "speed": contact.speed, "speed_unit": contact.speed_unit.map(|unit| unit.text),
                 "stick": contact.law.stick, "slip": contact.law.slip })
+    });
+    let memories = info.memories.iter().map(|memory| {
+        let law = memory.law;
+        let states = law.states.iter().map(|state| json!({ "name": state.name, "equation": state.equation }));
+        let lets = law.abbreviations.iter().map(|(name, formula)| json!({ "name": name, "formula": formula }));
+        json!({ "name": memory.name, "doc": memory.doc.trim(), "unit": memory.unit.map(|unit| unit.text),
+                "law": law.name, "fields": memory.fields, "speed": memory.speed,
+                "with": carriers(info, memory).collect::<Vec<_>>(), "states": states.collect::<Vec<_>>(),
+                "lets": lets.collect::<Vec<_>>(), "force": law.force })
     });
     json!({
         "model": info.command, "name": info.name, "doc": info.doc.trim(),
         "states": states.collect::<Vec<_>>(), "parameters": parameters.collect::<Vec<_>>(),
         "observables": observables.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
+        "memories": memories.collect::<Vec<_>>(),
     })
 }

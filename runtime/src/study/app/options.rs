@@ -22,7 +22,7 @@ pub(super) fn request<'a>(app: &'a App, options: &ArgMatches) -> Result<Request<
     let entry = app.entry(model(app, options)?)?;
     let info = entry.info();
     let along = text(options, "along")
-        .map(|word| along(info, word))
+        .map(|word| range(info, "--along", word))
         .transpose()?;
     let mut case = Case::declared(info, dynamics(info, options, along)?);
     case.along = along;
@@ -99,7 +99,8 @@ fn bounded(info: &ModelInfo, index: usize, place: &str, word: &str) -> Result<f6
     Ok(value)
 }
 
-fn set(info: &ModelInfo, options: &ArgMatches, case: &mut Case) -> Result<(), Failure> {
+/// Sets parameters as `--set` says.
+pub(super) fn set(info: &ModelInfo, options: &ArgMatches, case: &mut Case) -> Result<(), Failure> {
     let mut done = vec![false; case.parameters.len()];
     let words = options.get_many::<String>("set").into_iter().flatten();
     for word in words {
@@ -125,9 +126,10 @@ fn set(info: &ModelInfo, options: &ArgMatches, case: &mut Case) -> Result<(), Fa
     Ok(())
 }
 
-fn along(info: &ModelInfo, word: &str) -> Result<Along, Failure> {
-    let place = format!("--along {word}");
-    let (name, range) = assignment("--along", word)?;
+/// `name=a..b`, the value of this option.
+pub(super) fn range(info: &ModelInfo, option: &str, word: &str) -> Result<Along, Failure> {
+    let place = format!("{option} {word}");
+    let (name, range) = assignment(option, word)?;
     let design = match name {
         "smooth" => Design::Smoothing,
         _ => Design::Parameter(parameter(info, name, &["smooth"])?),
@@ -164,6 +166,9 @@ fn dynamics(
     along: Option<Along>,
 ) -> Result<Dynamics, Failure> {
     let sized = along.filter(|along| along.design == Design::Smoothing);
+    if let (true, Some(reason)) = (options.get_flag("exact"), info.only_form()) {
+        return Err(Failure::usage(format!("`--exact`: {reason}")));
+    }
     let Some(word) = text(options, "smooth") else {
         return match sized {
             Some(along) => Err(Failure::usage(format!(
@@ -178,6 +183,9 @@ fn dynamics(
         return Err(Failure::usage(format!(
             "`--exact` and `--smooth {word}` exclude each other"
         )));
+    }
+    if let Some(reason) = info.only_form() {
+        return Err(Failure::usage(format!("`--smooth {word}`: {reason}")));
     }
     if info.contacts.is_empty() {
         return Err(Failure::usage(format!(

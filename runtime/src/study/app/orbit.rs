@@ -6,12 +6,17 @@ use super::App;
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, request, text};
+use super::picture;
 use super::progress::Progress;
+use super::section;
 use super::spreadsheet::Spreadsheet;
 use super::text::{digits, label, number, parameters, table, time_unit};
 use crate::field::Work;
 use crate::model::ModelInfo;
-use crate::study::{Case, OrbitRecord, choose};
+use crate::study::{Case, OrbitRecord, Span, choose};
+
+/// An estimate this many times above the accuracy asked for is worth a word.
+const MISSED: f64 = 10.0;
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let Request {
@@ -20,24 +25,44 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         output,
     } = request(app, options)?;
     let info = entry.info();
+    let section = section::section(info, options)?;
     let failed = |error| Failure::of(&error, info);
     let progress = Progress::endless(&output, "looking for a periodic orbit");
     let orbit = entry.orbit(&case).map_err(failed)?;
     let mut sheets = Vec::new();
+    let from = Case {
+        start: Some(orbit.state.clone()),
+        ..case.clone()
+    };
+    let (mut points, mut points_text) = (None, String::new());
+    if let Some(section) = section {
+        let span = Span::Period(orbit.period);
+        let found = entry.crossings(&from, section, span).map_err(failed)?;
+        points_text = section::describe(info, &section, &found);
+        sheets.push(("section", Spreadsheet::crossings(info, &found)));
+        points = Some(json::Crossings::new(info, &section, &found));
+    }
     if output.out.is_some() {
-        let from = Case {
-            start: Some(orbit.state.clone()),
-            ..case.clone()
-        };
         let motion = entry.motion(&from, orbit.period).map_err(failed)?;
         sheets.push(("orbit", Spreadsheet::motion(info, &motion)));
+        output.draw([("orbit", picture::motion(info, &motion))])?;
     }
     drop(progress);
     // `--exact` asks for what would be chosen anyway.
     let asked = text(options, "smooth").is_some();
     let choice = choose(info, asked.then_some(case.dynamics), case.accuracy);
-    let text = describe(info, &case, &orbit) + &format!("\n  {}\n", choice.reason);
-    let document = json::Orbit::new(info, &orbit).with_method(choice.reason);
+    let text = describe(info, &case, &orbit) + &points_text + &format!("\n  {}\n", choice.reason);
+    let document = json::Orbit::new(info, &orbit)
+        .with_method(choice.reason)
+        .with_section(points);
+    if orbit.error_estimate > MISSED * case.accuracy {
+        output.note(format!(
+            "note: the estimated error, {}, is larger than the accuracy asked for, {:e}: the orbit hardly attracts, or \
+             its numbers are near the end of their digits",
+            number(orbit.error_estimate, 2),
+            case.accuracy
+        ));
+    }
     output.deliver("orbit", &text, &document, &sheets)
 }
 
@@ -55,7 +80,7 @@ fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {
         "\n".to_owned(),
         table(&multipliers(orbit)),
         "\n".to_owned(),
-        table(&quality(orbit)),
+        table(&quality(info, orbit)),
     ]
     .concat()
 }
@@ -126,17 +151,18 @@ fn sign(value: f64) -> char {
     if value < 0.0 { '-' } else { '+' }
 }
 
-fn quality(orbit: &OrbitRecord) -> Vec<Vec<String>> {
+fn quality(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
     let small = |value| number(value, 2);
-    vec![
+    let mut rows = vec![
         vec!["error estimate".to_owned(), small(orbit.error_estimate)],
         vec!["residual".to_owned(), small(orbit.residual)],
-        vec![
-            "trivial multiplier off by".to_owned(),
-            small(orbit.floquet.trivial_error),
-        ],
-        vec!["work".to_owned(), work(&orbit.work)],
-    ]
+    ];
+    if info.drive.is_none() {
+        let off = small(orbit.floquet.trivial_error);
+        rows.push(vec!["trivial multiplier off by".to_owned(), off]);
+    }
+    rows.push(vec!["work".to_owned(), work(&orbit.work)]);
+    rows
 }
 
 /// Counted work in one line.

@@ -1,6 +1,7 @@
 //! Where answers go: stdout and a folder.
 
 use std::fmt::Display;
+use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,6 +10,7 @@ use serde::Serialize;
 
 use super::failure::Failure;
 use super::spreadsheet::Spreadsheet;
+use crate::study::report::Figure;
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,14 +49,37 @@ impl Output {
     ) -> Result<(), Failure> {
         let document = json(document)?;
         let mut text = text.to_owned();
+        let mut written = Ok(());
         if let Some(folder) = &self.out {
-            for (sheet, content) in sheets {
-                write(&folder.join(format!("{sheet}.csv")), &content.text()?)?;
+            written = store(folder, name, &document, sheets);
+            if written.is_ok() {
+                text.push_str(&format!("\nwritten to {}\n", folder.display()));
             }
-            write(&folder.join(format!("{name}.json")), &document)?;
-            text.push_str(&format!("\nwritten to {}\n", folder.display()));
         }
-        print(if self.json { &document } else { &text })
+        // A full disk costs no answer.
+        print(if self.json { &document } else { &text }).and(written)
+    }
+
+    /// A table in the folder, if there is one, that grows row by row.
+    pub(super) fn journal(&self, name: &str) -> Journal {
+        Journal {
+            path: self
+                .out
+                .as_ref()
+                .map(|folder| folder.join(format!("{name}.csv"))),
+            file: None,
+        }
+    }
+
+    /// Writes figures to the folder, if there is one, each under its name.
+    pub(super) fn draw<'a>(
+        &self,
+        figures: impl IntoIterator<Item = (&'a str, Figure)>,
+    ) -> Result<(), Failure> {
+        for (folder, (name, figure)) in self.out.iter().cycle().zip(figures) {
+            write(&folder.join(format!("{name}.svg")), &figure.svg())?;
+        }
+        Ok(())
     }
 
     /// Says something beside the answer.
@@ -63,6 +88,45 @@ impl Output {
             let _ = writeln!(std::io::stderr(), "{note}");
         }
     }
+}
+
+/// A table that is there as far as it has come, whatever ends the program.
+pub(super) struct Journal {
+    path: Option<PathBuf>,
+    file: Option<File>,
+}
+
+impl Journal {
+    /// Adds the rows of a table that has the same head; once that fails, no more: the whole is written at the end.
+    pub(super) fn add(&mut self, rows: impl FnOnce() -> Spreadsheet) {
+        if let Some(path) = &self.path
+            && self.grow(path.clone(), rows()).is_none()
+        {
+            self.path = None;
+        }
+    }
+
+    fn grow(&mut self, path: PathBuf, rows: Spreadsheet) -> Option<()> {
+        let (mut file, rows) = match self.file.take() {
+            Some(file) => (file, rows.without_head()),
+            None => (File::create(path).ok()?, rows),
+        };
+        file.write_all(rows.text().ok()?.as_bytes()).ok()?;
+        self.file = Some(file);
+        Some(())
+    }
+}
+
+fn store(
+    folder: &Path,
+    name: &str,
+    document: &str,
+    sheets: &[(&str, Spreadsheet)],
+) -> Result<(), Failure> {
+    for (sheet, content) in sheets {
+        write(&folder.join(format!("{sheet}.csv")), &content.text()?)?;
+    }
+    write(&folder.join(format!("{name}.json")), document)
 }
 
 /// Makes a folder, and makes sure before any work that files can be written to it.
@@ -85,9 +149,19 @@ fn json(document: &impl Serialize) -> Result<String, Failure> {
         .map_err(|error| Failure::failed(format!("the answer cannot be written as JSON: {error}")))
 }
 
+/// Writes a file whole or not at all.
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text)
-        .map_err(|error| Failure::failed(format!("cannot write {}: {error}", path.display())))
+    let mut growing = path.as_os_str().to_owned();
+    growing.push(".part");
+    let done = std::fs::write(&growing, text).and_then(|()| std::fs::rename(&growing, path));
+    done.map_err(|error| {
+        let _ = std::fs::remove_file(&growing);
+        unwritten(path, &error)
+    })
+}
+
+fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::failed(format!("cannot write {}: {error}", path.display()))
 }
 
 /// Prints on stdout; a reader who has left is no error.

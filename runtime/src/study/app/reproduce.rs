@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 
 use super::failure::Failure;
+use super::options::text;
 use super::output::prepare;
+use super::words::unknown;
 use super::{App, arguments, usage};
 
 /// Writes a report to a folder; quietly if the flag says so.
@@ -17,6 +19,10 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         let command = arguments::command(app, None);
         return Err(Failure::usage(usage::which_command(&command)));
     };
+    let reproduction = match text(options, "PART") {
+        Some(name) => part(app, name)?,
+        None => reproduction,
+    };
     let folder = options.get_one::<PathBuf>("out");
     let folder = folder.map_or(Path::new("report"), PathBuf::as_path);
     prepare(folder)?;
@@ -24,17 +30,34 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         .map_err(|error| Failure::failed(error.to_string()))
 }
 
+/// The part of this name.
+fn part(app: &App, name: &str) -> Result<Reproduction, Failure> {
+    let found = app.parts.iter().find(|(known, _)| *known == name);
+    found.map(|(_, part)| *part).ok_or_else(|| {
+        let names: Vec<&str> = app.parts.iter().map(|(known, _)| *known).collect();
+        Failure::usage(unknown(
+            "there is nothing to reproduce by the name",
+            name,
+            &names,
+        ))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn leave_a_mark(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
-        std::fs::write(folder.join("mark"), quiet.to_string())?;
+        std::fs::write(folder.join("mark"), format!("{quiet}"))?;
         if quiet {
             Ok(())
         } else {
             Err("not quiet".into())
         }
+    }
+
+    fn leave_another(folder: &Path, _: bool) -> Result<(), Box<dyn Error>> {
+        Ok(std::fs::write(folder.join("mark"), "a part")?)
     }
 
     #[test]
@@ -43,21 +66,26 @@ mod tests {
         let place = folder.to_string_lossy().into_owned();
         let ask = |words: &[&str]| {
             let app = App::new("0").reproduce(leave_a_mark);
+            let app = app.reproduce_part("one", leave_another);
             app.answer(words.iter().map(Into::into).collect())
         };
-        for name in [&["program"][..], &["program", "reproduce"]] {
+        for (name, mark) in [
+            (&["program"][..], "true"),
+            (&["program", "reproduce"], "true"),
+            (&["program", "reproduce", "one"], "a part"),
+        ] {
             let words = [name, &["--out", &place, "--quiet"]].concat();
             assert_eq!(ask(&words), Ok(()));
-            assert_eq!(
-                std::fs::read_to_string(folder.join("mark")).unwrap(),
-                "true"
-            );
+            let found = std::fs::read_to_string(folder.join("mark")).unwrap();
+            assert_eq!(found, mark);
             std::fs::remove_file(folder.join("mark")).unwrap();
         }
         assert_eq!(
             ask(&["program", "--out", &place]),
             Err(Failure::failed("not quiet"))
         );
+        let failure = ask(&["program", "reproduce", "two"]).unwrap_err();
+        assert_eq!(failure.code(), 2);
         std::fs::remove_dir_all(folder).unwrap();
     }
 

@@ -7,12 +7,14 @@ use super::failure::Failure;
 use super::json;
 use super::options::{Request, request, text};
 use super::orbit::work;
+use super::picture;
 use super::progress::Progress;
+use super::section;
 use super::spreadsheet::Spreadsheet;
 use super::text::{label, number, parameters, short, table, time_unit};
 use super::words::positive;
 use crate::model::ModelInfo;
-use crate::study::{Case, Trajectory};
+use crate::study::{Case, Span, Trajectory};
 
 /// Digits shown of a state.
 const DIGITS: usize = 8;
@@ -25,19 +27,26 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         output,
     } = request(app, options)?;
     let info = entry.info();
+    let section = section::section(info, options)?;
     let progress = Progress::endless(&output, "following the motion");
     let motion = entry
         .motion(&case, time)
         .map_err(|error| Failure::of(&error, info))?;
+    let mut sheets = vec![("trajectory", Spreadsheet::motion(info, &motion))];
+    let mut text = describe(info, &case, &motion, time);
+    let mut points = None;
+    if let Some(section) = section {
+        let found = entry
+            .crossings(&case, section, Span::Time(time))
+            .map_err(|error| Failure::of(&error, info))?;
+        text.push_str(&section::describe(info, &section, &found));
+        sheets.push(("section", Spreadsheet::crossings(info, &found)));
+        points = Some(json::Crossings::new(info, &section, &found));
+    }
     drop(progress);
-    let sheet = Spreadsheet::motion(info, &motion);
-    let text = describe(info, &case, &motion, time);
-    output.deliver(
-        "trajectory",
-        &text,
-        &json::Motion::new(info, &case, &motion),
-        &[("trajectory", sheet)],
-    )
+    output.draw([("trajectory", picture::motion(info, &motion))])?;
+    let document = json::Motion::new(info, &case, &motion).with_section(points);
+    output.deliver("trajectory", &text, &document, &sheets)
 }
 
 fn describe(info: &ModelInfo, case: &Case, motion: &Trajectory, time: f64) -> String {
@@ -85,7 +94,7 @@ fn others(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
         rows.push(row);
     };
     for (j, line) in info.observables.iter().enumerate() {
-        add(line.name.to_owned(), &motion.observables, j);
+        add(label(line.name, line.unit), &motion.observables, j);
     }
     for (j, contact) in info.contacts.iter().enumerate() {
         add(label(contact.name, contact.unit), &motion.forces, j);

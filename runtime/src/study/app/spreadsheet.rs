@@ -1,12 +1,13 @@
 //! CSV files.
 
 use super::failure::Failure;
+use super::text::{label, timed};
 use crate::model::ModelInfo;
-use crate::study::{EquilibriumRecord, OrbitRecord, Trajectory};
+use crate::study::{CrossingRecord, EquilibriumRecord, OrbitRecord, Trajectory};
 
 /// A table of words and numbers with a head.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Spreadsheet {
+pub(in crate::study::app) struct Spreadsheet {
     rows: Vec<Vec<String>>,
 }
 
@@ -27,6 +28,12 @@ impl Spreadsheet {
         String::from_utf8(bytes).map_err(|error| failed(error.to_string()))
     }
 
+    /// The rows below the head.
+    pub(super) fn without_head(mut self) -> Self {
+        self.rows.drain(..self.rows.len().min(1));
+        self
+    }
+
     /// A table of these rows, the first its head.
     pub(super) fn of(rows: Vec<Vec<String>>) -> Self {
         Self { rows }
@@ -34,14 +41,23 @@ impl Spreadsheet {
 
     /// A motion, one row for each time.
     pub(super) fn motion(info: &ModelInfo, motion: &Trajectory) -> Self {
-        let names = info.states.iter().map(|state| state.name);
-        let observables = info.observables.iter().map(|line| line.name);
-        let forces = info.contacts.iter().map(|contact| contact.name);
-        let head = std::iter::once("t")
-            .chain(names)
+        let states = info
+            .states
+            .iter()
+            .map(|state| label(state.name, state.unit));
+        let observables = info
+            .observables
+            .iter()
+            .map(|line| label(line.name, line.unit));
+        let forces = info
+            .contacts
+            .iter()
+            .map(|contact| label(contact.name, contact.unit));
+        let head = std::iter::once(timed(info, "t", "s"))
+            .chain(states)
             .chain(observables)
             .chain(forces);
-        let mut rows = vec![head.map(str::to_owned).collect::<Vec<_>>()];
+        let mut rows = vec![head.collect::<Vec<_>>()];
         for (i, time) in motion.times.iter().enumerate() {
             let columns = [&motion.states[i], &motion.observables[i], &motion.forces[i]];
             let values = columns.into_iter().flatten();
@@ -50,23 +66,46 @@ impl Spreadsheet {
         Self { rows }
     }
 
-    /// Orbits, one row for each.
+    /// Points on a section, one row for each.
+    pub(super) fn crossings(info: &ModelInfo, points: &[CrossingRecord]) -> Self {
+        let states = info.states.iter();
+        let names = states.map(|state| label(state.name, state.unit));
+        let head = std::iter::once(timed(info, "t", "s"))
+            .chain(names)
+            .chain(["direction".to_owned()]);
+        let row = |point: &CrossingRecord| {
+            let values = std::iter::once(&point.time).chain(&point.state);
+            let direction = if point.rising { "up" } else { "down" };
+            values.map(full).chain([direction.to_owned()]).collect()
+        };
+        Self {
+            rows: std::iter::once(head.collect())
+                .chain(points.iter().map(row))
+                .collect(),
+        }
+    }
+
+    /// Orbits, one row for each; `name` is what is followed, with its unit.
     pub(super) fn orbits(info: &ModelInfo, name: &str, orbits: &[OrbitRecord]) -> Self {
         let mut rows = vec![head(info, name)];
         rows.extend(orbits.iter().map(row));
         Self { rows }
     }
 
-    /// Equilibria, one row for each; `name` is what is followed, if anything is.
+    /// Equilibria, one row for each; `name` is what is followed, with its unit, if anything is.
     pub(super) fn equilibria(info: &ModelInfo, name: &str, all: &[EquilibriumRecord]) -> Self {
-        let states = info.states.iter().map(|state| state.name.to_owned());
+        let states = info
+            .states
+            .iter()
+            .map(|state| label(state.name, state.unit));
         let mut head: Vec<String> = (!name.is_empty())
             .then(|| name.to_owned())
             .into_iter()
             .collect();
         head.extend(states);
         for i in 1..=info.states.len() {
-            head.extend(["re", "im"].map(|part| format!("eigenvalue_{i}_{part}")));
+            let part = |part| timed(info, &format!("eigenvalue_{i}_{part}"), "1/s");
+            head.extend(["re", "im"].map(part));
         }
         head.extend(["stability", "mode", "artefact"].map(str::to_owned));
         let row = |one: &EquilibriumRecord| {
@@ -88,14 +127,15 @@ impl Spreadsheet {
 }
 
 fn head(info: &ModelInfo, name: &str) -> Vec<String> {
-    let mut head: Vec<String> = [name, "period", "stability", "period_count"]
+    let period = timed(info, "period", "s");
+    let mut head: Vec<String> = [name, &period, "stability", "period_count"]
         .map(str::to_owned)
         .into();
     for prefix in ["", "max_", "min_", "max_abs_"] {
         head.extend(
             info.states
                 .iter()
-                .map(|state| format!("{prefix}{}", state.name)),
+                .map(|state| label(&format!("{prefix}{}", state.name), state.unit)),
         );
     }
     for i in 1..info.states.len() {
@@ -126,7 +166,12 @@ fn row(orbit: &OrbitRecord) -> Vec<String> {
     row
 }
 
+/// All digits of a number, or nothing.
+pub(super) fn optional(value: Option<f64>) -> String {
+    value.as_ref().map(full).unwrap_or_default()
+}
+
 /// All digits of a number.
-pub(super) fn full(value: &f64) -> String {
+pub(in crate::study::app) fn full(value: &f64) -> String {
     format!("{value:?}")
 }

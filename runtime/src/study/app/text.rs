@@ -1,7 +1,8 @@
 //! Answers as text: numbers at sensible digits, in aligned columns, with their units.
 
+use crate::field::Design;
 use crate::model::{ModelInfo, Unit};
-use crate::study::Case;
+use crate::study::{Along, Case};
 
 /// A number with this many significant digits.
 pub(super) fn number(value: f64, digits: usize) -> String {
@@ -43,6 +44,12 @@ pub(super) fn digits(error: f64) -> usize {
     }
 }
 
+/// The first paragraph of a documentation, in one line.
+pub(super) fn summary(doc: &str) -> String {
+    let first = doc.trim().split("\n\n").next().unwrap_or_default();
+    first.lines().map(str::trim).collect::<Vec<_>>().join(" ")
+}
+
 /// A name with its unit, as the head of a row.
 pub(super) fn label(name: &str, unit: Option<Unit>) -> String {
     match unit {
@@ -57,6 +64,36 @@ pub(super) fn unit(unit: Option<Unit>) -> String {
         Some(unit) if unit.text != "1" => format!(" {}", unit.text),
         _ => String::new(),
     }
+}
+
+/// A documentation under its heading.
+pub(super) fn indented(doc: &str) -> String {
+    let lines = doc
+        .trim()
+        .lines()
+        .map(|line| format!("  {line}").trim_end().to_owned() + "\n");
+    lines.collect()
+}
+
+/// A word that names a time, or `power` of one, with its unit as the head of a column.
+pub(super) fn timed(info: &ModelInfo, word: &str, power: &str) -> String {
+    if time_unit(info).is_empty() {
+        word.to_owned()
+    } else {
+        format!("{word} ({power})")
+    }
+}
+
+/// What is followed with its unit, as the head of a column.
+pub(super) fn followed(info: &ModelInfo, along: &Along) -> String {
+    let unit = match along.design {
+        Design::Parameter(index) => info
+            .parameters
+            .get(index)
+            .and_then(|declared| declared.unit),
+        Design::Smoothing | Design::None => None,
+    };
+    label(along.name(info), unit)
 }
 
 /// The unit of time: seconds, if the model states units at all.

@@ -10,7 +10,7 @@ use super::failure::Failure;
 use super::json;
 use super::options::{Request, request};
 use super::progress::Progress;
-use super::text::{digits, number, parameters, short, table, time_unit};
+use super::text::{digits, followed, number, parameters, short, table, time_unit, timed};
 use crate::field::{Design, Kernel};
 use crate::model::ModelInfo;
 use crate::study::trade::{Cost, Curve, Need, Point, Scope, Setting, Trade};
@@ -72,7 +72,8 @@ fn describe(info: &ModelInfo, case: &Case, record: &TradeRecord, accuracy: Optio
             short(along.to),
             short(accuracy)
         ));
-        text.push_str(&table(&worst(record, name, [along.from, along.to])));
+        let head = followed(info, along);
+        text.push_str(&table(&worst(record, &head, [along.from, along.to])));
     }
     text
 }
@@ -103,7 +104,12 @@ fn microseconds(cost: &Cost) -> String {
 }
 
 fn errors(info: &ModelInfo, trade: &Trade) -> Vec<Vec<String>> {
-    let mut head = words(["smoothing", "stiffness", "e_f", "predicted"]);
+    let mut head = words([
+        "smoothing",
+        &timed(info, "stiffness", "1/s"),
+        "e_f",
+        "predicted",
+    ]);
     for state in info.states {
         head.extend([format!("e_{}", state.name), "predicted".to_owned()]);
     }
@@ -223,9 +229,9 @@ fn with(mut row: Vec<String>, setting: &Setting) -> Vec<String> {
     row
 }
 
-fn worst(record: &TradeRecord, name: &str, values: [f64; 2]) -> Vec<Vec<String>> {
+fn worst(record: &TradeRecord, head: &str, values: [f64; 2]) -> Vec<Vec<String>> {
     let mut rows = vec![words([
-        name,
+        head,
         "",
         "for e_f alone",
         "error",

@@ -1,6 +1,7 @@
 //! Words of the command line, and what to say of wrong ones.
 
 use super::failure::Failure;
+use crate::model::within_reach;
 use crate::suggest::did_you_mean;
 
 /// A message that names a wrong word, and the nearest right one or all there are.
@@ -55,6 +56,11 @@ pub(super) fn number(place: &str, word: &str) -> Result<f64, Failure> {
             "`{place}`: `{word}` is infinite: give a finite number"
         )));
     }
+    if !within_reach(value) {
+        return Err(Failure::usage(format!(
+            "`{place}`: {value:e} is out of reach: magnitudes lie between 1e-100 and 1e100"
+        )));
+    }
     Ok(value)
 }
 
@@ -69,6 +75,18 @@ pub(super) fn positive(place: &str, word: &str) -> Result<f64, Failure> {
     )))
 }
 
+/// A whole number between `least` and `most`.
+pub(super) fn count(place: &str, word: &str, [least, most]: [usize; 2]) -> Result<usize, Failure> {
+    let parsed = word.trim().parse::<usize>().ok();
+    parsed
+        .filter(|value| (least..=most).contains(value))
+        .ok_or_else(|| {
+            Failure::usage(format!(
+                "`{place} {word}` is no whole number from {least} to {most}"
+            ))
+        })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -78,6 +96,17 @@ mod tests {
         assert_eq!(assignment("--set", " a = 1 "), Ok(("a", "1")));
         for word in ["", " ", "a", "=1", "a="] {
             assert_eq!(assignment("--set", word).map_err(|f| f.code()), Err(2));
+        }
+    }
+
+    #[test]
+    fn counts_are_whole_and_bounded() {
+        assert_eq!(count("--values", "7", [2, 9]), Ok(7));
+        for word in ["", "1", "10", "-3", "2.5", "1e2", "many"] {
+            assert_eq!(
+                count("--values", word, [2, 9]).map_err(|f| f.code()),
+                Err(2)
+            );
         }
     }
 

@@ -15,7 +15,7 @@ pub(super) fn inverse(kernel: Kernel, share: f64) -> f64 {
     }
 }
 
-/// u (4 − u)³/27: the share of the static peak in (2b).
+/// u (4 − u)³/27: the share of the static peak at the scaled speed u.
 fn bump(u: Dual64) -> Dual64 {
     let rest = -u + 4.0;
     u * rest * rest * rest / 27.0

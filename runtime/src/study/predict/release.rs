@@ -81,7 +81,7 @@ impl<const N: usize> Release<N> {
         })
     }
 
-    /// The loss by (7a) with weakening, integrated numerically; `None` if the copy has not let go when the exact
+    /// The loss of the scalar problem with weakening, integrated numerically; `None` if the copy has not let go when the exact
     /// contact sticks again.
     pub(super) fn solve<M: Model<N>>(
         &self,

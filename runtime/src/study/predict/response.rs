@@ -154,7 +154,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         Ok(())
     }
 
-    /// Passes a switch: its saltation (5a), and what a release loses.
+    /// Passes a switch: its saltation, and what a release loses.
     fn pass(&mut self, switch: &Switch<M, N>) -> Result<(), PredictError> {
         self.motion.state = switch.event.state;
         let (i, state) = (switch.event.contact, switch.event.state);

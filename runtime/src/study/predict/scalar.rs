@@ -1,4 +1,4 @@
-//! The scalar problem of one release (7a): how its speed grows with the exact law and with a smooth copy of it.
+//! The scalar problem of one release: how its speed grows with the exact law and with a smooth copy of it.
 
 use std::ops::ControlFlow;
 

@@ -30,6 +30,8 @@ const FONTS: &str = "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-ser
 const WIDTH: f64 = 720.0;
 /// Height of a row of panels, px, by how many stand side by side.
 const HEIGHTS: [f64; 3] = [400.0, 330.0, 260.0];
+/// Radius of a dot, px.
+const DOT: f64 = 1.1;
 const LEGEND_ROW: f64 = 20.0;
 const SWATCH: f64 = 30.0;
 const TITLE: f64 = 22.0;
@@ -151,6 +153,12 @@ fn plot(curve: &Curve) -> Plot {
                 line.with_line_style(kuva::plot::LineStyle::Custom(dashes.to_owned()))
             })
         }
+        Shape::Points(Marker::Dot) => Plot::Scatter(
+            ScatterPlot::new()
+                .with_data(points)
+                .with_color(colour)
+                .with_size(DOT),
+        ),
         Shape::Points(marker) => Plot::Scatter(
             ScatterPlot::new()
                 .with_data(points)
@@ -165,7 +173,7 @@ fn plot(curve: &Curve) -> Plot {
 
 const fn shape(marker: Marker) -> MarkerShape {
     match marker {
-        Marker::Circle => MarkerShape::Circle,
+        Marker::Circle | Marker::Dot => MarkerShape::Circle,
         Marker::Cross => MarkerShape::Cross,
         Marker::Diamond => MarkerShape::Diamond,
     }
@@ -209,6 +217,10 @@ fn swatch(curve: &Curve, x: f64, y: f64) -> String {
         Shape::Line => format!("M{left} {y}H{right}"),
         Shape::Points(Marker::Circle) => {
             format!("M{} {y}a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0 -9 0", middle - 4.5)
+        }
+        Shape::Points(Marker::Dot) => {
+            let left = middle - DOT;
+            format!("M{left} {y}a{DOT} {DOT} 0 1 0 2.2 0a{DOT} {DOT} 0 1 0 -2.2 0")
         }
         Shape::Points(Marker::Cross) => format!(
             "M{0} {1}L{2} {3}M{0} {3}L{2} {1}",

@@ -70,6 +70,8 @@ pub enum Marker {
     Cross,
     /// ◇
     Diamond,
+    /// A dot, for clouds of points.
+    Dot,
 }
 
 impl Figure {
@@ -97,6 +99,12 @@ impl Figure {
     pub fn columns(mut self, columns: usize) -> Self {
         self.columns = columns.max(1);
         self
+    }
+
+    /// The figure as a standalone SVG document.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        super::draw::draw(self)
     }
 
     /// Its name in files and links: `figure-3-2`.

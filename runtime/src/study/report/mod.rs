@@ -48,6 +48,21 @@ pub enum Block {
     Sketch(&'static str, String),
     /// A table.
     Table(Table),
+    /// A page of its own, to which this one leads.
+    Page(Page),
+}
+
+/// A page of its own beside the report, with its data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Page {
+    /// Its name as a file, without `.html`.
+    pub name: String,
+    /// What the link to it says.
+    pub link: String,
+    /// The whole page; it must need nothing but itself.
+    pub html: String,
+    /// Its data: the head, and the rows, of `data/<name>.csv`.
+    pub data: (Vec<String>, Vec<Vec<String>>),
 }
 
 /// What was written.
@@ -120,6 +135,13 @@ impl Section {
         self
     }
 
+    /// The same section with a link to one more page.
+    #[must_use]
+    pub fn page(mut self, page: Page) -> Self {
+        self.blocks.push(Block::Page(page));
+        self
+    }
+
     /// The same section with one more table.
     #[must_use]
     pub fn table(mut self, table: Table) -> Self {
@@ -159,6 +181,16 @@ impl Report {
                 }
                 Block::Table(table) => {
                     save_table(&data.join(format!("{}.csv", table.name)), table)?;
+                    written.data += 1;
+                }
+                Block::Page(page) => {
+                    save(&out.join(format!("{}.html", page.name)), &page.html)?;
+                    let (head, rows) = page.data.clone();
+                    save_rows(
+                        &data.join(format!("{}.csv", page.name)),
+                        head,
+                        rows.into_iter(),
+                    )?;
                     written.data += 1;
                 }
                 Block::Text(_) | Block::Formula(_) | Block::Sketch(..) => {}

@@ -88,6 +88,12 @@ fn block(block: &Block) -> String {
             html(caption)
         ),
         Block::Table(one) => table(one),
+        Block::Page(one) => format!(
+            "<p class=\"page\"><a href=\"{name}.html\">{link}</a> \
+             <span class=\"data\"><a href=\"data/{name}.csv\">{name}.csv</a></span></p>\n",
+            name = one.name,
+            link = html(&one.link),
+        ),
     }
 }
 

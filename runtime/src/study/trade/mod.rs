@@ -19,7 +19,7 @@ use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::field::{Kernel, Smoothing};
 use crate::flow::{ExactFamily, FlowError};
 use crate::integrate::Tolerance;
-use crate::model::Model;
+use crate::model::{Model, ModelInfo};
 use crate::shooting::{Orbit, OrbitError};
 use copy::Copies;
 use shoot::{Effort, Shooting};
@@ -33,12 +33,33 @@ pub enum TradeError {
         /// The model.
         model: &'static str,
     },
+    /// All friction of the model has internal state.
+    #[error("`{model}` has nothing to trade: {reason}")]
+    OnlyForm {
+        /// The model.
+        model: &'static str,
+        /// Why there are no other forms.
+        reason: String,
+    },
     /// The exact orbit cannot be shot again.
     #[error("the exact orbit cannot be reproduced: {0}")]
     Orbit(#[from] OrbitError),
     /// The exact motion cannot be followed.
     #[error(transparent)]
     Flow(#[from] FlowError),
+}
+
+/// Whether a model has friction that can be smoothed.
+///
+/// # Errors
+/// It has none, or only laws with internal state.
+pub(super) fn tradable(info: &ModelInfo) -> Result<(), TradeError> {
+    let model = info.command;
+    match info.only_form() {
+        Some(reason) => Err(TradeError::OnlyForm { model, reason }),
+        None if info.contacts.is_empty() => Err(TradeError::NoFriction { model }),
+        None => Ok(()),
+    }
 }
 
 /// Measures the trade of `model` near its exact `orbit`.
@@ -50,11 +71,7 @@ pub fn trade<M: Model<N>, const N: usize>(
     orbit: &Orbit<N, Modes<M, N>>,
     scope: &Scope,
 ) -> Result<Trade, TradeError> {
-    if M::INFO.contacts.is_empty() {
-        return Err(TradeError::NoFriction {
-            model: M::INFO.command,
-        });
-    }
+    tradable(M::INFO)?;
     let family = ExactFamily {
         model: *model,
         design: None,

@@ -1,7 +1,7 @@
 //! A motion as JSON.
 
 use super::work::Counts;
-use super::{Named, parameters, states, units};
+use super::{Crossings, Named, parameters, states, units};
 use crate::model::ModelInfo;
 use crate::study::{Case, Trajectory};
 
@@ -19,6 +19,8 @@ pub(in crate::study::app) struct Motion<'a> {
     max: Named<'a, f64>,
     min: Named<'a, f64>,
     units: Named<'a, &'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    section: Option<Crossings<'a>>,
     work: Counts,
 }
 
@@ -46,8 +48,15 @@ impl<'a> Motion<'a> {
             max: states(info, motion.max.clone()),
             min: states(info, motion.min.clone()),
             units: units(info),
+            section: None,
             work: Counts::from(&motion.work),
         }
+    }
+
+    /// The same with its points on a section.
+    pub(in crate::study::app) fn with_section(mut self, section: Option<Crossings<'a>>) -> Self {
+        self.section = section;
+        self
     }
 }
 

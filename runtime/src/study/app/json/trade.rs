@@ -7,7 +7,7 @@ use copy::{Copy, copy};
 use precision::{WorkPrecision, work_precision};
 
 use super::work::Counts;
-use super::{Named, parameters, states};
+use super::{Named, parameters, states, units};
 use crate::field::Kernel;
 use crate::model::ModelInfo;
 use crate::study::trade::{Cost, Curve, Fit, Need, Setting, Truth};
@@ -21,6 +21,7 @@ pub(in super::super) struct Trade<'a> {
     ends: Vec<AtEnd<'a>>,
     /// Where a range is judged: the most demanding end of each kernel.
     worst: Vec<Worst>,
+    units: Named<'a, &'static str>,
 }
 
 #[derive(serde::Serialize)]
@@ -145,6 +146,7 @@ impl<'a> Trade<'a> {
             }),
             ends: record.ends.iter().map(|end| at_end(info, end)).collect(),
             worst: Kernel::ALL.into_iter().filter_map(worst).collect(),
+            units: units(info),
         }
     }
 }

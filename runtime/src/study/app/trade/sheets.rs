@@ -4,6 +4,7 @@ use super::words;
 use crate::model::ModelInfo;
 use crate::study::TradeRecord;
 use crate::study::app::spreadsheet::{Spreadsheet, full};
+use crate::study::app::text::timed;
 use crate::study::trade::{Curve, Point};
 
 /// Errors, one row for each copy at each end.
@@ -12,7 +13,7 @@ pub(super) fn errors(info: &ModelInfo, record: &TradeRecord) -> Spreadsheet {
         "end",
         "kernel",
         "size",
-        "stiffness",
+        &timed(info, "stiffness", "1/s"),
         "frequency",
         "predicted_frequency",
         "leading",

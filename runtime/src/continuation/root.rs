@@ -6,7 +6,7 @@ const TRIALS: usize = 80;
 
 /// Follows the sign change of a test function over the shares 0 to 1 of a step (Illinois), and shows `try_at` each
 /// share tried; `try_at` gives the test there, or `None` where it cannot be had.
-pub(super) fn root(at_0: f64, at_1: f64, mut try_at: impl FnMut(f64) -> Option<f64>) {
+pub(crate) fn root(at_0: f64, at_1: f64, mut try_at: impl FnMut(f64) -> Option<f64>) {
     let (mut low, mut high) = ((0.0, at_0), (1.0, at_1));
     let (mut last, mut side) = (f64::NAN, 0);
     for _ in 0..TRIALS {

@@ -3,8 +3,18 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Maps on all available cores. Results keep the order of `items`, whatever the number of cores.
-pub(super) fn parallel<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+pub fn parallel<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    parallel_on(None, items, f)
+}
+
+/// Maps on this many threads, or on all available cores.
+pub fn parallel_on<T: Sync, R: Send>(
+    threads: Option<usize>,
+    items: &[T],
+    f: impl Fn(&T) -> R + Sync,
+) -> Vec<R> {
+    let all = || std::thread::available_parallelism().map_or(1, usize::from);
+    let cores = threads.unwrap_or_else(all).max(1);
     let next = AtomicUsize::new(0);
     let worker = || {
         let mut done = Vec::new();

@@ -1,0 +1,33 @@
+//! Whole numbers that say which element of an array is meant.
+
+use syn::{BinOp, Expr, ExprLit, Lit, UnOp};
+
+const ONLY: &str = "an index is a whole number: made of the counter of a `for`, whole numbers, `+ - * %` and parentheses";
+
+/// The value of an index.
+pub(crate) fn index(expression: &Expr) -> syn::Result<i64> {
+    let wrong = || syn::Error::new_spanned(expression, ONLY);
+    match expression {
+        Expr::Lit(ExprLit {
+            lit: Lit::Int(whole),
+            ..
+        }) if whole.suffix().is_empty() => whole.base10_parse(),
+        Expr::Paren(inner) => index(&inner.expr),
+        Expr::Group(inner) => index(&inner.expr),
+        Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+            index(&unary.expr)?.checked_neg().ok_or_else(wrong)
+        }
+        Expr::Binary(binary) => {
+            let (left, right) = (index(&binary.left)?, index(&binary.right)?);
+            let value = match binary.op {
+                BinOp::Add(_) => left.checked_add(right),
+                BinOp::Sub(_) => left.checked_sub(right),
+                BinOp::Mul(_) => left.checked_mul(right),
+                BinOp::Rem(_) => left.checked_rem_euclid(right),
+                _ => None,
+            };
+            value.ok_or_else(wrong)
+        }
+        _ => Err(wrong()),
+    }
+}

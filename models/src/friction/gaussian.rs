@@ -1,0 +1,28 @@
+//! Stribeck's curve, Gaussian.
+
+use stickslip::friction_law;
+
+friction_law! {
+    /// Stribeck's curve in its Gaussian form: friction falls like a bell, level at first.
+    ///
+    /// With F_s = `static_level`, F_c = `kinetic_level` ≤ F_s, v_s = `speed`, σ = `viscous`:
+    ///
+    /// |F| ≤ F_s at rest, F_c + (F_s − F_c) exp(−(s/v_s)²) + σ s at the sliding speed s
+    ///
+    /// Source: B. Armstrong-Hélouvry, Control of Machines with Friction, 1991.
+    pub struct Gaussian {
+        /// Largest static force, not below the kinetic one.
+        param static_level: N where static_level >= 0.0;
+        /// Force to which friction falls, without its viscous part.
+        param kinetic_level: N where kinetic_level >= 0.0;
+        /// Speed at which friction has fallen by 1 - 1/e of the way.
+        param speed: m/s where speed > 0.0;
+        /// Force that grows with speed.
+        param viscous: N*s/m where viscous >= 0.0;
+
+        stick = static_level;
+        slip(s) = kinetic_level
+            + (static_level - kinetic_level) * exp(-powi(s / speed, 2))
+            + viscous * s;
+    }
+}

@@ -1,0 +1,169 @@
+//! The bifurcations that the thesis names, beside ours.
+
+use stickslip::study::report::{Column, Table};
+use stickslip::study::{BranchRecord, Special};
+
+use super::super::words::decimals;
+use super::{Atlas, FAMILIES};
+
+/// A bifurcation of section 3.3.2.
+pub(super) struct Named {
+    family: usize,
+    /// The flips at which to leave the first branch, and those that leave it, as the thesis prints them.
+    path: &'static [f64],
+    kind: &'static str,
+    /// As the thesis prints it.
+    v_dr: f64,
+}
+
+const fn named(family: usize, path: &'static [f64], kind: &'static str, v_dr: f64) -> Named {
+    Named {
+        family,
+        path,
+        kind,
+        v_dr,
+    }
+}
+
+pub(super) const NAMED: [Named; 18] = [
+    named(0, &[], "flip", 0.081),
+    named(0, &[], "flip", 0.141),
+    named(0, &[0.081], "flip", 0.08),
+    named(0, &[0.141], "fold", 0.165),
+    named(1, &[], "flip", 0.25),
+    named(1, &[0.25], "fold", 0.32),
+    named(1, &[0.25], "flip", 0.29),
+    named(1, &[0.25], "flip", 0.25),
+    named(1, &[0.25], "flip", 0.144),
+    named(1, &[0.25, 0.144], "flip", 0.132),
+    named(1, &[0.25, 0.144], "flip", 0.113),
+    named(1, &[0.25, 0.144], "fold", 0.104),
+    named(1, &[0.25, 0.144], "fold", 0.1112),
+    named(1, &[0.25, 0.144], "flip", 0.1106),
+    named(2, &[], "fold", 0.2864),
+    named(2, &[], "fold", 0.263),
+    named(2, &[], "flip", 0.274),
+    named(2, &[], "flip", 0.2858),
+];
+
+/// The bifurcation in both systems.
+pub(super) struct Match<'a> {
+    pub(super) named: &'a Named,
+    pub(super) smoothed: Option<&'a Special>,
+    pub(super) exact: Option<&'a Special>,
+    period_count: usize,
+}
+
+/// Each named bifurcation where the copy has it next to the printed digits, and the one that corresponds to
+/// it in the exact system: reached by the same flips, and of the same kind and number on its branch.
+pub(super) fn matches<'a>(smoothed: &'a Atlas, exact: &'a Atlas) -> Vec<Match<'a>> {
+    let one = |named: &'a Named| {
+        let mut pair = [
+            &smoothed.families[named.family],
+            &exact.families[named.family],
+        ];
+        for flip in named.path {
+            let [Some(a), Some(b)] = flips(pair, *flip) else {
+                return None;
+            };
+            pair = [a, b];
+        }
+        let near = nearest(pair[0], named.kind, named.v_dr);
+        Some(Match {
+            named,
+            smoothed: near,
+            exact: near.and_then(|special| counterpart(pair, special, named.family)),
+            period_count: pair[0].points.first().map_or(0, |point| point.period_count),
+        })
+    };
+    let missing = |named| Match {
+        named,
+        smoothed: None,
+        exact: None,
+        period_count: 0,
+    };
+    let found = super::named::NAMED.iter();
+    found
+        .map(|named| one(named).unwrap_or_else(|| missing(named)))
+        .collect()
+}
+
+/// The branches that leave both at the flip that the copy has next to this speed.
+fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> [Option<&BranchRecord>; 2] {
+    let label = nearest(pair[0], "flip", v_dr).map(|special| special.label.as_str());
+    pair.map(|branch| {
+        let mut below = branch.branches.iter();
+        below.find(|below| label.is_some() && below.from.as_deref() == label)
+    })
+}
+
+fn nearest<'a>(branch: &'a BranchRecord, kind: &str, v_dr: f64) -> Option<&'a Special> {
+    let same = branch.special.iter().filter(|special| special.kind == kind);
+    same.min_by(|a, b| (a.r - v_dr).abs().total_cmp(&(b.r - v_dr).abs()))
+}
+
+fn counterpart<'a>(
+    [smoothed, exact]: [&'a BranchRecord; 2],
+    special: &Special,
+    family: usize,
+) -> Option<&'a Special> {
+    if FAMILIES[family].name != "closed" {
+        return exact
+            .special
+            .iter()
+            .find(|other| other.label == special.label);
+    }
+    // A closed branch has no first point, but a leftmost one and a rightmost one.
+    let sorted = |branch: &'a BranchRecord| {
+        let same = branch
+            .special
+            .iter()
+            .filter(|other| other.kind == special.kind);
+        let mut all: Vec<&Special> = same.collect();
+        all.sort_by(|a, b| a.r.total_cmp(&b.r));
+        all
+    };
+    let (ours, theirs) = (sorted(smoothed), sorted(exact));
+    let place = ours.iter().position(|other| other.label == special.label)?;
+    if place + 1 == ours.len() {
+        return theirs.last().copied();
+    }
+    (place == 0).then(|| theirs.first().copied()).flatten()
+}
+
+/// The table of all named bifurcations.
+pub(super) fn table(smoothed: &Atlas, exact: &Atlas) -> Table {
+    let columns = [
+        Column::words("family"),
+        Column::numbers("period *n*"),
+        Column::words("kind"),
+        Column::numbers("*V*_{dr}, thesis"),
+        Column::numbers("smoothed"),
+        Column::numbers("exact"),
+        Column::numbers("shift"),
+        Column::words("smoothed"),
+    ];
+    let caption = "The bifurcations that section 3.3.2 of the thesis names, on the same smoothed copy and in the exact \
+                   system, and by how much smoothing shifts each. A flip is supercritical where the doubled orbit lies \
+                   on the side on which the orbit has lost its stability.";
+    let number = |special: Option<&Special>| special.map_or("–".to_owned(), |s| decimals(s.r, 6));
+    Table::new("atlas-bifurcations", caption, columns).rows(
+        matches(smoothed, exact).into_iter().map(|found| {
+            let shift = found.smoothed.zip(found.exact).map(|(a, b)| a.r - b.r);
+            vec![
+                FAMILIES[found.named.family].name.to_owned(),
+                found.period_count.to_string(),
+                found.named.kind.to_owned(),
+                found.named.v_dr.to_string(),
+                number(found.smoothed),
+                number(found.exact),
+                shift.map_or("–".to_owned(), |shift| decimals(shift, 6)),
+                found
+                    .smoothed
+                    .and_then(|special| special.criticality)
+                    .unwrap_or("")
+                    .to_owned(),
+            ]
+        }),
+    )
+}

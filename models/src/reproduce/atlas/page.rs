@@ -1,0 +1,250 @@
+//! The interactive page: its data, and the page around them.
+
+use std::fmt::Write;
+
+use stickslip::bifurcation::Stability;
+use stickslip::study::report::Page;
+use stickslip::study::{
+    Beginning, BranchRecord, Case, Dynamics, Entry, OrbitRecord, Special, Switch,
+};
+
+use super::named::matches;
+use super::{Atlas, FAMILIES, pair};
+use stickslip::study::parallel;
+
+const TEMPLATE: &str = include_str!("page.html");
+/// Accuracy of the motions that are drawn.
+const DRAWN: f64 = 1e-6;
+/// Points of a drawn motion for each crossing of the section.
+const POINTS: usize = 32;
+/// Orbits whose speed of the belt, frequency and displacement differ by less than this from the last one are left out.
+const THIN: f64 = 2e-3;
+
+/// The page of all branches.
+pub(super) fn page(smoothed: &Atlas, exact: &Atlas) -> Page {
+    let named = matches(smoothed, exact);
+    let marked = [
+        named.iter().filter_map(|found| found.smoothed).collect(),
+        named
+            .iter()
+            .filter_map(|found| found.exact)
+            .collect::<Vec<_>>(),
+    ];
+    let atlases = [smoothed, exact];
+    let systems = atlases.iter().zip(&marked);
+    let systems: Vec<String> = systems
+        .map(|(atlas, marked)| system(atlas, marked))
+        .collect();
+    Page {
+        name: "atlas".to_owned(),
+        link: "All branches, to be explored: Figs. 3.15 to 3.18, smoothed and exact".to_owned(),
+        html: TEMPLATE.replace("/*DATA*/", &format!("[{}]", systems.join(",\n"))),
+        data: (
+            HEAD.map(str::to_owned).to_vec(),
+            atlases.iter().flat_map(|atlas| rows(atlas)).collect(),
+        ),
+    }
+}
+
+const HEAD: [&str; 10] = [
+    "system",
+    "branch",
+    "family",
+    "n",
+    "V_dr",
+    "period",
+    "max|X1|",
+    "stability",
+    "multipliers",
+    "word",
+];
+
+fn rows(atlas: &Atlas) -> Vec<Vec<String>> {
+    let all = atlas.branches().enumerate();
+    all.flat_map(|(number, (family, branch))| {
+        branch.points.iter().map(move |point| {
+            let multipliers: Vec<String> = point
+                .floquet
+                .multipliers
+                .iter()
+                .map(ToString::to_string)
+                .collect();
+            vec![
+                atlas.dynamics.to_string(),
+                number.to_string(),
+                family.to_owned(),
+                point.period_count.to_string(),
+                point.r.unwrap_or(f64::NAN).to_string(),
+                point.period.to_string(),
+                point.max_abs[0].to_string(),
+                point.floquet.stability.name().to_owned(),
+                multipliers.join(" "),
+                point.word.clone().unwrap_or_default(),
+            ]
+        })
+    })
+    .collect()
+}
+
+/// A branch, its family, and the special point that it leaves.
+type Leaf<'a> = (&'static str, &'a BranchRecord, Option<&'a Special>);
+
+/// A branch and all that leave it.
+fn leaves<'a>((family, branch, origin): Leaf<'a>, all: &mut Vec<Leaf<'a>>) {
+    all.push((family, branch, origin));
+    for below in &branch.branches {
+        let origin = branch
+            .special
+            .iter()
+            .find(|special| Some(&special.label) == below.from.as_ref());
+        leaves((family, below, origin), all);
+    }
+}
+
+fn system(atlas: &Atlas, marked: &[&Special]) -> String {
+    let mut all = Vec::new();
+    for (family, first) in FAMILIES.iter().zip(&atlas.families) {
+        leaves((family.name, first, None), &mut all);
+    }
+    let branches = parallel(&all, |leaf| branch(leaf, marked));
+    let name = match atlas.dynamics {
+        Dynamics::Exact => "exact".to_owned(),
+        other => format!("smoothed, {other}"),
+    };
+    format!(
+        "{{\"name\":{},\"branches\":[\n{}]}}",
+        quoted(&name),
+        branches.join(",\n")
+    )
+}
+
+fn branch((family, branch, origin): &Leaf<'_>, marked: &[&Special]) -> String {
+    let pair = pair();
+    let kept = thinned(&branch.points);
+    let points: Vec<String> = kept
+        .iter()
+        .map(|(_, orbit)| point(pair.as_ref(), orbit))
+        .collect();
+    let after = |one: &Special| kept.iter().filter(|(i, _)| *i < one.after).count();
+    let special: Vec<String> = branch
+        .special
+        .iter()
+        .map(|one| {
+            let named = marked.iter().any(|mark| std::ptr::eq(*mark, one));
+            special(one, named, after(one))
+        })
+        .collect();
+    format!(
+        "{{\"family\":{},\"from\":{},\"origin\":{},\"ended\":{},\"points\":[{}],\"special\":[{}]}}",
+        quoted(family),
+        branch.from.as_deref().map_or("null".to_owned(), quoted),
+        origin.map_or("null".to_owned(), |origin| self::special(origin, false, 0)),
+        quoted(branch.ended.word),
+        points.join(","),
+        special.join(",")
+    )
+}
+
+/// Enough of these orbits to draw their branch, with their numbers.
+fn thinned(points: &[OrbitRecord]) -> Vec<(usize, &OrbitRecord)> {
+    let mut kept: Vec<(usize, &OrbitRecord)> = Vec::new();
+    for (i, point) in points.iter().enumerate() {
+        let far = |(_, last): &(usize, &OrbitRecord)| {
+            let apart = (point.r.unwrap_or(0.0) - last.r.unwrap_or(0.0)).abs()
+                + (1.0 / point.period - 1.0 / last.period).abs()
+                + 0.2 * (point.max_abs[0] - last.max_abs[0]).abs();
+            let period_count = point.period_count.max(1) as f64;
+            apart * period_count.sqrt() > THIN || point.floquet.stability != last.floquet.stability
+        };
+        if i + 1 == points.len() || kept.last().is_none_or(far) {
+            kept.push((i, point));
+        }
+    }
+    kept
+}
+
+fn point(pair: &dyn Entry, orbit: &OrbitRecord) -> String {
+    let multipliers = orbit.floquet.multipliers.iter();
+    let section = orbit.section.iter().filter_map(|state| state.first());
+    let mut text = format!(
+        "{{\"r\":{},\"T\":{},\"m\":{},\"n\":{},\"s\":{},\"mu\":[{}],\"p\":[{}]",
+        digits(orbit.r.unwrap_or(0.0), 8),
+        digits(orbit.period, 8),
+        digits(orbit.max_abs[0], 5),
+        orbit.period_count,
+        u8::from(orbit.floquet.stability == Stability::Stable),
+        list(multipliers.flat_map(|mu| [mu.re, mu.im]), 5),
+        list(section.copied(), 4),
+    );
+    if let Some(word) = &orbit.word {
+        let _ = write!(text, ",\"w\":{}", quoted(word));
+    }
+    if let Some(path) = path(pair, orbit) {
+        let _ = write!(text, ",\"x\":[{}]", list(path.into_iter(), 3));
+    }
+    text + "}"
+}
+
+/// Both displacements along one period, one after the other.
+fn path(pair: &dyn Entry, orbit: &OrbitRecord) -> Option<Vec<f64>> {
+    let case = Case {
+        parameters: orbit.parameters.clone(),
+        dynamics: orbit.dynamics,
+        along: None,
+        start: Some(orbit.state.clone()),
+        period: None,
+        accuracy: DRAWN,
+        beginning: Beginning::End,
+        switch: Switch::default(),
+    };
+    let motion = pair.motion(&case, orbit.period).ok()?;
+    let wanted = POINTS * orbit.period_count.min(16);
+    let mut path = Vec::with_capacity(2 * wanted + 2);
+    let mut after = f64::NEG_INFINITY;
+    let gap = orbit.period / wanted as f64;
+    let last = motion.times.len().saturating_sub(1);
+    for (i, (time, state)) in motion.times.iter().zip(&motion.states).enumerate() {
+        if time - after >= gap || i == last {
+            path.extend([state[0], state[2]]);
+            after = *time;
+        }
+    }
+    Some(path)
+}
+
+fn special(special: &Special, named: bool, after: usize) -> String {
+    format!(
+        "{{\"named\":{named},\"a\":{after},\"k\":{},\"l\":{},\"r\":{},\"T\":{},\"m\":{},\"c\":{}}}",
+        quoted(special.kind),
+        quoted(&special.label),
+        digits(special.r, 9),
+        digits(special.period, 8),
+        digits(special.max_abs[0], 5),
+        special.criticality.map_or("null".to_owned(), quoted)
+    )
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn list(values: impl Iterator<Item = f64>, count: usize) -> String {
+    values
+        .map(|value| digits(value, count))
+        .collect::<Vec<_>>()
+        .join(",")
+}
+
+/// A number with so many significant digits at most, as JSON writes it.
+fn digits(value: f64, count: usize) -> String {
+    if !value.is_finite() {
+        return "null".to_owned();
+    }
+    let rounded: f64 = format!("{value:.*e}", count.max(1) - 1)
+        .parse()
+        .unwrap_or(value);
+    if rounded.abs() < 1e-12 {
+        return "0".to_owned();
+    }
+    format!("{rounded}")
+}

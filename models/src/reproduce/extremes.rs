@@ -1,0 +1,207 @@
+//! The map of the extremes: over which ranges of parameters and of ε answers keep their digits, and what stops them.
+
+mod judge;
+mod limits;
+mod page;
+mod ranges;
+
+use std::path::Path;
+
+use stickslip::study::report::{Report, ReportError};
+use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError};
+
+pub(super) use page::section;
+pub use ranges::{Expected, Range, System, ranges};
+use stickslip::study::parallel;
+
+/// What became of one cell of the map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// The value of what is varied.
+    pub value: f64,
+    /// What the map is to hold here.
+    pub expected: Expected,
+    /// What it holds.
+    pub outcome: Outcome,
+}
+
+/// An answer with its digits, or the reason why there is none.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// An orbit.
+    Found {
+        /// Decimal digits that a tighter run and the known limits confirm, of period and extrema.
+        digits: f64,
+        /// Decimal digits that the answer claims for itself.
+        claimed: f64,
+        /// Whether its error is as small as it claims, as far as the tighter run can tell.
+        honest: bool,
+        /// Its period.
+        period: f64,
+    },
+    /// No orbit, and why.
+    Refused {
+        /// The kind of the error.
+        kind: &'static str,
+        /// Its message.
+        reason: String,
+    },
+}
+
+/// How accurately the cells are computed, and how accurately the runs that confirm them: the first that converges.
+const ACCURACY: f64 = 1e-9;
+const TIGHT: [f64; 3] = [1e-12, 1e-11, 1e-10];
+
+/// Computes the map alone and writes it as a page to the folder `out`; says in words what was written.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn reproduce(out: &Path) -> Result<String, ReportError> {
+    let report = Report {
+        title: "At the extremes".to_owned(),
+        subtitle: "How far answers keep their digits, and what stops them".to_owned(),
+        sections: vec![section()],
+    };
+    let written = report.write(out)?;
+    Ok(format!("open {} in a browser", written.page.display()))
+}
+
+/// Every cell of every range.
+#[must_use]
+pub fn map() -> Vec<(Range, Vec<Cell>)> {
+    let ranges = ranges();
+    let places = ranges.iter().enumerate();
+    let all: Vec<(usize, f64, Expected)> = places
+        .flat_map(|(i, range)| {
+            let cells = range.cells();
+            cells.into_iter().map(move |(value, is)| (i, value, is))
+        })
+        .collect();
+    let cells = parallel(&all, |&(i, value, expected)| Cell {
+        value,
+        expected,
+        outcome: ranges[i].outcome(value),
+    });
+    let mut map: Vec<(Range, Vec<Cell>)> = ranges
+        .into_iter()
+        .map(|range| (range, Vec::new()))
+        .collect();
+    for ((i, ..), cell) in all.into_iter().zip(cells) {
+        map[i].1.push(cell);
+    }
+    map
+}
+
+impl Range {
+    /// What becomes of the orbit at this value.
+    #[must_use]
+    pub fn outcome(&self, value: f64) -> Outcome {
+        let entry = self.system.entry();
+        let case = self.case(entry.as_ref(), value);
+        let found = entry.check(&case).and_then(|()| entry.orbit(&case));
+        let orbit = match found {
+            Ok(orbit) => orbit,
+            Err(error) => {
+                return Outcome::Refused {
+                    kind: kind(&error),
+                    reason: error.to_string(),
+                };
+            }
+        };
+        let known = (self.known)(&case, value);
+        let known = known
+            .iter()
+            .map(|limit| limit.error(&orbit))
+            .reduce(f64::max);
+        let tight = TIGHT
+            .iter()
+            .find_map(|&accuracy| tighter(entry.as_ref(), &case, &orbit, accuracy));
+        let tight = tight.map(|tight| (judge::difference(&orbit, &tight), tight.error_estimate));
+        let Some(error) = known
+            .into_iter()
+            .chain(tight.map(|(error, _)| error))
+            .reduce(f64::max)
+        else {
+            return Outcome::Refused {
+                kind: "unconfirmed",
+                reason: "no tighter run confirms it".to_owned(),
+            };
+        };
+        let doubt = tight.map_or(0.0, |(_, estimate)| estimate);
+        Outcome::Found {
+            digits: digits(error),
+            claimed: digits(orbit.error_estimate),
+            honest: error <= orbit.error_estimate + doubt,
+            period: orbit.period,
+        }
+    }
+
+    /// The case at this value.
+    fn case(&self, entry: &dyn Entry, value: f64) -> Case {
+        let mut case = Case::declared(entry.info(), Dynamics::Smooth);
+        case.accuracy = ACCURACY;
+        case.dynamics = if entry.info().contacts.is_empty() {
+            Dynamics::Smooth
+        } else {
+            Dynamics::Exact
+        };
+        (self.set)(&mut case, entry.info(), value);
+        case
+    }
+}
+
+/// The same orbit, computed more tightly.
+fn tighter(
+    entry: &dyn Entry,
+    case: &Case,
+    orbit: &OrbitRecord,
+    accuracy: f64,
+) -> Option<OrbitRecord> {
+    let case = Case {
+        accuracy,
+        start: Some(orbit.state.clone()),
+        period: Some(orbit.period),
+        ..case.clone()
+    };
+    entry.orbit(&case).ok()
+}
+
+/// Decimal digits of a relative error.
+fn digits(error: f64) -> f64 {
+    (-error.max(1e-16).log10()).max(0.0)
+}
+
+/// The name of an error's kind.
+fn kind(error: &StudyError) -> &'static str {
+    use stickslip::shooting::OrbitError;
+    match error {
+        StudyError::Orbit(OrbitError::Equilibrium { .. }) => "equilibrium",
+        StudyError::Orbit(OrbitError::NotIsolated { .. }) => "not-isolated",
+        StudyError::Orbit(OrbitError::NotSettled { .. }) => "not-settled",
+        StudyError::Orbit(OrbitError::Newton(_)) => "newton",
+        StudyError::Orbit(OrbitError::Flow(_)) | StudyError::Flow(_) => "flow",
+        _ => "other",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickslip::study::parallel_on;
+
+    /// Bit for bit: also the digits that nobody would print.
+    #[test]
+    fn the_number_of_cores_changes_nothing() {
+        let ranges = ranges();
+        let some: Vec<(usize, f64)> = (ranges.iter().enumerate())
+            .flat_map(|(i, range)| {
+                let found = range.cells().into_iter();
+                let found = found.filter(|(_, expected)| matches!(expected, Expected::Digits(_)));
+                found.step_by(9).map(move |(value, _)| (i, value))
+            })
+            .collect();
+        let ask = |cores| parallel_on(Some(cores), &some, |&(i, value)| ranges[i].outcome(value));
+        let one = ask(1);
+        assert!(some.len() > 20 && one == ask(2) && one == ask(3));
+    }
+}

@@ -1,0 +1,253 @@
+//! The cells of the map, and what each is to hold: the one place where they are written down.
+
+use std::ops::RangeInclusive;
+
+use stickslip::field::{Kernel, Smoothing};
+use stickslip::model::ModelInfo;
+use stickslip::study::{Case, Dynamics, Entry, entry};
+
+use super::judge::Limit;
+use super::limits;
+use crate::{BeltOscillator, BeltPair, DrillString, VanDerPol};
+
+/// What a cell of the map is to hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Expected {
+    /// An orbit with at least this many true digits.
+    Digits(u8),
+    /// An error of this kind.
+    Refused(&'static str),
+}
+
+/// A reference system.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum System {
+    /// [`VanDerPol`].
+    VanDerPol,
+    /// [`BeltOscillator`].
+    BeltOscillator,
+    /// [`BeltPair`].
+    BeltPair,
+    /// [`DrillString`].
+    DrillString,
+}
+
+impl System {
+    /// Its name on the command line.
+    #[must_use]
+    pub fn command(self) -> &'static str {
+        self.entry().info().command
+    }
+
+    /// The system as it answers cases.
+    #[must_use]
+    pub fn entry(self) -> Box<dyn Entry> {
+        match self {
+            Self::VanDerPol => entry::<VanDerPol, _>(),
+            Self::BeltOscillator => entry::<BeltOscillator, _>(),
+            Self::BeltPair => entry::<BeltPair, _>(),
+            Self::DrillString => entry::<DrillString, _>(),
+        }
+    }
+}
+
+/// What is varied, and what its values are to lead to.
+#[derive(Clone)]
+pub struct Range {
+    /// The system.
+    pub system: System,
+    /// What is varied, in words.
+    pub varied: &'static str,
+    /// The same on the axis of a figure.
+    pub axis: &'static str,
+    /// Sets a value.
+    pub(super) set: fn(&mut Case, &ModelInfo, f64),
+    /// What is known there.
+    pub(super) known: fn(&Case, f64) -> Vec<Limit>,
+    /// Powers of ten, and what they are to lead to; zero itself is asked first, if it is.
+    zero: Option<Expected>,
+    decades: Vec<(RangeInclusive<i32>, Expected)>,
+}
+
+impl Range {
+    /// Every value with what it is to lead to.
+    #[must_use]
+    pub fn cells(&self) -> Vec<(f64, Expected)> {
+        let zero = self.zero.map(|expected| (0.0, expected));
+        let decades = self.decades.iter().flat_map(|(powers, expected)| {
+            let value = |power: i32| format!("1e{power}").parse().unwrap_or(f64::NAN);
+            powers.clone().map(move |power| (value(power), *expected))
+        });
+        zero.into_iter().chain(decades).collect()
+    }
+}
+
+/// Sets the parameter of this name.
+fn put(case: &mut Case, info: &ModelInfo, name: &str, value: f64) {
+    let place = info
+        .parameters
+        .iter()
+        .position(|declared| declared.name == name);
+    if let Some(place) = place.and_then(|index| case.parameters.get_mut(index)) {
+        *place = value;
+    }
+}
+
+/// Sets mass or stiffness of the belt oscillator, and all else such that its nondimensional motion stays the same.
+fn in_other_units(case: &mut Case, info: &ModelInfo, mass: f64, stiffness: f64) {
+    put(case, info, "m", mass);
+    put(case, info, "k", stiffness);
+    let impedance = (mass * stiffness).sqrt();
+    put(case, info, "v_dr", 0.2 / impedance);
+    put(case, info, "delta", 3.0 * impedance);
+}
+
+/// Two equal masses that begin together, on the belt.
+fn together(case: &mut Case, info: &ModelInfo, coupling: f64) {
+    put(case, info, "alpha", coupling);
+    put(case, info, "beta", 1.0);
+    case.start = Some(vec![0.0, 0.14, 0.0, 0.14]);
+}
+
+fn smoothed(case: &mut Case, kernel: Kernel, size: f64) {
+    case.dynamics = Dynamics::Smoothed(Smoothing { kernel, size });
+}
+
+/// A parameter of a system, by its name.
+macro_rules! parameter {
+    ($system:ident, $name:literal, $axis:literal, $known:path) => {
+        Range {
+            system: System::$system,
+            varied: $name,
+            axis: $axis,
+            set: |case, info, value| put(case, info, $name, value),
+            known: $known,
+            zero: None,
+            decades: Vec::new(),
+        }
+    };
+}
+
+/// The size of a smoothing.
+macro_rules! copy {
+    ($system:ident, $kernel:ident, $name:literal, $known:path) => {
+        Range {
+            system: System::$system,
+            varied: $name,
+            axis: "*ε*",
+            set: |case, _, size| smoothed(case, Kernel::$kernel, size),
+            known: $known,
+            zero: None,
+            decades: Vec::new(),
+        }
+    };
+}
+
+impl Range {
+    /// Whether the size of a smoothing is varied.
+    pub(super) fn is_copy(&self) -> bool {
+        self.axis == "*ε*"
+    }
+
+    fn zero(mut self, expected: Expected) -> Self {
+        self.zero = Some(expected);
+        self
+    }
+
+    fn at(mut self, powers: RangeInclusive<i32>, expected: Expected) -> Self {
+        self.decades.push((powers, expected));
+        self
+    }
+}
+
+/// All ranges of the map.
+#[must_use]
+pub fn ranges() -> Vec<Range> {
+    use Expected::{Digits, Refused};
+    let exact = [
+        parameter!(VanDerPol, "nu", "*ν*", limits::van_der_pol)
+            .zero(Refused("not-isolated"))
+            .at(-8..=-8, Digits(4))
+            .at(-7..=-6, Digits(5))
+            .at(-5..=-4, Digits(7))
+            .at(-3..=4, Digits(8))
+            .at(5..=6, Refused("not-settled")),
+        parameter!(BeltOscillator, "v_dr", "*v*_{dr}", limits::belt_speed)
+            .zero(Refused("equilibrium"))
+            .at(-8..=-6, Digits(6))
+            .at(-5..=3, Digits(8)),
+        parameter!(BeltOscillator, "F_s", "*F*_{s}", limits::belt_force)
+            .zero(Refused("not-isolated"))
+            .at(-12..=-12, Refused("not-isolated"))
+            .at(-6..=4, Digits(7)),
+        parameter!(BeltOscillator, "delta", "*δ*", limits::belt_weakening)
+            .zero(Refused("not-isolated"))
+            .at(-8..=8, Digits(8)),
+        Range {
+            varied: "m, nondimensional motion kept",
+            set: |case, info, mass| in_other_units(case, info, mass, 1.0),
+            ..parameter!(BeltOscillator, "m", "*m*", limits::belt_units)
+        }
+        .at(-12..=12, Digits(8)),
+        Range {
+            varied: "k, nondimensional motion kept",
+            set: |case, info, stiffness| in_other_units(case, info, 1.0, stiffness),
+            ..parameter!(BeltOscillator, "k", "*k*", limits::belt_units)
+        }
+        .at(-12..=11, Digits(8))
+        .at(12..=12, Refused("not-isolated")),
+        parameter!(DrillString, "eta", "*η*", limits::drill_string)
+            .at(-8..=0, Digits(8))
+            .at(1..=3, Refused("equilibrium")),
+        parameter!(DrillString, "theta", "*θ*", limits::drill_string)
+            .zero(Refused("equilibrium"))
+            .at(-6..=0, Refused("equilibrium"))
+            .at(1..=8, Digits(8)),
+        parameter!(DrillString, "kinetic", "*T*_{sl}/*k*", limits::drill_string)
+            .zero(Digits(8))
+            .at(-8..=8, Digits(8)),
+        parameter!(DrillString, "zeta", "*ζ*", limits::drill_string)
+            .zero(Digits(8))
+            .at(-8..=-2, Digits(8))
+            .at(-1..=1, Refused("equilibrium"))
+            .at(2..=2, Refused("flow")),
+        parameter!(BeltPair, "v_dr", "*V*_{dr}", limits::none).at(-2..=3, Digits(6)),
+        Range {
+            varied: "alpha, equal masses together",
+            set: together,
+            ..parameter!(BeltPair, "alpha", "*α*", limits::belt_pair_together)
+        }
+        .zero(Refused("not-isolated"))
+        .at(-6..=-6, Digits(5))
+        .at(-5..=5, Digits(7))
+        .at(6..=6, Refused("not-settled")),
+        parameter!(BeltPair, "beta", "*β*", limits::none).at(-6..=0, Digits(7)),
+        parameter!(BeltPair, "gamma", "*γ*", limits::none).at(-6..=1, Digits(7)),
+    ];
+    let copies = [
+        copy!(BeltOscillator, Arctan, "arctan", limits::copy_of_belt)
+            .at(0..=0, Refused("equilibrium"))
+            .at(1..=12, Digits(7)),
+        copy!(BeltOscillator, Tanh, "tanh", limits::copy_of_belt)
+            .at(0..=0, Refused("equilibrium"))
+            .at(1..=12, Digits(7)),
+        copy!(BeltOscillator, Algebraic, "algebraic", limits::copy_of_belt)
+            .at(0..=0, Refused("equilibrium"))
+            .at(1..=12, Digits(7)),
+        copy!(BeltOscillator, Cubic, "cubic", limits::copy_of_belt)
+            .at(0..=0, Refused("equilibrium"))
+            .at(1..=12, Digits(7)),
+        copy!(BeltOscillator, Quintic, "quintic", limits::copy_of_belt)
+            .at(0..=0, Refused("equilibrium"))
+            .at(1..=12, Digits(7)),
+        copy!(
+            DrillString,
+            Quartic,
+            "quartic",
+            limits::copy_of_drill_string
+        )
+        .at(-8..=0, Digits(7))
+        .at(1..=1, Refused("equilibrium")),
+    ];
+    exact.into_iter().chain(copies).collect()
+}

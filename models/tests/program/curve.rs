@@ -1,0 +1,89 @@
+//! What `stickslip branch --and` answers.
+
+use serde_json::Value;
+
+use crate::{stickslip, words};
+
+const GRAZE: &str = "branch drill-string --along eta=4..6 --and zeta=0.05..0.06";
+
+#[test]
+fn the_shape_of_a_curve() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("curve");
+    let place = folder.to_str().unwrap();
+    let line = [words(GRAZE), vec!["--json", "--out", place]].concat();
+    let answer = stickslip(&line);
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    let curve: Value = serde_json::from_str(&answer.stdout).unwrap();
+    assert_eq!(
+        (&curve["kind"], &curve["of"], &curve["ended"]),
+        (
+            &"grazing-sliding".into(),
+            &"GS1".into(),
+            &"reached-end".into()
+        )
+    );
+    assert_eq!(
+        (&curve["along"]["name"], &curve["and"]["name"]),
+        (&"eta".into(), &"zeta".into())
+    );
+    let points = curve["points"].as_array().unwrap();
+    let first = &points[0]["at"];
+    assert!((first["eta"].as_f64().unwrap() / 4.611_989_021_286_665 - 1.0).abs() < 1e-9);
+    assert_eq!(points[points.len() - 1]["at"]["zeta"], 0.06);
+    let sheet = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
+    assert!(sheet.starts_with("eta,zeta,period,psi,omega,"), "{sheet}");
+    assert_eq!(sheet.lines().count(), points.len() + 1);
+    let picture = std::fs::read_to_string(folder.join("curve.svg")).unwrap();
+    assert!(picture.contains("zeta") && picture.contains("eta"));
+    let text = stickslip(&words(GRAZE)).stdout;
+    assert!(
+        text.contains("grazing-sliding points (GS1) in eta and zeta"),
+        "{text}"
+    );
+}
+
+#[test]
+fn wrong_words_are_named() {
+    let with = |line: &str, code: i32, parts: &[&str]| {
+        let answer = stickslip(&words(line));
+        assert_eq!(answer.code, Some(code), "{line}: {}", answer.stderr);
+        for part in parts {
+            assert!(
+                answer.stderr.contains(part),
+                "{line} lacks {part}: {}",
+                answer.stderr
+            );
+        }
+    };
+    let drill = "branch drill-string --along eta=4..6";
+    with(
+        &format!("{drill} --and zetaa=0.05..0.06"),
+        2,
+        &["`zetaa`", "did you mean `zeta`?"],
+    );
+    with(
+        &format!("{drill} --and eta=4..5"),
+        2,
+        &["`--along` follows already"],
+    );
+    with(&format!("{drill} --and zeta=0.05..-1"), 2, &["bound"]);
+    with(&format!("{drill} --and zeta=0.05"), 2, &["no range"]);
+    with(&format!("{drill} --and smooth=1..2"), 2, &["--smooth"]);
+    with(
+        &format!("{drill} --and zeta=0.05..0.06 --set zeta=0.1"),
+        2,
+        &["contradicts", "0.05"],
+    );
+    with(
+        &format!("{drill} --and zeta=0.05..0.06 --switch flips"),
+        2,
+        &["--switch flips"],
+    );
+    with(&format!("{drill} --of PD1"), 2, &["--of PD1", "add `--and"]);
+    with(
+        &format!("{GRAZE} --of PD1 --quiet"),
+        1,
+        &["no special point PD1", "GS1"],
+    );
+    with("branch drill-string --and zeta=0.05..0.06", 2, &["--along"]);
+}

@@ -1,0 +1,112 @@
+//! Nothing that was found is lost, and the same question has the same answer.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::{stickslip, words};
+
+/// How long the first points of a branch may take on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(100);
+
+/// The rows of a table that are whole: as wide as its head.
+fn rows(sheet: &Path) -> usize {
+    let text = std::fs::read_to_string(sheet).unwrap_or_default();
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    reader.records().map_while(Result::ok).count()
+}
+
+#[test]
+fn what_is_found_stays_when_the_program_is_ended() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ended");
+    let sheet = folder.join("branch.csv");
+    let _ = std::fs::remove_file(&sheet);
+    let line = "branch belt-pair --along v_dr=0.14..0.02 --quiet --accuracy 1e-11 --out";
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stickslip"))
+        .args(words(line))
+        .arg(&folder)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let clock = Instant::now();
+    while rows(&sheet) < 3 && clock.elapsed() < PATIENCE && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(rows(&sheet) >= 3, "{} rows", rows(&sheet));
+    let text = std::fs::read_to_string(&sheet).unwrap();
+    let whole = csv::Reader::from_reader(text.as_bytes())
+        .into_records()
+        .all(|row| row.is_ok());
+    assert!(whole && text.ends_with('\n'), "a torn row");
+}
+
+#[test]
+fn what_came_first_stands_first_at_the_end() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("whole");
+    let place = folder.to_str().unwrap();
+    for (line, sheet) in [
+        ("branch van-der-pol --along nu=1..0.5 --quiet", "branch.csv"),
+        (
+            "equilibria belt-oscillator --smooth arctan:1e3 --along v_dr=0.2..0.1 --quiet",
+            "equilibria.csv",
+        ),
+    ] {
+        let answer = stickslip(&[words(line), vec!["--out", place]].concat());
+        assert_eq!(answer.code, Some(0), "{line}: {}", answer.stderr);
+        assert!(rows(&folder.join(sheet)) > 3, "{line}");
+        let left = std::fs::read_dir(&folder)
+            .unwrap()
+            .map(|file| file.unwrap().path());
+        let parts = left.filter(|path| path.extension().is_some_and(|end| end == "part"));
+        assert_eq!(parts.count(), 0, "{line}");
+    }
+}
+
+#[test]
+fn the_same_question_has_the_same_answer() {
+    for line in [
+        "orbit belt-pair --json",
+        "orbit drill-string --smooth quartic:1e-3 --json",
+        "branch belt-oscillator --along v_dr=0.2..0.15 --json",
+    ] {
+        let [one, two] = [(); 2].map(|()| stickslip(&words(line)).stdout);
+        assert!(!one.is_empty() && one == two, "{line}");
+    }
+}
+
+/// `.ci/run` names the optimised build here: both round differently, and may differ in no digit that is claimed.
+#[test]
+fn another_build_has_the_same_digits() {
+    let Some(other) = std::env::var_os("STICKSLIP_OTHER") else {
+        return;
+    };
+    for line in [
+        "orbit van-der-pol --json",
+        "orbit belt-oscillator --json",
+        "orbit belt-pair --json",
+        "orbit drill-string --json",
+        "orbit belt-pair --smooth arctan:1e6 --json",
+        "orbit drill-string --smooth quartic:1e-4 --json",
+    ] {
+        let there = Command::new(&other).args(words(line)).output().unwrap();
+        let there = String::from_utf8(there.stdout).unwrap();
+        let [here, there] = [stickslip(&words(line)).stdout, there]
+            .map(|text| serde_json::from_str::<serde_json::Value>(&text).unwrap());
+        let number = |from: &serde_json::Value, name: &str| from[name].as_f64().unwrap();
+        let off = number(&here, "period") / number(&there, "period") - 1.0;
+        assert!(
+            off.abs() <= number(&here, "error_estimate"),
+            "{line}: {off:e}"
+        );
+        for (name, value) in here["max_abs"].as_object().unwrap() {
+            let off = value.as_f64().unwrap() / number(&there["max_abs"], name) - 1.0;
+            assert!(
+                off.abs() <= number(&here, "error_estimate"),
+                "{line} {name}: {off:e}"
+            );
+        }
+    }
+}

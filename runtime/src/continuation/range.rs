@@ -1,0 +1,75 @@
+//! How far a branch is followed, in what steps, and why it ended.
+
+use super::corrector::Failure;
+
+/// How a branch is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Where r begins.
+    pub from: f64,
+    /// Where r shall end.
+    pub to: f64,
+    /// Corrections at most this, relative to the scale of the unknowns, end an iteration.
+    pub accuracy: f64,
+    /// First step, as an arclength in scaled coordinates; r is scaled by |to − from|.
+    pub first_step: f64,
+    /// Smallest step.
+    pub smallest_step: f64,
+    /// Largest step.
+    pub largest_step: f64,
+    /// Largest angle between tangent and chord (2.21), rad.
+    pub beta_1: f64,
+    /// Largest angle between tangent and chord without r (2.22), rad.
+    pub beta_2: f64,
+    /// Most points.
+    pub points: usize,
+}
+
+impl Settings {
+    /// The usual settings for r from `from` to `to`.
+    #[must_use]
+    pub fn new(from: f64, to: f64, accuracy: f64) -> Self {
+        Self {
+            from,
+            to,
+            accuracy,
+            first_step: 0.02,
+            smallest_step: 1e-7,
+            largest_step: 0.5,
+            beta_1: 0.35,
+            beta_2: 0.7,
+            points: 10_000,
+        }
+    }
+}
+
+impl Settings {
+    /// The end of the range that lies between r = `base` and `r`, or at `r`; `None` if `r` is inside.
+    pub(super) fn passed<E>(&self, base: f64, r: f64) -> Option<(f64, Ending<E>)> {
+        let (from, to) = (self.from, self.to);
+        if (r - to) * (to - from) >= 0.0 {
+            Some((to, Ending::ReachedEnd))
+        } else if (r - from) * (to - from) <= 0.0 && base != from {
+            Some((from, Ending::ReachedStart))
+        } else {
+            None
+        }
+    }
+}
+
+/// Why a branch ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ending<E> {
+    /// r reached its end.
+    ReachedEnd,
+    /// r came back to where it began.
+    ReachedStart,
+    /// The step fell below the smallest; with the last reason: (2.23).
+    StepTooSmall(Failure<E>),
+    /// No step was longer than this for so long that it leads nowhere.
+    Creeping(f64),
+    /// The limit of points.
+    TooManyPoints,
+    /// The problem says that the branch ends here.
+    Refused(E),
+}

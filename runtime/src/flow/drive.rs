@@ -1,0 +1,71 @@
+//! The phase of a drive: a state that only advances, and of which 2π more is the same.
+
+use std::f64::consts::TAU;
+
+use super::{Extremum, Flow, FlowError};
+use crate::friction::{ContactRule, FrictionLaw};
+use crate::model::Model;
+
+/// Appends each instant of a step at which the phase begins anew, as a minimum of it.
+///
+/// The phase advances uniformly, so that the instants are known; `probe` is the step map at a fraction of the step.
+pub(crate) fn strobes<const N: usize>(
+    phase: Option<usize>,
+    (from, to): (&[f64; N], &[f64; N]),
+    (time, length): (f64, f64),
+    found: &mut Vec<Extremum<N>>,
+    mut probe: impl FnMut(f64) -> Option<[f64; N]>,
+) {
+    let Some(index) = phase else { return };
+    let (from, to) = (from[index], to[index]);
+    let mut turns = (from / TAU).floor() + 1.0;
+    while turns * TAU <= to {
+        let theta = (turns * TAU - from) / (to - from);
+        if let Some(mut state) = probe(theta) {
+            state[index] = 0.0;
+            found.push(Extremum {
+                index,
+                maximum: false,
+                time: time + theta * length,
+                state,
+            });
+        }
+        turns += 1.0;
+    }
+}
+
+/// The state with its phase between 0 and 2π.
+pub(crate) fn wrapped<F: Flow<N>, const N: usize>(mut state: [f64; N]) -> [f64; N] {
+    if let Some(index) = F::PHASE {
+        state[index] = state[index].rem_euclid(TAU);
+    }
+    state
+}
+
+/// Whether the drive of a model does not advance.
+///
+/// # Errors
+/// It stands still or turns backwards.
+pub(crate) fn standing<M: Model<N>, const N: usize>(
+    params: &M::Params<f64>,
+) -> Result<(), FlowError> {
+    let Some(index) = M::INFO.drive else {
+        return Ok(());
+    };
+    let start = std::array::from_fn(|i| M::INFO.states[i].start);
+    let rate = M::rhs(params, start, &mut Frictionless)[index];
+    if rate > 0.0 && rate.is_finite() {
+        return Ok(());
+    }
+    let name = M::INFO.states[index].name;
+    Err(FlowError::Standing { name, rate })
+}
+
+/// No force at all: that of a contact does not enter the phase.
+struct Frictionless;
+
+impl ContactRule<f64> for Frictionless {
+    fn force<L: FrictionLaw<f64>>(&mut self, _: usize, _: &L, _: f64) -> f64 {
+        0.0
+    }
+}

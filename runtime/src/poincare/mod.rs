@@ -1,0 +1,31 @@
+//! Poincaré sections: surfaces that a motion crosses again and again, and the points where it does.
+//!
+//! Crossings are located on the motion itself, between extrema that the flow has located: no grid of
+//! samples decides what is found.
+
+mod crossings;
+mod recurrence;
+mod section;
+mod turns;
+
+pub use crossings::{Crossing, Crossings, once_around, until};
+pub use recurrence::recurrence;
+pub use section::{Direction, Section, Surface};
+
+use crate::flow::{Flow, FlowError, Place};
+
+/// A time in which the motion linearised at `place` turns by about a radian.
+pub(crate) fn radian<F: Flow<N>, const N: usize>(
+    flow: &F,
+    place: &Place<N, F::Mode>,
+) -> Result<f64, FlowError> {
+    let jacobian = flow.velocity(place)?.jacobian;
+    let norm = jacobian
+        .iter()
+        .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())
+        .fold(0.0, f64::max);
+    Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,17 @@
+//! After how many crossings a motion comes back.
+
+/// The least n ≤ half the number of points such that there are only n different ones, met in turn: each
+/// state to `tolerance` times its extent along the motion, from the first to the last. `None` if there
+/// is none: a motion that is still settling has not come back, however slowly it drifts.
+#[must_use]
+pub fn recurrence<const N: usize>(
+    points: &[[f64; N]],
+    extent: &[f64; N],
+    tolerance: f64,
+) -> Option<usize> {
+    let close = |a: &[f64; N], b: &[f64; N]| {
+        (0..N).all(|j| (a[j] - b[j]).abs() <= tolerance * extent[j].max(f64::MIN_POSITIVE))
+    };
+    let returns = |n: usize| (n..points.len()).all(|i| close(&points[i], &points[i % n]));
+    (1..=points.len() / 2).find(|&n| returns(n))
+}

@@ -1,0 +1,77 @@
+//! Sections as data.
+
+/// A surface in phase space, and the direction in which crossings of it count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// The surface.
+    pub surface: Surface,
+    /// Which crossings count.
+    pub direction: Direction,
+}
+
+/// Where a function of the state vanishes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surface {
+    /// The rate of the state of this index: where that state is extremal.
+    Rate(usize),
+    /// A state less a value.
+    Level {
+        /// Index of the state.
+        state: usize,
+        /// The value.
+        value: f64,
+    },
+}
+
+/// The direction of a crossing: whether the function that vanishes grows through zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// It grows.
+    Up,
+    /// It falls.
+    Down,
+    /// Either.
+    Both,
+}
+
+impl Default for Section {
+    /// der(first state) = 0, upwards: the thesis's X₁' = 0.
+    fn default() -> Self {
+        Self {
+            surface: Surface::Rate(0),
+            direction: Direction::Up,
+        }
+    }
+}
+
+impl Surface {
+    /// The state that it is about.
+    #[must_use]
+    pub const fn state(&self) -> usize {
+        match self {
+            Self::Rate(state) | Self::Level { state, .. } => *state,
+        }
+    }
+}
+
+impl Direction {
+    /// Its word on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Up => "up",
+            Self::Down => "down",
+            Self::Both => "both",
+        }
+    }
+
+    /// Whether a crossing that rises, or one that falls, counts.
+    #[must_use]
+    pub const fn admits(self, rising: bool) -> bool {
+        match self {
+            Self::Up => rising,
+            Self::Down => !rising,
+            Self::Both => true,
+        }
+    }
+}

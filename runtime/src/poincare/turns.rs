@@ -1,0 +1,50 @@
+//! The extrema of one state over passages that follow each other.
+
+use crate::flow::Extremum;
+
+/// Extrema closer than this, relative to their size, are both ends of one stretch of rest.
+const SAME: f64 = 1e-12;
+
+/// Joins the extrema of passages: a rest that is divided between two passages is reported by both.
+///
+/// One extremum is held back until the next one tells what it was.
+#[derive(Debug, Clone)]
+pub(super) struct Turns<const N: usize> {
+    index: usize,
+    held: Option<Extremum<N>>,
+    /// Whether the last one handed on was a maximum.
+    last: Option<bool>,
+}
+
+impl<const N: usize> Turns<N> {
+    pub(super) fn of(index: usize) -> Self {
+        Self {
+            index,
+            held: None,
+            last: None,
+        }
+    }
+
+    /// Takes the next extremum in time; hands on the one before it, once that is certain.
+    pub(super) fn take(&mut self, next: Extremum<N>) -> Option<Extremum<N>> {
+        if next.index != self.index {
+            return None;
+        }
+        let Some(held) = self.held else {
+            self.held = (self.last != Some(next.maximum)).then_some(next);
+            return None;
+        };
+        if held.maximum == next.maximum {
+            return None;
+        }
+        let value = |extremum: &Extremum<N>| extremum.state[self.index];
+        let (a, b) = (value(&held), value(&next));
+        if (a - b).abs() <= SAME * a.abs().max(b.abs()) {
+            self.held = None;
+            return None;
+        }
+        self.last = Some(held.maximum);
+        self.held = Some(next);
+        Some(held)
+    }
+}

@@ -1,0 +1,227 @@
+//! From a guess to a converged periodic orbit with an estimate of its error.
+
+use nalgebra::{Complex, DVector};
+
+use super::anchor::{anchored, once_around, problem};
+use super::error::OrbitError;
+use super::guess::Guess;
+use super::orbit::{Orbit, Solution};
+use super::problem::{OrbitProblem, Shot};
+use super::search::Search;
+use crate::bifurcation::Floquet;
+use crate::continuation::{Corrected, correct};
+use crate::flow::{Family, Flow, FlowError};
+use crate::integrate::Tolerance;
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+type Found<F, const N: usize> = Corrected<Shot<N, Mode<F, N>>>;
+
+/// An orbit whose extent is below this share of its states is an equilibrium.
+const EXTENT: f64 = 1e-6;
+/// Accuracy of the first orbit that is found.
+pub(super) const ROUGH: f64 = 1e-7;
+/// Accuracy at which it can still be told how often a motion has gone around.
+const LOOSEST: f64 = 1e-6;
+/// Error of a period over the local tolerance below which an agreement of two runs is one by chance.
+const CHANCE: f64 = 4.0;
+/// What is reported over what two runs differ by: they share part of their errors.
+const DOUBT: f64 = 1.5;
+/// Tolerance of the orbit that is reported, over that of the one with which it is compared.
+const TIGHTER: f64 = 0.1;
+/// How often the tolerance is tightened beyond that, and how far off the accuracy the estimate is to be for it.
+const TIGHTENINGS: usize = 3;
+const SLACK: f64 = 10.0;
+
+/// Newton from a guess: on the section if the guess lies there, then to the minimal period, then with
+/// a tighter tolerance, which gives the error estimate.
+///
+/// An orbit that is fast where it crosses its section, or about to switch there, is found from its calmest place.
+///
+/// # Errors
+/// See [`OrbitError`].
+pub fn converge<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    guess: &Guess<N, Mode<F, N>>,
+    search: &Search<N>,
+) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
+    let crossing = from(family, r, guess, search, anchored);
+    match crossing {
+        Err(OrbitError::Newton(_)) => calmly(family, r, guess, search).unwrap_or(crossing),
+        _ => crossing,
+    }
+}
+
+/// The orbit from the calmest place on the way of a guess; `None` where that leads to none either.
+pub(super) fn calmly<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    guess: &Guess<N, Mode<F, N>>,
+    search: &Search<N>,
+) -> Option<Result<Orbit<N, Mode<F, N>>, OrbitError>> {
+    let calm = calm(family, r, guess, search)?;
+    let found = from(family, r, &calm, search, |_, _, found| {
+        let (period, magnitude) = once_around(&found.linearisation.extra);
+        let place = calm.moved(found).place;
+        Ok(Guess {
+            place,
+            period,
+            magnitude,
+        })
+    });
+    found.is_ok().then_some(found)
+}
+
+/// The same guess, from the calmest place on its way.
+fn calm<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    guess: &Guess<N, Mode<F, N>>,
+    search: &Search<N>,
+) -> Option<Guess<N, Mode<F, N>>> {
+    let tolerance = Tolerance::for_accuracy(search.accuracy.max(ROUGH));
+    let family = family
+        .with_tolerance(tolerance)
+        .with_magnitude(guess.magnitude);
+    let flow = family.at(r).ok()?;
+    let passage = flow.advance(&guess.place, guess.period, Default::default());
+    let place = passage.ok()?.calm.place;
+    Some(Guess { place, ..*guess })
+}
+
+/// Newton from a guess, thrice; `anchor` makes the second guess of the first, rough, orbit.
+pub(super) fn from<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    guess: &Guess<N, Mode<F, N>>,
+    search: &Search<N>,
+    anchor: impl Fn(&F, f64, &Found<F, N>) -> Result<Guess<N, Mode<F, N>>, FlowError>,
+) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
+    let accuracy = search.accuracy;
+    let newton = |guess: &_, accuracy: f64, tolerance: Tolerance, factors: bool| {
+        let effort = Effort {
+            accuracy,
+            tolerance,
+            factors,
+        };
+        newton(family, r, guess, search.segments, effort)
+    };
+    let fine = Tolerance::for_accuracy(accuracy);
+    let least = accuracy.clamp(ROUGH, LOOSEST);
+    let rough = newton(guess, least, Tolerance::for_accuracy(least), false)?;
+    let guess = anchor(family, r, &rough.0)?;
+    let mut loose = newton(&guess, accuracy, fine, false)?;
+    let mut work = rough.1.work;
+    work += loose.1.work;
+    let mut tolerance = fine.times(TIGHTER);
+    let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, N > 2)?;
+    work += tight.1.work;
+    let mut error = difference(&loose.0, &tight.0);
+    // A small error once around is a large one of an orbit that hardly attracts.
+    for _ in 0..TIGHTENINGS {
+        if error <= SLACK * accuracy {
+            break;
+        }
+        loose = tight;
+        tolerance = tolerance.times(TIGHTER);
+        let tighter = newton(&guess.moved(&loose.0), accuracy, tolerance, N > 2);
+        let Some(tighter) = tighter.ok().filter(|t| difference(&loose.0, &t.0) < error) else {
+            tight = loose;
+            break;
+        };
+        tight = tighter;
+        work += tight.1.work;
+        error = difference(&loose.0, &tight.0);
+    }
+    let tight = tight.0;
+    let solution = Solution {
+        shot: &tight.linearisation.extra,
+        z: &tight.z,
+        r,
+        residual: tight.residual,
+    };
+    let mut orbit = Orbit::read(family, solution, error, work);
+    // What hardly attracts keeps the error of each period: two runs may agree by chance.
+    let least = CHANCE * tolerance.explicit().relative / pull(&orbit.floquet);
+    // Extrema are those of the last motion, one correction away from the orbit.
+    let last = tight.corrections.last().copied().unwrap_or(0.0);
+    orbit.error_estimate = DOUBT * orbit.error_estimate.max(least).max(last);
+    Ok(orbit)
+}
+
+/// min |1 − μ|, at most 1: the share of a disturbance along the section that is gone after one period.
+fn pull(floquet: &Floquet) -> f64 {
+    let one = Complex::new(1.0, 0.0);
+    let shares = floquet
+        .multipliers
+        .iter()
+        .map(|multiplier| (one - multiplier).norm());
+    shares.fold(1.0, f64::min).max(f64::EPSILON)
+}
+
+type Converged<F, const N: usize> = (Found<F, N>, OrbitProblem<F, N>);
+
+/// What one Newton iteration is to reach, and to report.
+#[derive(Debug, Clone, Copy)]
+struct Effort {
+    accuracy: f64,
+    tolerance: Tolerance,
+    factors: bool,
+}
+
+/// Shooting with the flow at the tolerance for `effort.tolerance`; refuses an equilibrium.
+fn newton<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    r: f64,
+    guess: &Guess<N, Mode<F, N>>,
+    segments: usize,
+    effort: Effort,
+) -> Result<Converged<F, N>, OrbitError> {
+    let family = family
+        .with_tolerance(effort.tolerance)
+        .with_magnitude(guess.magnitude);
+    if at_rest(&family.at(r)?, guess)? {
+        return Err(OrbitError::Equilibrium {
+            state: guess.place.state.to_vec(),
+        });
+    }
+    let (mut problem, z) = problem(family, r, guess, segments)?;
+    problem.want.factors = effort.factors;
+    let mut normal = DVector::zeros(z.len() + 1);
+    normal[z.len()] = 1.0;
+    let found =
+        correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
+    let shot = &found.linearisation.extra;
+    let (low, high) = shot.extent();
+    let flat = (0..N).all(|j| {
+        high[j] - low[j] <= EXTENT * low[j].abs().max(high[j].abs()).max(guess.magnitude[j])
+    });
+    if flat {
+        return Err(OrbitError::Equilibrium {
+            state: shot.start.state.to_vec(),
+        });
+    }
+    Ok((found, problem))
+}
+
+/// Whether a guess hardly moves in its period: there Newton's matrix is singular for any period.
+fn at_rest<F: Flow<N>, const N: usize>(
+    flow: &F,
+    guess: &Guess<N, F::Mode>,
+) -> Result<bool, FlowError> {
+    let velocity = flow.velocity(&guess.place)?.f;
+    Ok((0..N).all(|j| velocity[j].abs() * guess.period <= EXTENT * guess.magnitude[j]))
+}
+
+/// Largest relative difference of period and extrema between two computations of one orbit.
+fn difference<const N: usize, M>(a: &Corrected<Shot<N, M>>, b: &Corrected<Shot<N, M>>) -> f64 {
+    let (first, second) = (&a.linearisation.extra, &b.linearisation.extra);
+    let period = (a.z[a.z.len() - 1] / b.z[b.z.len() - 1] - 1.0).abs();
+    let ((low_a, high_a), (low_b, high_b)) = (first.extent(), second.extent());
+    (0..N).fold(period.max(1e-15), |largest, j| {
+        let size = high_b[j].abs().max(low_b[j].abs()).max(f64::MIN_POSITIVE);
+        largest
+            .max((high_a[j] - high_b[j]).abs() / size)
+            .max((low_a[j] - low_b[j]).abs() / size)
+    })
+}

@@ -1,0 +1,53 @@
+//! Why no periodic orbit is found.
+
+use crate::continuation::Failure;
+use crate::flow::FlowError;
+
+/// Why no orbit was found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OrbitError {
+    /// The motion came to rest.
+    #[error(
+        "the motion settles on an equilibrium at {state:?}: there is no periodic orbit to be found from this start"
+    )]
+    Equilibrium {
+        /// The equilibrium.
+        state: Vec<f64>,
+    },
+    /// The motion is periodic, and so are those beside it.
+    #[error(
+        "the motion through {state:?} is periodic, with the period {period:.9}, but so are those beside it: \
+         as far as numbers can tell the orbits form a family, and none is singled out"
+    )]
+    NotIsolated {
+        /// Where it begins.
+        state: Vec<f64>,
+        /// Its period.
+        period: f64,
+    },
+    /// Neither rest nor a periodic motion within bounds.
+    #[error(
+        "the motion has not settled on a periodic orbit after the time {time:.6e}{}; give `--start` and `--period`, or another start",
+        because(.last.as_deref())
+    )]
+    NotSettled {
+        /// Time followed.
+        time: f64,
+        /// Why the last return was no orbit; nothing if the motion never came back near where it had been.
+        last: Option<Box<OrbitError>>,
+    },
+    /// Newton failed.
+    #[error("shooting did not converge: {0}")]
+    Newton(Failure<FlowError>),
+    /// The motion cannot be followed.
+    #[error(transparent)]
+    Flow(#[from] FlowError),
+}
+
+/// The reason for which the last return of a motion was no orbit, or that there was none.
+fn because(last: Option<&OrbitError>) -> String {
+    last.map_or_else(
+        || ": it did not come back near enough to where it had been".to_owned(),
+        |error| format!(": where it came back, {error}"),
+    )
+}

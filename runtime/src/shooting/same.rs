@@ -1,0 +1,50 @@
+//! Whether two orbits are one.
+
+use super::orbit::Orbit;
+
+impl<const N: usize, Mode> Orbit<N, Mode> {
+    /// Whether both run through the same points of the default section, in the same order, to this
+    /// tolerance relative to the extents: at the same r, they are one orbit then, whatever point of it
+    /// they begin with and however often they go around.
+    #[must_use]
+    pub fn coincides(&self, other: &Self, tolerance: f64) -> bool
+    where
+        Mode: Copy + PartialEq,
+    {
+        let (a, b) = (self.section.len(), other.section.len());
+        if a == 0 || b == 0 {
+            return false;
+        }
+        let rate = self.period / a as f64 * (b as f64 / other.period);
+        let same_at = |turn: usize| {
+            (0..a.max(b)).all(|i| {
+                let (p, q) = (&self.section[i % a], &other.section[(i + turn) % b]);
+                self.distance(p, q) <= tolerance
+            })
+        };
+        (rate - 1.0).abs() <= tolerance && (0..b).any(same_at)
+    }
+
+    /// How much the second half differs from the first: see [`crate::bifurcation::Watched::asymmetry`].
+    pub(super) fn halves(&self) -> f64
+    where
+        Mode: Copy + PartialEq,
+    {
+        let count = self.section.len();
+        if count == 0 || !count.is_multiple_of(2) {
+            return f64::INFINITY;
+        }
+        let pairs = self.section.iter().zip(&self.section[count / 2..]);
+        pairs.map(|(p, q)| self.distance(p, q)).fold(0.0, f64::max)
+    }
+
+    fn distance(&self, p: &[f64; N], q: &[f64; N]) -> f64
+    where
+        Mode: Copy + PartialEq,
+    {
+        let magnitude = self.magnitude();
+        (0..N)
+            .map(|j| (p[j] - q[j]).abs() / magnitude[j])
+            .fold(0.0, f64::max)
+    }
+}

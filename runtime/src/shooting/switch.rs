@@ -1,0 +1,198 @@
+//! From one branch of orbits onto another that crosses it: at flips and at branch points.
+
+use nalgebra::DVector;
+
+use super::branch::OrbitBranch;
+use super::orbit::Orbit;
+use super::problem::OrbitProblem;
+use super::search::Search;
+use crate::continuation::{Branch, Failure, Settings, ZeroProblem, across, tangent};
+use crate::flow::{Family, Flow, FlowError, Place};
+use crate::integrate::Tolerance;
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+type Start<F, const N: usize> = Place<N, Mode<F, N>>;
+
+/// Distances from the crossing, in scaled coordinates, at which the other branch is sought.
+const DISTANCES: [f64; 6] = [1e-2, 3e-3, 3e-2, 1e-3, 1e-1, 1e-4];
+/// A point this many times farther away lies on a branch that does not come from the crossing.
+const FAR: f64 = 20.0;
+/// Other places of an orbit at which it is begun where that fails.
+const OTHERS: usize = 2;
+/// Share of the distance by which a doubled orbit must miss closing after half its period.
+const OPEN: f64 = 0.05;
+
+/// Why no other branch sets out from a special point.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SwitchError {
+    /// The orbit was found off any branch, or over several segments.
+    #[error("the direction of its branch is not known there")]
+    NoHeading,
+    /// No point of another branch was found.
+    #[error("no point of another branch was found beside it")]
+    NotFound,
+    /// The corrector failed at all distances; the last reason.
+    #[error("no point of another branch was found beside it: {0}")]
+    Newton(#[from] Failure<FlowError>),
+}
+
+/// Which branch is wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// How many times the orbit is gone around: 2 at a flip, 1 at a branch point.
+    pub times: u8,
+    /// On which side of the crossing the branch sets out: at a flip both are the same.
+    pub forwards: bool,
+}
+
+impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
+    /// The branch that crosses the one of `orbit`, which was located at the crossing.
+    ///
+    /// # Errors
+    /// See [`SwitchError`].
+    pub fn switch(
+        family: &F,
+        orbit: &Orbit<N, Mode<F, N>>,
+        turn: Turn,
+        search: &Search<N>,
+        settings: Settings,
+    ) -> Result<Self, SwitchError> {
+        let along = orbit.heading.tangent.as_ref();
+        let along = along.ok_or(SwitchError::NoHeading)?;
+        let start = orbit.heading.start;
+        let mut last = match Self::leave(family, (orbit, start), along, turn, search, settings) {
+            Ok(branch) => return Ok(branch),
+            Err(error) => error,
+        };
+        if turn.times == 1 {
+            return Err(last);
+        }
+        // At a flip, the branch of the orbit itself has but one tangent, wherever the orbit begins.
+        let flow = family.at(orbit.r).map_err(Failure::Evaluation)?;
+        for &state in orbit.section.iter().take(OTHERS) {
+            let Ok(start) = flow.place(state) else {
+                continue;
+            };
+            let once = Turn { times: 1, ..turn };
+            let Ok(along) = heading(family, (orbit, start), once, search, settings) else {
+                continue;
+            };
+            match Self::leave(family, (orbit, start), &along, turn, search, settings) {
+                Ok(branch) => return Ok(branch),
+                Err(error) => last = error,
+            }
+        }
+        Err(last)
+    }
+
+    fn leave(
+        family: &F,
+        (orbit, start): (&Orbit<N, Mode<F, N>>, Start<F, N>),
+        along: &DVector<f64>,
+        turn: Turn,
+        search: &Search<N>,
+        settings: Settings,
+    ) -> Result<Self, SwitchError> {
+        let problem = crossing(family, (orbit, start), turn, search)?;
+        let period = f64::from(turn.times) * orbit.period;
+        let z = OrbitProblem::<F, N>::unknowns(&[start.state], period);
+        let linearisation = problem.clone().evaluate(&z, orbit.r);
+        let linearisation = linearisation.map_err(Failure::Evaluation)?;
+        let (scale, r_scale) = (problem.scale(), (settings.to - settings.from).abs());
+        let side = if turn.forwards { 1.0 } else { -1.0 };
+        let direction = across(&linearisation, &scale, r_scale, along);
+        let direction = direction.ok_or(SwitchError::NotFound)? * side;
+        let mut last = SwitchError::NotFound;
+        for distance in DISTANCES {
+            let at = (&z, orbit.r);
+            let moved = step(at, &direction, distance, &scale, r_scale);
+            match Branch::set_out(problem.clone(), moved, &direction, settings) {
+                Ok(started) => {
+                    let branch = Self::begin(started, search.accuracy);
+                    if branch
+                        .first()
+                        .is_some_and(|first| leaves(first, orbit, turn, distance, r_scale))
+                    {
+                        return Ok(branch);
+                    }
+                }
+                Err(failure) => last = failure.into(),
+            }
+        }
+        Err(last)
+    }
+}
+
+/// The tangent of the branch of the orbit, beginning at another place.
+fn heading<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    at: (&Orbit<N, Mode<F, N>>, Start<F, N>),
+    once: Turn,
+    search: &Search<N>,
+    settings: Settings,
+) -> Result<DVector<f64>, SwitchError> {
+    let mut problem = crossing(family, at, once, search)?;
+    let z = OrbitProblem::<F, N>::unknowns(&[at.1.state], at.0.period);
+    let linearisation = problem.evaluate(&z, at.0.r).map_err(Failure::Evaluation)?;
+    let r_scale = (settings.to - settings.from).abs();
+    let mut upwards = DVector::zeros(z.len() + 1);
+    upwards[z.len()] = 1.0;
+    let found = tangent(&linearisation, &problem.scale(), r_scale, &upwards);
+    found.ok_or(SwitchError::NotFound)
+}
+
+/// The shooting problem of the orbit gone around as often as the turn wants.
+fn crossing<F: Family<N> + Clone, const N: usize>(
+    family: &F,
+    (orbit, start): (&Orbit<N, Mode<F, N>>, Start<F, N>),
+    turn: Turn,
+    search: &Search<N>,
+) -> Result<OrbitProblem<F, N>, SwitchError> {
+    let magnitude = orbit.magnitude();
+    let family = family
+        .with_tolerance(Tolerance::for_accuracy(search.accuracy))
+        .with_magnitude(magnitude);
+    let velocity = family.at(orbit.r).and_then(|flow| flow.velocity(&start));
+    let phase = super::Phase::Orthogonal {
+        at: start.state,
+        velocity: velocity.map_err(Failure::Evaluation)?.f,
+    };
+    let period = f64::from(turn.times) * orbit.period;
+    Ok(OrbitProblem::new(
+        family,
+        phase,
+        &[start],
+        period,
+        magnitude,
+    ))
+}
+
+/// The point at this distance from (z, r).
+fn step(
+    (z, r): (&DVector<f64>, f64),
+    direction: &DVector<f64>,
+    distance: f64,
+    scale: &DVector<f64>,
+    r_scale: f64,
+) -> (DVector<f64>, f64) {
+    let n = z.len();
+    let moved = z + direction.rows(0, n).component_mul(scale) * distance;
+    (moved, r + direction[n] * r_scale * distance)
+}
+
+/// Whether a first point lies near the crossing, and not on the branch from which it was sought.
+fn leaves<const N: usize, M: Copy + PartialEq>(
+    first: &Orbit<N, M>,
+    orbit: &Orbit<N, M>,
+    turn: Turn,
+    distance: f64,
+    r_scale: f64,
+) -> bool {
+    let times = f64::from(turn.times);
+    let away = ((first.r - orbit.r) / r_scale)
+        .abs()
+        .max((first.period / (times * orbit.period) - 1.0).abs());
+    let open = turn.times == 1 || first.halves() > OPEN * distance;
+    away <= FAR * distance && open
+}

@@ -1,0 +1,66 @@
+//! A diagram as CSV.
+
+use super::super::spreadsheet::{Spreadsheet, full, optional};
+use super::super::text::{followed, label, timed};
+use crate::model::ModelInfo;
+use crate::study::{DiagramRecord, Slice, SweepRecord};
+
+/// One row for each point.
+pub(super) fn points(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
+    let mut head = vec!["sweep".to_owned(), followed(info, &record.along)];
+    head.extend(
+        info.states
+            .iter()
+            .map(|state| label(state.name, state.unit)),
+    );
+    let row = |sweep: &SweepRecord, slice: &Slice, point: &Vec<f64>| {
+        let values = std::iter::once(&slice.r).chain(point).map(full);
+        std::iter::once(sweep.name.to_owned())
+            .chain(values)
+            .collect()
+    };
+    let mut rows: Vec<Vec<String>> = vec![head];
+    for sweep in &record.sweeps {
+        for slice in &sweep.slices {
+            rows.extend(slice.points.iter().map(|point| row(sweep, slice, point)));
+        }
+    }
+    Spreadsheet::of(rows)
+}
+
+/// One row for each value.
+pub(super) fn values(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
+    let exponents = ["lyapunov", "lyapunov_error"].map(|name| timed(info, name, "1/s"));
+    let name = followed(info, &record.along);
+    let mut head = vec!["sweep".to_owned(), name, "motion".to_owned()];
+    head.extend(exponents);
+    for prefix in ["min_", "max_"] {
+        let states = info.states.iter();
+        head.extend(states.map(|state| label(&format!("{prefix}{}", state.name), state.unit)));
+    }
+    let states = info.states.len();
+    let row = |sweep: &SweepRecord, slice: &Slice| {
+        let found = slice
+            .lyapunov
+            .as_ref()
+            .and_then(|found| found.as_ref().ok());
+        let exponent = found.and_then(|found| found.exponent);
+        let error = exponent.and(found.map(|found| found.error));
+        let mut row = vec![
+            sweep.name.to_owned(),
+            full(&slice.r),
+            slice.motion.name(),
+            optional(exponent),
+            optional(error.filter(|error| error.is_finite())),
+        ];
+        for side in [&slice.min, &slice.max] {
+            row.extend((0..states).map(|j| optional(side.get(j).copied())));
+        }
+        row
+    };
+    let mut rows = vec![head];
+    for sweep in &record.sweeps {
+        rows.extend(sweep.slices.iter().map(|slice| row(sweep, slice)));
+    }
+    Spreadsheet::of(rows)
+}

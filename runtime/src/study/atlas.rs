@@ -1,0 +1,221 @@
+//! A branch of orbits with those that leave it, and those that leave them.
+
+use super::branch::BranchRecord;
+use super::case::{Along, Beginning};
+use super::entry::StudyError;
+use super::follow::{Stretch, follow};
+use super::orbit::{OrbitRecord, Sought};
+use super::special::numbered;
+use crate::bifurcation::{Kind, Located};
+use crate::continuation::Settings;
+use crate::field::Work;
+use crate::flow::{Family, Flow};
+use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError, Turn};
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+type Here<F, const N: usize> = Located<Orbit<N, Mode<F, N>>>;
+
+/// A Hopf point of an equilibrium.
+pub(super) struct Hopf<const N: usize> {
+    /// The design variable, as the family counts it.
+    pub(super) r: f64,
+    /// The equilibrium.
+    pub(super) state: [f64; N],
+    /// The period of the smallest orbits.
+    pub(super) period: f64,
+}
+
+/// Largest relative distance in r of one special point that is located on two branches.
+const SAME_R: f64 = 1e-4;
+/// Largest relative difference of the two orbits there: it goes with the root of their distance in r.
+const SAME_ORBIT: f64 = 2e-2;
+
+impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
+    /// Follows the orbit where `along` begins, and the branches that leave it as far as the case asks;
+    /// `watch` sees each point as it is found.
+    pub(super) fn branch(
+        &self,
+        along: Along,
+        hopf: Option<Hopf<N>>,
+        watch: &mut dyn FnMut(&OrbitRecord),
+    ) -> Result<BranchRecord, StudyError> {
+        let (from, to) = along.span();
+        let mut atlas = Atlas {
+            sought: self,
+            along,
+            settings: Settings::new(from, to, self.search.accuracy),
+            known: Vec::new(),
+            watch,
+        };
+        let stretch = match hopf {
+            Some(hopf) => atlas.hopf(&hopf)?,
+            None => atlas.first()?,
+        };
+        Ok(atlas.record(stretch, None, self.case.switch.depth))
+    }
+}
+
+/// Branches under way.
+struct Atlas<'a, F: Family<N> + Clone, const N: usize> {
+    sought: &'a Sought<'a, F, N>,
+    along: Along,
+    settings: Settings,
+    /// Special points whose other branch is already there.
+    known: Vec<Here<F, N>>,
+    watch: &'a mut dyn FnMut(&OrbitRecord),
+}
+
+impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
+    /// The first branch: from one end, or from a place within in both directions.
+    fn first(&mut self) -> Result<Stretch<N, Mode<F, N>>, OrbitError> {
+        let Settings { from, to, .. } = self.settings;
+        let (r, both) = match self.sought.case.beginning {
+            Beginning::End | Beginning::Hopf => (from, false),
+            Beginning::At(value) => {
+                let here = Along {
+                    from: value,
+                    ..self.along
+                };
+                (here.span().0, value != self.along.from)
+            }
+        };
+        let orbit = self.sought.orbit(r)?;
+        let ahead = to >= from;
+        let forth = self.orbit(&orbit, (r, ahead), orbit.work)?;
+        if !both || forth.ended.word == "closed" {
+            return Ok(forth);
+        }
+        let back = self.orbit(&orbit, (r, !ahead), Work::default())?;
+        Ok(forth.behind(back, true))
+    }
+
+    fn hopf(&mut self, hopf: &Hopf<N>) -> Result<Stretch<N, Mode<F, N>>, StudyError> {
+        let Sought { family, search, .. } = self.sought;
+        let (at, period) = ((hopf.r, hopf.state), hopf.period);
+        let branch = OrbitBranch::from_hopf(*family, at, period, search, self.settings)
+            .map_err(StudyError::Hopf)?;
+        Ok(follow(
+            self.sought,
+            self.along,
+            branch,
+            Work::default(),
+            self.watch,
+        ))
+    }
+
+    fn orbit(
+        &mut self,
+        orbit: &Orbit<N, Mode<F, N>>,
+        at: (f64, bool),
+        before: Work,
+    ) -> Result<Stretch<N, Mode<F, N>>, OrbitError> {
+        let Sought { family, search, .. } = self.sought;
+        let branch = OrbitBranch::start_at(*family, orbit, search, self.settings, at)
+            .map_err(OrbitError::Newton)?;
+        Ok(follow(self.sought, self.along, branch, before, self.watch))
+    }
+
+    /// A branch with those that leave it, `depth` switches deep.
+    fn record(
+        &mut self,
+        stretch: Stretch<N, Mode<F, N>>,
+        from: Option<String>,
+        depth: usize,
+    ) -> BranchRecord {
+        let mut special = numbered(&self.along, &stretch.located, &stretch.after);
+        let met = stretch.located.iter().filter(|event| event.meets);
+        self.known.extend(met.cloned());
+        let mut branches = Vec::new();
+        for (event, special) in stretch.located.iter().zip(&mut special) {
+            if event.kind == Kind::Flip && !event.meets {
+                special.criticality = self.criticality(event);
+            }
+            if event.meets || depth == 0 || !self.sought.case.switch.wants(event.kind) {
+                continue;
+            }
+            if self.known.iter().any(|known| same(known, event)) {
+                special.note = Some("the branch that leaves it is already there".to_owned());
+                continue;
+            }
+            self.known.push(event.clone());
+            match self.leave(event) {
+                Ok(other) => {
+                    let label = Some(special.label.clone());
+                    branches.push(self.record(other, label, depth - 1));
+                }
+                Err(error) => special.note = Some(error.to_string()),
+            }
+        }
+        BranchRecord {
+            along: self.along,
+            from,
+            points: stretch.points,
+            special,
+            ended: stretch.ended,
+            began: stretch.began,
+            branches,
+        }
+    }
+
+    /// The branch that leaves another at this point: at a branch point to both sides.
+    fn leave(&mut self, event: &Here<F, N>) -> Result<Stretch<N, Mode<F, N>>, SwitchError> {
+        let forth = self.one_way(event, true);
+        if event.kind == Kind::Flip {
+            return forth;
+        }
+        let back = self.one_way(event, false);
+        match (forth, back) {
+            (Ok(forth), Ok(back)) => Ok(forth.behind(back, false)),
+            (Ok(one), Err(_)) | (Err(_), Ok(one)) => Ok(one),
+            (Err(error), Err(_)) => Err(error),
+        }
+    }
+
+    fn one_way(
+        &mut self,
+        event: &Here<F, N>,
+        forwards: bool,
+    ) -> Result<Stretch<N, Mode<F, N>>, SwitchError> {
+        let branch = self.switched(event, forwards)?;
+        Ok(follow(
+            self.sought,
+            self.along,
+            branch,
+            Work::default(),
+            self.watch,
+        ))
+    }
+
+    fn switched(
+        &self,
+        event: &Here<F, N>,
+        forwards: bool,
+    ) -> Result<OrbitBranch<F, N>, SwitchError> {
+        let times = if event.kind == Kind::Flip { 2 } else { 1 };
+        let Sought { family, search, .. } = self.sought;
+        let turn = Turn { times, forwards };
+        OrbitBranch::switch(*family, &event.point, turn, search, self.settings)
+    }
+
+    /// On which side of a flip the doubled orbit lies: with the unstable orbit, or with the stable one.
+    fn criticality(&self, event: &Here<F, N>) -> Option<&'static str> {
+        let branch = self.switched(event, true).ok()?;
+        let change = event.more_unstable_towards(branch.first()?.r)?;
+        Some(if change > 0 {
+            "supercritical"
+        } else {
+            "subcritical"
+        })
+    }
+}
+
+/// Whether two special points are one, located on two branches.
+fn same<const N: usize, M: Copy + PartialEq>(
+    a: &Located<Orbit<N, M>>,
+    b: &Located<Orbit<N, M>>,
+) -> bool {
+    a.kind == b.kind
+        && (a.r - b.r).abs() <= SAME_R * a.r.abs()
+        && (a.point.period / b.point.period - 1.0).abs() <= SAME_ORBIT
+        && a.point.coincides(&b.point, SAME_ORBIT)
+}

@@ -1,0 +1,61 @@
+//! Friction force against sliding speed, whatever the type of the law.
+
+use crate::field::{Smoothed, Smoothing, SmoothingError};
+use crate::friction::{ContactRule, FrictionLaw, LawInfo};
+
+/// A friction law at given values of its parameters.
+pub trait Characteristic {
+    /// The law as data.
+    fn law(&self) -> &'static LawInfo;
+
+    /// Largest magnitude of the force at rest.
+    fn at_rest(&self) -> f64;
+
+    /// Magnitude of the force at the sliding speed `speed` > 0; at 0, its limit.
+    fn sliding(&self, speed: f64) -> f64;
+
+    /// The force of a smooth copy against the relative speed `speed`: positive where the exact one is.
+    fn copied(&self, smoothing: Smoothing, speed: f64) -> f64;
+
+    /// Whether a smoothing leaves the law what it is.
+    ///
+    /// # Errors
+    /// The copy would converge to another law, or never stick.
+    fn accepts(&self, smoothing: Smoothing) -> Result<(), SmoothingError>;
+}
+
+impl<L: FrictionLaw<f64>> Characteristic for L {
+    fn law(&self) -> &'static LawInfo {
+        L::INFO
+    }
+
+    fn at_rest(&self) -> f64 {
+        self.stick()
+    }
+
+    fn sliding(&self, speed: f64) -> f64 {
+        self.slip(speed)
+    }
+
+    fn copied(&self, smoothing: Smoothing, speed: f64) -> f64 {
+        let mut rule = Smoothed {
+            kernel: smoothing.kernel,
+            sharpness: smoothing.sharpness(),
+        };
+        -rule.force(0, self, speed)
+    }
+
+    fn accepts(&self, smoothing: Smoothing) -> Result<(), SmoothingError> {
+        smoothing.kernel.suits(self, None)
+    }
+}
+
+/// Shows the law of each contact; the forces are zero.
+pub(super) struct Laws<'a>(pub(super) &'a mut dyn FnMut(usize, &dyn Characteristic));
+
+impl ContactRule<f64> for Laws<'_> {
+    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
+        (self.0)(contact, law);
+        0.0
+    }
+}

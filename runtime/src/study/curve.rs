@@ -1,0 +1,272 @@
+//! A bifurcation followed in two design variables, and all that is reported of it.
+
+use std::collections::HashMap;
+
+use nalgebra::Complex;
+
+use super::branch::Ended;
+use super::case::Along;
+use super::entry::StudyError;
+use super::follow::follow as follow_branch;
+use super::orbit::Sought;
+use super::special::numbered;
+use crate::bifurcation::Kind;
+use crate::continuation::Settings;
+use crate::curve::{self, Codimension, CurvePoint, End, GrazingPoint, Plane, follow, follow_graze};
+use crate::field::Work;
+use crate::flow::exact::Glide;
+use crate::flow::{Flow, Steered};
+use crate::integrate::Tolerance;
+use crate::shooting::{OrbitBranch, OrbitError};
+
+/// Tolerance of a curve, as a share of the accuracy of its points: multipliers lose digits that orbits keep.
+const SHARPER: f64 = 0.02;
+
+/// Which bifurcation is followed, and along what besides the design variable of the case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveScope {
+    /// The second design variable; the case holds its beginning.
+    pub and: Along,
+    /// The label of a special point of the branch; the first that can be followed if nothing is said.
+    pub of: Option<String>,
+}
+
+/// A curve as it is reported, whatever model it belongs to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveRecord {
+    /// The first design variable and its range.
+    pub along: Along,
+    /// The second.
+    pub and: Along,
+    /// The label of the special point from which it starts.
+    pub of: String,
+    /// What it is a curve of: `fold`, `flip`, `torus`, `grazing-sliding`.
+    pub kind: &'static str,
+    /// Its points in the order in which they were found.
+    pub points: Vec<CurvePointRecord>,
+    /// Points of codimension two.
+    pub special: Vec<SpecialCurvePoint>,
+    /// Why it ended.
+    pub ended: Ended,
+    /// What it cost, without the branch from which it starts.
+    pub work: Work,
+}
+
+/// A special orbit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurvePointRecord {
+    /// The first design variable, in the user's own values.
+    pub p: f64,
+    /// The second.
+    pub q: f64,
+    /// A state of the orbit: where the first state is least, or where the orbit grazes.
+    pub state: Vec<f64>,
+    /// Its period.
+    pub period: f64,
+    /// Its multipliers; none where it grazes.
+    pub multipliers: Vec<Complex<f64>>,
+    /// Norm of the residual of its equations.
+    pub residual: f64,
+    /// The condition that makes it special, as it was met.
+    pub test: f64,
+}
+
+/// A point of codimension two.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpecialCurvePoint {
+    /// What: `cusp`, `fold-flip`, `resonance-1-2`, ...
+    pub kind: &'static str,
+    /// Kind and number, for instance `CP1`.
+    pub label: String,
+    /// Where.
+    pub point: CurvePointRecord,
+}
+
+/// Told of each point of a curve.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&CurvePointRecord);
+
+impl<F: Steered<N>, const N: usize> Sought<'_, F, N>
+where
+    F::Flow: Glide<N>,
+{
+    /// Follows the branch along `along` to the special point asked for, and that point in both variables.
+    pub(super) fn curve(
+        &self,
+        along: Along,
+        scope: &CurveScope,
+        watch: Watch<'_>,
+    ) -> Result<CurveRecord, StudyError> {
+        let (from, to) = along.span();
+        let accuracy = self.search.accuracy;
+        let first = self.orbit(from)?;
+        let settings = Settings::new(from, to, accuracy);
+        let branch = OrbitBranch::start(self.family, &first, &self.search, settings)
+            .map_err(OrbitError::Newton)?;
+        let stretch = follow_branch(self, along, branch, first.work, &mut |_| ());
+        let labels = numbered(&along, &stretch.located, &stretch.after);
+        let all: Vec<(&str, Kind)> = labels
+            .iter()
+            .map(|special| special.label.as_str())
+            .zip(stretch.located.iter().map(|located| located.kind))
+            .collect();
+        let place = choose(&all, scope.of.as_deref())?;
+        let (label, kind) = all[place];
+        let (and_from, and_to) = scope.and.span();
+        let plane = Plane {
+            family: self
+                .family
+                .with_tolerance(Tolerance::for_accuracy(SHARPER * accuracy)),
+            designs: [along.design, scope.and.design],
+        };
+        let settings = Settings {
+            largest_step: 0.1,
+            ..Settings::new(and_from, and_to, accuracy)
+        };
+        let read = Reader {
+            along,
+            and: scope.and,
+        };
+        if kind == Kind::GrazingSliding {
+            let located = &stretch.located[place];
+            let mut seen = |point: &GrazingPoint<N>| watch(&read.graze(point));
+            let (orbit, r) = (&located.point, located.r);
+            let found = follow_graze(&plane, orbit, r, [from, to], settings, &mut seen)
+                .map_err(StudyError::Curve)?
+                .ok_or_else(|| not_followed(label, kind))?;
+            return Ok(CurveRecord {
+                along,
+                and: scope.and,
+                of: label.to_owned(),
+                kind: kind.name(),
+                points: found.points.iter().map(|one| read.graze(one)).collect(),
+                special: Vec::new(),
+                ended: Ended::of_curve(&found.end),
+                work: found.work,
+            });
+        }
+        let mut seen = |point: &CurvePoint<N, <F::Flow as Flow<N>>::Mode>| {
+            watch(&read.point(point));
+        };
+        let orbit = &stretch.located[place].point;
+        let found = follow(&plane, kind, orbit, [from, to], settings, &mut seen)
+            .map_err(StudyError::Curve)?
+            .ok_or_else(|| not_followed(label, kind))?;
+        Ok(read.record(label.to_owned(), found))
+    }
+}
+
+/// The number of the special point that is asked for.
+fn choose(all: &[(&str, Kind)], wanted: Option<&str>) -> Result<usize, StudyError> {
+    let known = |kind: Kind| kind == Kind::GrazingSliding || curve::Condition::of(kind).is_some();
+    let found = all.iter().position(|(label, kind)| match wanted {
+        Some(wanted) => *label == wanted,
+        None => known(*kind),
+    });
+    let place = found.ok_or_else(|| StudyError::NoSpecial {
+        wanted: wanted.map(str::to_owned),
+        labels: all.iter().map(|(label, _)| (*label).to_owned()).collect(),
+    })?;
+    let (label, kind) = all[place];
+    if known(kind) {
+        Ok(place)
+    } else {
+        Err(not_followed(label, kind))
+    }
+}
+
+fn not_followed(label: &str, kind: Kind) -> StudyError {
+    StudyError::NotFollowed {
+        label: label.to_owned(),
+        kind: kind.name(),
+    }
+}
+
+/// Puts points into the user's own values.
+#[derive(Clone, Copy)]
+struct Reader {
+    along: Along,
+    and: Along,
+}
+
+impl Reader {
+    fn point<const N: usize, Mode: Copy>(&self, point: &CurvePoint<N, Mode>) -> CurvePointRecord {
+        let floquet = point.floquet();
+        CurvePointRecord {
+            p: self.along.value(point.p),
+            q: self.and.value(point.q),
+            state: point.orbit.place.state.to_vec(),
+            period: point.orbit.period,
+            multipliers: floquet.multipliers.clone(),
+            residual: point.orbit.residual,
+            test: point.test,
+        }
+    }
+
+    /// Multipliers do not exist where the last event is a touch.
+    fn graze<const N: usize>(&self, point: &GrazingPoint<N>) -> CurvePointRecord {
+        CurvePointRecord {
+            p: self.along.value(point.p),
+            q: self.and.value(point.q),
+            state: point.shot.state.to_vec(),
+            period: point.shot.period,
+            multipliers: Vec::new(),
+            residual: point.residual,
+            test: point.shot.rate,
+        }
+    }
+
+    fn record<const N: usize, Mode: Copy>(
+        &self,
+        of: String,
+        found: curve::Curve<N, Mode>,
+    ) -> CurveRecord {
+        let mut counts: HashMap<Codimension, usize> = HashMap::new();
+        let special = found.special.iter().map(|one| {
+            let count = counts.entry(one.codimension).or_default();
+            *count += 1;
+            SpecialCurvePoint {
+                kind: one.codimension.name(),
+                label: format!("{}{count}", one.codimension.letters()),
+                point: self.point(&one.point),
+            }
+        });
+        CurveRecord {
+            along: self.along,
+            and: self.and,
+            of,
+            kind: found.kind.name(),
+            special: special.collect(),
+            points: found.points.iter().map(|point| self.point(point)).collect(),
+            ended: Ended::of_curve(&found.end),
+            work: found.work,
+        }
+    }
+}
+
+impl Ended {
+    fn of_curve(end: &End) -> Self {
+        match end {
+            End::Followed(ending) => Self::from(ending),
+            End::Window => Self {
+                word: "left-range",
+                located: true,
+                reason: "it reaches an end of the range of `--along`".to_owned(),
+            },
+            End::Degenerate(codimension) => Self {
+                word: codimension.name(),
+                located: true,
+                reason: format!(
+                    "it meets a {} point, beyond which it is a curve of neutral saddles",
+                    codimension.name()
+                ),
+            },
+            End::Lost(off) => Self {
+                word: "lost",
+                located: false,
+                reason: format!(
+                    "what was followed is no such bifurcation any more: off by {off:.1e}"
+                ),
+            },
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! One value of a diagram: the motion to which the system settles there.
+
+use nalgebra::DMatrix;
+
+use super::Diagram;
+use crate::equilibrium::Spectrum;
+use crate::field::Work;
+use crate::flow::{Family, Flow, FlowError, Place};
+use crate::lyapunov::{Lyapunov, lyapunov};
+use crate::poincare::{Crossings, recurrence};
+use crate::study::Along;
+
+type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+
+/// Points of a section that agree to this share of the motion's extent are one.
+const SAME: f64 = 1e-5;
+/// A motion whose extent is this share of its usual size is at rest.
+const REST: f64 = 1e-6;
+
+/// What is seen at one value of the design variable.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slice {
+    /// The design variable, in the user's own values.
+    pub r: f64,
+    /// What kind of motion it is.
+    pub motion: Motion,
+    /// Where it meets the section, in the order of time; where it rests, that one state.
+    pub points: Vec<Vec<f64>>,
+    /// Smallest value of each state while points were taken.
+    pub min: Vec<f64>,
+    /// Largest value of each state.
+    pub max: Vec<f64>,
+    /// The largest Lyapunov exponent across the motion, if it was wanted and has a value.
+    pub lyapunov: Option<Result<Lyapunov, String>>,
+    /// What it cost.
+    pub work: Work,
+}
+
+/// The kind of a motion, as far as its points on a section tell.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Motion {
+    /// It comes back after this many points.
+    Periodic(usize),
+    /// It has not come back within half of the points taken.
+    Aperiodic,
+    /// It rests.
+    Rest,
+    /// It moves, but does not meet the section.
+    Elsewhere,
+    /// It could not be followed; why.
+    Failed(String),
+}
+
+impl Motion {
+    /// In a word or two: `period-3`, `aperiodic`, `rest`, `elsewhere`, `failed`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Periodic(count) => format!("period-{count}"),
+            Self::Aperiodic => "aperiodic".to_owned(),
+            Self::Rest => "rest".to_owned(),
+            Self::Elsewhere => "elsewhere".to_owned(),
+            Self::Failed(_) => "failed".to_owned(),
+        }
+    }
+}
+
+/// Makes slices of a family.
+pub(super) struct Cut<'a, F, const N: usize> {
+    pub(super) family: &'a F,
+    pub(super) diagram: &'a Diagram,
+    pub(super) along: Along,
+    pub(super) start: [f64; N],
+}
+
+/// What is left of a motion for the next value.
+pub(super) struct Trace<const N: usize> {
+    pub(super) state: [f64; N],
+    pub(super) min: [f64; N],
+    pub(super) max: [f64; N],
+}
+
+/// A slice under way.
+struct Seen<const N: usize, Mode> {
+    motion: Motion,
+    points: Vec<[f64; N]>,
+    place: Place<N, Mode>,
+    min: [f64; N],
+    max: [f64; N],
+    /// Mean time from point to point.
+    lap: f64,
+    work: Work,
+}
+
+impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
+    /// The slice at r, in the family's own count, from the declared start.
+    pub(super) fn fresh(&self, r: f64) -> Slice {
+        self.slice(r, self.start, &magnitude(&self.start)).0
+    }
+
+    /// The slice at r from `start`, and what the next value begins with; states are measured against `scale`.
+    pub(super) fn slice(
+        &self,
+        r: f64,
+        start: [f64; N],
+        scale: &[f64; N],
+    ) -> (Slice, Option<Trace<N>>) {
+        match self.seen(r, start, scale) {
+            Ok((seen, lyapunov)) => {
+                let trace = Trace {
+                    state: seen.place.state,
+                    min: seen.min,
+                    max: seen.max,
+                };
+                let slice = Slice {
+                    r: self.along.value(r),
+                    motion: seen.motion,
+                    points: seen.points.iter().map(|point| point.to_vec()).collect(),
+                    min: seen.min.to_vec(),
+                    max: seen.max.to_vec(),
+                    lyapunov,
+                    work: seen.work,
+                };
+                (slice, Some(trace))
+            }
+            Err(error) => (self.failed(r, &error), None),
+        }
+    }
+
+    fn failed(&self, r: f64, error: &FlowError) -> Slice {
+        Slice {
+            r: self.along.value(r),
+            motion: Motion::Failed(error.to_string()),
+            points: Vec::new(),
+            min: Vec::new(),
+            max: Vec::new(),
+            lyapunov: None,
+            work: Work::default(),
+        }
+    }
+
+    #[expect(clippy::type_complexity, reason = "named nowhere else")]
+    fn seen(
+        &self,
+        r: f64,
+        start: [f64; N],
+        scale: &[f64; N],
+    ) -> Result<(Seen<N, Mode<F, N>>, Option<Result<Lyapunov, String>>), FlowError> {
+        let flow = self.family.with_magnitude(*scale).at(r)?;
+        let seen = self.watch(&flow, flow.place(start)?, scale)?;
+        let exponent = match self.diagram.lyapunov {
+            Some(laps) => self.exponent(&flow, &seen, laps)?,
+            None => None,
+        };
+        Ok((seen, exponent))
+    }
+
+    fn exponent<G: Flow<N>>(
+        &self,
+        flow: &G,
+        seen: &Seen<N, G::Mode>,
+        laps: usize,
+    ) -> Result<Option<Result<Lyapunov, String>>, FlowError> {
+        let place = seen.place;
+        let found = match seen.motion {
+            Motion::Elsewhere | Motion::Failed(_) => return Ok(None),
+            Motion::Rest => Ok(at_rest(flow, &place)?),
+            Motion::Aperiodic => lyapunov(flow, place, seen.lap, laps),
+            // Over whole periods the rate of a periodic motion does not fluctuate.
+            Motion::Periodic(count) => {
+                let period = seen.lap * count as f64;
+                lyapunov(flow, place, period, laps.div_ceil(count))
+            }
+        };
+        Ok(Some(found.map_err(|error| error.to_string())))
+    }
+
+    /// Lets the motion settle and notes its points.
+    fn watch<G: Flow<N>>(
+        &self,
+        flow: &G,
+        start: Place<N, G::Mode>,
+        scale: &[f64; N],
+    ) -> Result<Seen<N, G::Mode>, FlowError> {
+        let Diagram {
+            section,
+            settle,
+            points: wanted,
+            ..
+        } = *self.diagram;
+        let mut crossings = Crossings::new(flow, start, section)?;
+        let (mut points, mut times) = (Vec::new(), Vec::new());
+        for k in 0..settle + wanted {
+            if k == settle {
+                crossings.forget();
+            }
+            let Some(crossing) = crossings.next() else {
+                break;
+            };
+            let crossing = crossing?;
+            times.push(crossing.time);
+            if k >= settle {
+                points.push(crossing.state);
+            }
+        }
+        let (time, place) = crossings.place();
+        let (mut min, mut max) = crossings.range();
+        let mut work = crossings.work;
+        if points.len() < wanted {
+            // What goes on without crossing: its range since it last crossed.
+            crossings.forget();
+            crossings.watch_on()?;
+            (min, max) = crossings.range();
+            work = crossings.work;
+        }
+        let extent: [f64; N] = std::array::from_fn(|j| max[j] - min[j]);
+        let size = |j: usize| min[j].abs().max(max[j].abs()).max(scale[j]);
+        let motion = if (0..N).all(|j| extent[j] <= REST * size(j)) {
+            points = vec![place.state];
+            Motion::Rest
+        } else if points.len() < wanted {
+            points.clear();
+            Motion::Elsewhere
+        } else {
+            recurrence(&points, &extent, SAME).map_or(Motion::Aperiodic, Motion::Periodic)
+        };
+        let turns = match motion {
+            Motion::Periodic(count) => count,
+            _ => points.len().saturating_sub(1).max(1),
+        };
+        let last = times.len().checked_sub(turns + 1).map(|i| &times[i..]);
+        let lap = match last {
+            Some([first, .., last]) => (last - first) / turns as f64,
+            _ => time,
+        };
+        Ok(Seen {
+            motion,
+            points,
+            place,
+            min,
+            max,
+            lap,
+            work,
+        })
+    }
+}
+
+/// The largest exponent of a state of rest: an eigenvalue's real part.
+fn at_rest<F: Flow<N>, const N: usize>(
+    flow: &F,
+    place: &Place<N, F::Mode>,
+) -> Result<Lyapunov, FlowError> {
+    let jacobian = flow.velocity(place)?.jacobian;
+    let matrix = DMatrix::from_fn(N, N, |i, j| jacobian[i][j]);
+    let spectrum = Spectrum::across(&matrix, F::sticking(&place.mode));
+    Ok(Lyapunov {
+        exponent: spectrum.eigenvalues.first().map(|value| value.re),
+        error: 0.0,
+        time: 0.0,
+    })
+}
+
+/// Magnitudes as far as a start shows them.
+pub(super) fn magnitude<const N: usize>(start: &[f64; N]) -> [f64; N] {
+    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let other = if largest > 0.0 { largest } else { 1.0 };
+    start.map(|x| if x == 0.0 { other } else { x.abs() })
+}

@@ -1,0 +1,152 @@
+//! What a law with internal state makes of a contact that swings to and fro at constant speed.
+
+use std::ops::ControlFlow;
+
+use crate::field::{Field, Linear, Work};
+use crate::integrate::explicit::{Settings, integrate};
+use crate::integrate::{IntegrationError, Tolerance};
+use crate::memory::{MemoryLaw, MemoryLawInfo};
+
+/// Strokes after the first, half one: two whole loops.
+const STROKES: usize = 4;
+/// Points of each step that a drawing gets.
+const DRAWN: usize = 8;
+/// Relative error tolerated in the internal states, for a drawing.
+const TOLERANCE: f64 = 1e-9;
+
+/// A friction law with internal state at given values of its parameters.
+pub trait Hysteresis {
+    /// The law as data.
+    fn law(&self) -> &'static MemoryLawInfo;
+
+    /// Displacement and force against it, from a contact without memory at 0 to `amplitude`, then to and fro
+    /// between that and its negative, at constant `speed` > 0.
+    ///
+    /// # Errors
+    /// The internal states cannot be followed.
+    fn swing(&self, amplitude: f64, speed: f64) -> Result<Vec<[f64; 2]>, IntegrationError>;
+}
+
+/// A law with `S` internal states, whatever its type.
+pub(super) struct Shaken<L, const S: usize>(L);
+
+impl<L, const S: usize> Shaken<L, S> {
+    pub(super) const fn new(law: L) -> Self {
+        Self(law)
+    }
+}
+
+impl<L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<L, S> {
+    fn law(&self) -> &'static MemoryLawInfo {
+        L::INFO
+    }
+
+    fn swing(&self, amplitude: f64, speed: f64) -> Result<Vec<[f64; 2]>, IntegrationError> {
+        let (mut memory, mut place, mut points) = ([0.0; S], 0.0, Vec::new());
+        let elastic = self.0.answer(memory, speed).rates;
+        let ends = std::iter::once(amplitude)
+            .chain((0..STROKES).map(|i| if i % 2 == 0 { -amplitude } else { amplitude }));
+        for end in ends {
+            let speed = speed.copysign(end - place);
+            let stroke = Stroke {
+                law: &self.0,
+                speed,
+                size: elastic.map(|rate| (rate * amplitude / speed).abs()),
+            };
+            let duration = (end - place) / speed;
+            memory = stroke.follow(memory, duration, |time, memory| {
+                points.push([place + stroke.speed * time, stroke.force(memory)]);
+            })?;
+            place = end;
+        }
+        Ok(points)
+    }
+}
+
+/// The internal states while the contact slides at constant speed.
+struct Stroke<'l, L, const S: usize> {
+    law: &'l L,
+    speed: f64,
+    /// How far each internal state would go over the amplitude if it never yielded.
+    size: [f64; S],
+}
+
+impl<L: MemoryLaw<f64, S>, const S: usize> Stroke<'_, L, S> {
+    /// The force against the motion: positive where the speed is.
+    fn force(&self, memory: &[f64; S]) -> f64 {
+        -self.law.answer(*memory, self.speed).force
+    }
+
+    fn follow(
+        &self,
+        from: [f64; S],
+        duration: f64,
+        mut see: impl FnMut(f64, &[f64; S]),
+    ) -> Result<[f64; S], IntegrationError> {
+        see(0.0, &from);
+        let settings = Settings {
+            stiff_steps: u32::MAX,
+            ..Settings::new(Tolerance {
+                relative: TOLERANCE,
+                absolute: TOLERANCE,
+            })
+        };
+        integrate(
+            self,
+            settings,
+            from,
+            duration,
+            &mut Work::default(),
+            |step| {
+                let (time, length, dense) = (step.time(), step.length(), step.dense());
+                for k in 1..=DRAWN {
+                    let theta = k as f64 / DRAWN as f64;
+                    see(time + theta * length, &dense.state(theta));
+                }
+                ControlFlow::Continue(())
+            },
+        )
+    }
+}
+
+impl<L: MemoryLaw<f64, S>, const S: usize> Field<S> for Stroke<'_, L, S> {
+    fn f(&self, memory: &[f64; S]) -> [f64; S] {
+        self.law.answer(*memory, self.speed).rates
+    }
+
+    fn linearise(&self, memory: &[f64; S]) -> Linear<S> {
+        let rates = self.law.slopes(self.law, *memory, self.speed).rates;
+        Linear {
+            f: std::array::from_fn(|i| rates[i].value),
+            jacobian: std::array::from_fn(|i| rates[i].by_memory),
+            design: [0.0; S],
+        }
+    }
+
+    fn scale(&self, _: &[f64; S], tolerance: &Tolerance) -> [f64; S] {
+        self.size.map(|size| tolerance.of(size))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examples::Dahl;
+
+    #[test]
+    fn the_loop_of_dahl_is_the_one_in_closed_form() {
+        let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
+        let law = Shaken::new(Dahl { stiffness, level });
+        let points = law.swing(amplitude, 1e-3).unwrap();
+        // From rest, F = F_c (1 − e^{−σ₀ x/F_c}).
+        let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
+        for [x, force] in virgin.copied() {
+            let exact = -level * (-stiffness * x / level).exp_m1();
+            assert!((force - exact).abs() < 1e-8 * level, "at {x}: {force}");
+        }
+        // Whole loops repeat, and are symmetric: their force at the ends is F_c tanh(σ₀ X/F_c).
+        let last = points.last().unwrap();
+        let exact = level * (stiffness * amplitude / level).tanh();
+        assert!((last[1] - exact).abs() < 1e-8 * level, "{last:?} {exact}");
+    }
+}

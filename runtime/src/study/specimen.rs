@@ -1,0 +1,243 @@
+//! Friction laws with values for their parameters, to be listed and drawn whatever their types.
+
+use super::characteristic::Characteristic;
+use super::hysteresis::{Hysteresis, Shaken};
+use crate::friction::{FrictionLaw, LawInfo, LawParameter};
+use crate::memory::{MemoryLaw, MemoryLawInfo};
+use crate::model::ParameterError;
+
+/// A friction law with values for its parameters: made by [`specimen!`](crate::specimen).
+///
+/// `L` is what can be asked of it: [`Characteristic`], or [`Hysteresis`] of a law with internal state.
+pub struct Specimen<L: ?Sized = dyn Characteristic> {
+    parameters: &'static [LawParameter],
+    /// The parameters in the order in which `build` takes them.
+    fields: Vec<&'static str>,
+    values: Vec<f64>,
+    build: Box<Build<L>>,
+}
+
+type Build<L> = dyn Fn(&[f64]) -> Box<L> + Send + Sync;
+
+/// A law with internal state, and a swing that shows what it remembers.
+pub struct Remembering {
+    /// The law.
+    pub specimen: Specimen<dyn Hysteresis>,
+    /// Amplitude of the swing.
+    pub amplitude: f64,
+    /// Speed of the swing.
+    pub speed: f64,
+}
+
+/// A law of either kind, as a program lists it.
+pub enum Shown {
+    /// A law without internal state.
+    Static(Specimen),
+    /// A law with internal state.
+    Remembering(Remembering),
+}
+
+impl From<Specimen> for Shown {
+    fn from(specimen: Specimen) -> Self {
+        Self::Static(specimen)
+    }
+}
+
+impl From<Remembering> for Shown {
+    fn from(remembering: Remembering) -> Self {
+        Self::Remembering(remembering)
+    }
+}
+
+impl Specimen {
+    /// The law that `build` makes of its `fields`, with the `values` of these; called by [`specimen!`](crate::specimen).
+    #[must_use]
+    pub fn new<L: FrictionLaw<f64> + 'static, const N: usize>(
+        fields: [&'static str; N],
+        values: [f64; N],
+        build: fn([f64; N]) -> L,
+    ) -> Self {
+        let build =
+            move |values: &[f64]| -> Box<dyn Characteristic> { Box::new(build(taken(values))) };
+        Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
+    }
+
+    /// The law as data.
+    #[must_use]
+    pub fn law(&self) -> &'static LawInfo {
+        (self.build)(&self.values).law()
+    }
+}
+
+impl Specimen<dyn Hysteresis> {
+    /// The same of a law with `S` internal states.
+    #[must_use]
+    pub fn with_memory<L: MemoryLaw<f64, S> + 'static, const S: usize, const N: usize>(
+        fields: [&'static str; N],
+        values: [f64; N],
+        build: fn([f64; N]) -> L,
+    ) -> Self {
+        let build = move |values: &[f64]| -> Box<dyn Hysteresis> {
+            Box::new(Shaken::new(build(taken(values))))
+        };
+        Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
+    }
+
+    /// The same law with a swing.
+    #[must_use]
+    pub fn swinging(self, amplitude: f64, speed: f64) -> Remembering {
+        Remembering {
+            specimen: self,
+            amplitude,
+            speed,
+        }
+    }
+
+    /// The law as data.
+    #[must_use]
+    pub fn law(&self) -> &'static MemoryLawInfo {
+        (self.build)(&self.values).law()
+    }
+}
+
+fn taken<const N: usize>(values: &[f64]) -> [f64; N] {
+    std::array::from_fn(|i| values.get(i).copied().unwrap_or(f64::NAN))
+}
+
+impl<L: ?Sized> Specimen<L> {
+    fn of(
+        parameters: &'static [LawParameter],
+        fields: &[&'static str],
+        values: &[f64],
+        build: Box<Build<L>>,
+    ) -> Self {
+        Self {
+            parameters,
+            fields: fields.to_vec(),
+            values: values.to_vec(),
+            build,
+        }
+    }
+
+    /// The law's parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &'static [LawParameter] {
+        self.parameters
+    }
+
+    /// The values of the law's parameters, in the order of their declaration.
+    #[must_use]
+    pub fn values(&self) -> Vec<f64> {
+        let place = |name| self.fields.iter().position(|field| *field == name);
+        let values = self
+            .parameters
+            .iter()
+            .map(|declared| place(declared.name).map_or(f64::NAN, |place| self.values[place]));
+        values.collect()
+    }
+
+    /// The law at other values of its parameters, in the order of their declaration.
+    ///
+    /// # Errors
+    /// A value is not finite, or out of its bounds.
+    pub fn at(&self, values: &[f64]) -> Result<Box<L>, ParameterError> {
+        for (declared, &value) in self.parameters.iter().zip(values) {
+            declared.check(value)?;
+        }
+        let place = |name: &str| {
+            self.parameters
+                .iter()
+                .position(|declared| declared.name == name)
+        };
+        let taken = self.fields.iter().map(|field| {
+            place(field)
+                .and_then(|place| values.get(place).copied())
+                .unwrap_or(f64::NAN)
+        });
+        Ok((self.build)(&taken.collect::<Vec<_>>()))
+    }
+}
+
+/// A law with typical values of its parameters: `specimen!(Weakening { limit: 1.0, decay: 3.0 })`.
+///
+/// A law with internal state has a swing that shows its hysteresis as well, its amplitude and its speed:
+/// `specimen!(Dahl { stiffness: 1e4, level: 1.0 } swinging 5e-4 at 1e-3)`.
+///
+/// ```
+/// use stickslip::{friction_law, specimen};
+///
+/// friction_law! {
+///     /// The same force at rest and at any sliding speed.
+///     pub struct Dry {
+///         /// That force.
+///         param level: N where level >= 0.0;
+///         stick = level;
+///         slip(s) = level;
+///     }
+/// }
+///
+/// let dry = specimen!(Dry { level: 2.0 });
+/// assert_eq!(dry.at(&[3.0]).unwrap().sliding(0.1), 3.0);
+/// assert!(dry.at(&[-3.0]).is_err());
+/// ```
+#[macro_export]
+macro_rules! specimen {
+    ($law:ident { $($field:ident: $value:expr),* $(,)? }) => {
+        $crate::study::Specimen::new(
+            [$(::core::stringify!($field)),*],
+            [$($value),*],
+            |[$($field),*]| $law { $($field),* },
+        )
+    };
+    ($law:ident { $($field:ident: $value:expr),* $(,)? } swinging $amplitude:literal at $speed:literal) => {
+        $crate::study::Specimen::with_memory(
+            [$(::core::stringify!($field)),*],
+            [$($value),*],
+            |[$($field),*]| $law { $($field),* },
+        )
+        .swinging($amplitude, $speed)
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examples::Weakening;
+
+    fn weakening() -> Specimen {
+        // Not in the order of declaration.
+        crate::specimen!(Weakening {
+            decay: 3.0,
+            limit: 1.0,
+            peak: 1.5,
+        })
+    }
+
+    #[test]
+    fn values_stand_in_the_order_of_declaration() {
+        assert_eq!(weakening().values(), [1.5, 1.0, 3.0]);
+        let law = weakening().at(&[2.5, 2.0, 1.0]).unwrap();
+        assert_eq!((law.at_rest(), law.sliding(1.0)), (2.5, 1.0));
+    }
+
+    #[test]
+    fn bounds_are_kept() {
+        let message = |values| weakening().at(values).err().unwrap().to_string();
+        assert!(message(&[1.5, -1.0, 3.0]).contains("limit >= 0"));
+        assert!(message(&[1.5, 1.0, f64::NAN]).contains("decay"));
+    }
+
+    #[test]
+    fn copies_have_the_sign_of_the_exact_force() {
+        let law = weakening().at(&[1.0, 1.0, 3.0]).unwrap();
+        let smoothing = "tanh:1e3".parse().unwrap();
+        assert!((law.copied(smoothing, 0.5) - law.sliding(0.5)).abs() < 1e-12);
+        assert!((law.copied(smoothing, -0.5) + law.sliding(0.5)).abs() < 1e-12);
+        assert_eq!(law.accepts(smoothing), Ok(()));
+        let refused = law.accepts("quartic:1e-2".parse().unwrap()).unwrap_err();
+        assert!(
+            refused.to_string().contains("`Weakening` has none"),
+            "{refused}"
+        );
+    }
+}

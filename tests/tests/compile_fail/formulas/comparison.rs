@@ -1,0 +1,12 @@
+use stickslip::model;
+
+model! {
+    pub struct Oscillator {
+        state x = 1.0;
+        state v = 0.0;
+        der(x) = v;
+        der(v) = -x * (v > 0.0);
+    }
+}
+
+fn main() {}

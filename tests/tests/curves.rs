@@ -1,0 +1,337 @@
+//! Curves of bifurcations in two parameters: where they are known in closed form, and against branches
+//! in one parameter at fixed values of the other.
+
+use std::f64::consts::TAU;
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, Entry, StudyError, entry};
+use stickslip_models::{BeltPair, DrillString, closed_form};
+
+model! {
+    /// Bautin's normal form: two circles of radius² (q ± √(q² + 4p))/2 meet in a fold at p = −q²/4.
+    pub struct Bautin {
+        state x = 1.0;
+        state v = 0.0;
+        param p = 0.1;
+        param q = 1.0;
+        let square = powi(x, 2) + powi(v, 2);
+        der(x) = x * (p + q * square - powi(square, 2)) - v;
+        der(v) = v * (p + q * square - powi(square, 2)) + x;
+    }
+}
+
+model! {
+    /// Circles of radius² 2 + z with z³ − qz − p = 0: they meet in folds at p = ±2 (q/3)^{3/2}, a cusp at p = q = 0.
+    pub struct Cusp {
+        state x = 1.2;
+        state v = 0.0;
+        param p = -0.3;
+        param q = 0.3;
+        let z = powi(x, 2) + powi(v, 2) - 2.0;
+        der(x) = x * (p + q * z - powi(z, 3)) - v;
+        der(v) = v * (p + q * z - powi(z, 3)) + x;
+    }
+}
+
+model! {
+    /// The unit circle, beside which two states turn half as fast: seen from axes that do the same they obey
+    /// U' = (p + d) U − q W, W' = q U + (p − d) W. The multipliers are −exp 2π(p ± √(d² − q²)).
+    pub struct Halves {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 0.0;
+        state w = 0.0;
+        param p = -0.1;
+        param q = 0.0;
+        param d = 0.05;
+        let pull = 1.0 - powi(x, 2) - powi(v, 2);
+        der(x) = x * pull - v;
+        der(v) = v * pull + x;
+        der(u) = p * u + d * (x * u + v * w) - (0.5 + q) * w;
+        der(w) = p * w + d * (v * u - x * w) + (0.5 + q) * u;
+    }
+}
+
+model! {
+    /// The unit circle, beside which two states turn by 1.3 + q a time unit and grow at the rate p − q².
+    pub struct Torus {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 0.0;
+        state w = 0.0;
+        param p = -0.1;
+        param q = -0.1;
+        let rate = p - powi(q, 2);
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + x;
+        der(u) = rate * u - (1.3 + q) * w;
+        der(w) = (1.3 + q) * u + rate * w;
+    }
+}
+
+fn range(model: &dyn Entry, name: &str, from: f64, to: f64) -> Along {
+    let index = model.info().parameters.iter().position(|p| p.name == name);
+    let design = Design::Parameter(index.expect("a parameter"));
+    Along { design, from, to }
+}
+
+/// The case at the beginning of both ranges, and what is followed.
+fn question(
+    model: &dyn Entry,
+    dynamics: Dynamics,
+    along: (&str, f64, f64),
+    and: (&str, f64, f64),
+) -> (Case, CurveScope) {
+    let mut case = Case::declared(model.info(), dynamics);
+    let second = range(model, and.0, and.1, and.2);
+    case.along = Some(second);
+    case = case.at(second.from);
+    let first = range(model, along.0, along.1, along.2);
+    case.along = Some(first);
+    let scope = CurveScope {
+        and: second,
+        of: None,
+    };
+    (case.at(first.from), scope)
+}
+
+fn circle(
+    model: &dyn Entry,
+    along: (&str, f64, f64),
+    and: (&str, f64, f64),
+    more: &[(&str, f64)],
+) -> Result<CurveRecord, StudyError> {
+    let (mut case, scope) = question(model, Dynamics::Smooth, along, and);
+    for (name, value) in more {
+        let index = model.info().parameters.iter().position(|p| p.name == *name);
+        case.parameters[index.unwrap()] = *value;
+    }
+    let start = model.info().states.iter().map(|state| state.start);
+    (case.start, case.period) = (Some(start.collect()), Some(TAU));
+    model.curve(&case, &scope, &mut |_| ())
+}
+
+fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
+    assert!(curve.points.len() > 4, "{} points", curve.points.len());
+    for point in &curve.points {
+        let value = expected(point.q);
+        assert!(
+            (point.p - value).abs() <= tolerance,
+            "at q = {}: {} and not {value}",
+            point.q,
+            point.p
+        );
+        assert!(point.test.abs() < 1e-7, "{}", point.test);
+    }
+}
+
+#[test]
+fn folds_of_bautins_form_lie_on_a_parabola() {
+    let curve = circle(
+        &*entry::<Bautin, _>(),
+        ("p", 0.1, -0.5),
+        ("q", 1.0, 0.3),
+        &[],
+    )
+    .unwrap();
+    assert_eq!((curve.kind, curve.of.as_str()), ("fold", "LP1"));
+    assert_eq!(curve.ended.word, "reached-end");
+    lies_on(&curve, |q| -0.25 * q * q, 1e-8);
+}
+
+#[test]
+fn a_cusp_is_passed_and_located() {
+    let curve = circle(
+        &*entry::<Cusp, _>(),
+        ("p", -0.3, 0.3),
+        ("q", 0.3, -0.3),
+        &[],
+    )
+    .unwrap();
+    assert_eq!((curve.kind, curve.ended.word), ("fold", "reached-start"));
+    for point in &curve.points {
+        let expected = 2.0 * (point.q.max(0.0) / 3.0).powf(1.5);
+        assert!(
+            (point.p.abs() - expected).abs() < 1e-8,
+            "{} {}",
+            point.p,
+            point.q
+        );
+    }
+    let found: Vec<_> = curve.special.iter().map(|s| s.label.as_str()).collect();
+    assert_eq!(found, ["CP1"]);
+    let cusp = &curve.special[0].point;
+    assert!(cusp.p.abs() < 1e-8 && cusp.q.abs() < 1e-6, "{cusp:?}");
+}
+
+#[test]
+fn flips_lie_on_their_line_and_meet_in_a_resonance() {
+    let curve = circle(
+        &*entry::<Halves, _>(),
+        ("p", -0.1, 0.1),
+        ("d", 0.05, -0.05),
+        &[],
+    )
+    .unwrap();
+    assert_eq!((curve.kind, curve.ended.word), ("flip", "reached-end"));
+    lies_on(&curve, |d| -d, 1e-8);
+    let found: Vec<_> = curve.special.iter().map(|s| s.label.as_str()).collect();
+    assert_eq!(found, ["R2-1"]);
+    assert!(curve.special[0].point.q.abs() < 1e-7);
+}
+
+#[test]
+fn torus_points_lie_on_a_parabola_with_their_resonances() {
+    let curve = circle(
+        &*entry::<Torus, _>(),
+        ("p", -0.1, 0.2),
+        ("q", -0.1, 0.1),
+        &[],
+    )
+    .unwrap();
+    assert_eq!((curve.kind, curve.ended.word), ("torus", "reached-end"));
+    lies_on(&curve, |q| q * q, 1e-8);
+    let found: Vec<_> = curve
+        .special
+        .iter()
+        .map(|s| (s.label.as_str(), s.point.q))
+        .collect();
+    let expected = [("R4-1", -0.05), ("R3-1", 4.0 / 3.0 - 1.3)];
+    assert_eq!(found.len(), 2, "{found:?}");
+    for ((label, q), (name, value)) in found.iter().zip(expected) {
+        assert_eq!(*label, name);
+        assert!((q - value).abs() < 1e-7, "{label}: {q}");
+    }
+}
+
+/// For |q| < d the pair is real, its product 1 all the same: a neutral saddle, where no torus is born.
+#[test]
+fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
+    let more = [("d", 0.2)];
+    let model = entry::<Halves, _>();
+    let curve = circle(&*model, ("p", -0.1, 0.1), ("q", 0.3, 0.1), &more).unwrap();
+    assert_eq!((curve.kind, curve.ended.word), ("torus", "resonance-1-2"));
+    assert!(curve.ended.located);
+    lies_on(&curve, |_| 0.0, 1e-8);
+    let last = curve.points.last().unwrap();
+    assert!((last.q - 0.2).abs() < 1e-6, "{}", last.q);
+    // From within, the branch passes that saddle at p = 0, and there is nothing to be followed.
+    let within = circle(&*model, ("p", -0.1, 0.1), ("q", 0.1, 0.15), &more);
+    assert!(
+        matches!(&within, Err(StudyError::NoSpecial { labels, .. }) if labels.is_empty()),
+        "{within:?}"
+    );
+}
+
+/// Friction: the flips of the belt pair against branches in v_dr alone, at other values of gamma.
+#[test]
+fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
+    let model = entry::<BeltPair, _>();
+    let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());
+    for (dynamics, tolerance) in [(Dynamics::Exact, 1e-7), (copy, 1e-6)] {
+        let (mut case, scope) =
+            question(&*model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
+        case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
+        let curve = model.curve(&case, &scope, &mut |_| ()).unwrap();
+        assert_eq!(
+            (curve.kind, curve.ended.word),
+            ("flip", "reached-end"),
+            "{}",
+            curve.ended.reason
+        );
+        for point in [curve.points.len() / 2, curve.points.len() - 1].map(|i| &curve.points[i]) {
+            let mut alone = case.clone();
+            alone.along = Some(scope.and);
+            alone = alone.at(point.q);
+            alone.start = Some(point.state.clone());
+            alone.period = None;
+            alone.along = Some(Along {
+                from: point.p - 5e-3,
+                to: point.p + 2e-3,
+                ..case.along.unwrap()
+            });
+            alone = alone.at(point.p - 5e-3);
+            let branch = model.branch(&alone, &mut |_| ()).unwrap();
+            let flip = branch
+                .special
+                .iter()
+                .find(|s| s.kind == "flip")
+                .expect("a flip");
+            let off = (flip.r / point.p - 1.0).abs();
+            assert!(
+                off < tolerance,
+                "gamma = {}: {} and {}",
+                point.q,
+                flip.r,
+                point.p
+            );
+        }
+    }
+}
+
+/// Where the exact drill string's cycle ends: the bit, once loose, just reaches the table's speed again.
+#[test]
+fn the_drill_strings_graze_follows_its_closed_form() {
+    let model = entry::<DrillString, _>();
+    for (name, from, to) in [
+        ("zeta", 0.05, 0.12),
+        ("zeta", 0.05, 0.02),
+        ("theta", 4.2, 2.0),
+    ] {
+        let (case, scope) = question(
+            &*model,
+            Dynamics::Exact,
+            ("eta", 4.0, 6.0),
+            (name, from, to),
+        );
+        let wide = Case {
+            along: Some(Along {
+                from: 4.0,
+                to: 40.0,
+                ..case.along.unwrap()
+            }),
+            ..case.clone()
+        };
+        let question = if to < from && name == "theta" {
+            case
+        } else {
+            wide
+        };
+        let curve = model.curve(&question, &scope, &mut |_| ()).unwrap();
+        assert_eq!((curve.kind, curve.of.as_str()), ("grazing-sliding", "GS1"));
+        assert!(curve.ended.located, "{}", curve.ended.reason);
+        let first = curve.points[0].p;
+        assert!(
+            (first / 4.611_989_021_286_665 - 1.0).abs() < 1e-9,
+            "{first}"
+        );
+        for point in &curve.points {
+            let mut bit = DrillString {
+                eta: point.p,
+                ..Default::default()
+            };
+            *(if name == "zeta" {
+                &mut bit.zeta
+            } else {
+                &mut bit.theta
+            }) = point.q;
+            let sticks = |share: f64| {
+                let at = DrillString {
+                    eta: share * point.p,
+                    ..bit
+                };
+                closed_form::drill_string(&at).is_some()
+            };
+            assert!(
+                sticks(1.0 - 1e-8) && !sticks(1.0 + 1e-8),
+                "{name} = {}",
+                point.q
+            );
+            if name == "theta" {
+                assert!((point.p / point.q / (first / 4.2) - 1.0).abs() < 1e-9);
+            }
+            assert!((point.state[0] + 2.0 * bit.zeta * point.p).abs() < 1e-7);
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! Poincaré diagrams against single orbits, known flips and each other.
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::poincare::{Direction, Section, Surface};
+use stickslip::study::{
+    Along, Case, Diagram, DiagramRecord, Dynamics, Entry, Motion, Slice, Span, Sweep, entry,
+};
+use stickslip_models::{BeltOscillator, BeltPair};
+
+model! {
+    /// A circle of radius² 1 + √(1 + p): stable, and lost in a fold at p = −1; the origin is stable below p = 0.
+    pub struct TwoCircles {
+        state x = 1.5;
+        state v = 0.0;
+        param p = 0.5;
+        let square = powi(x, 2) + powi(v, 2);
+        der(x) = x * (p + 2.0 * square - powi(square, 2)) - v;
+        der(v) = v * (p + 2.0 * square - powi(square, 2)) + x;
+    }
+}
+
+const IN_PHASE: [f64; 4] = [-0.5976, 0.0, -0.4604, -0.1607];
+
+fn along(model: &dyn Entry, name: &str, from: f64, to: f64) -> Along {
+    let names = model.info().parameters.iter();
+    let index = names.clone().position(|p| p.name == name).unwrap();
+    let design = Design::Parameter(index);
+    Along { design, from, to }
+}
+
+fn case(model: &dyn Entry, dynamics: Dynamics, along: Along) -> Case {
+    let mut case = Case::declared(model.info(), dynamics);
+    case.along = Some(along);
+    case.at(along.from)
+}
+
+const USUAL: Diagram = Diagram {
+    section: Section {
+        surface: Surface::Rate(0),
+        direction: Direction::Up,
+    },
+    sweep: Sweep::Fresh,
+    values: 2,
+    settle: 400,
+    points: 32,
+    lyapunov: None,
+    threads: None,
+};
+
+fn draw(model: &dyn Entry, case: &Case, diagram: Diagram) -> DiagramRecord {
+    model.diagram(case, &diagram, &|_| ()).expect("a diagram")
+}
+
+fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {
+    &record.sweeps[sweep].slices
+}
+
+fn belt_pair(from: f64, to: f64) -> (Box<dyn Entry>, Case) {
+    let model = entry::<BeltPair, _>();
+    let along = along(&*model, "v_dr", from, to);
+    let mut case = case(&*model, Dynamics::Exact, along);
+    case.start = Some(IN_PHASE.to_vec());
+    (model, case)
+}
+
+/// The flips of the in-phase orbit lie at 0.0840914 and 0.1442519.
+#[test]
+fn points_double_where_the_orbit_flips() {
+    let (model, case) = belt_pair(0.142, 0.1465);
+    let record = draw(
+        &*model,
+        &case,
+        Diagram {
+            settle: 1500,
+            ..USUAL
+        },
+    );
+    let motions: Vec<&Motion> = slices(&record, 0).iter().map(|s| &s.motion).collect();
+    assert_eq!(motions, [&Motion::Periodic(1), &Motion::Periodic(2)]);
+    let (model, case) = belt_pair(0.0865, 0.12);
+    let record = draw(
+        &*model,
+        &case,
+        Diagram {
+            settle: 1500,
+            ..USUAL
+        },
+    );
+    for slice in slices(&record, 0) {
+        assert_eq!(slice.motion, Motion::Periodic(1), "at {}", slice.r);
+    }
+}
+
+/// What is seen at a value is the orbit that shooting finds there, and contracts as its multipliers say.
+#[test]
+fn a_slice_is_the_orbit_that_shooting_finds() {
+    let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());
+    for dynamics in [Dynamics::Exact, copy] {
+        let (model, mut case) = belt_pair(0.12, 0.125);
+        case.dynamics = dynamics;
+        let diagram = Diagram {
+            settle: 600,
+            lyapunov: Some(40),
+            ..USUAL
+        };
+        let record = draw(&*model, &case, diagram);
+        for slice in slices(&record, 0) {
+            let orbit = model
+                .orbit(&Case {
+                    along: None,
+                    ..case.at(slice.r)
+                })
+                .unwrap();
+            assert_eq!(slice.motion, Motion::Periodic(orbit.period_count));
+            for (found, shot) in slice.points[31].iter().zip(&orbit.state) {
+                assert!((found - shot).abs() < 1e-7, "{found} {shot}");
+            }
+            for j in 0..4 {
+                assert!((slice.max[j] - orbit.max[j]).abs() < 1e-7);
+                assert!((slice.min[j] - orbit.min[j]).abs() < 1e-7);
+            }
+            let exponent = slice.lyapunov.as_ref().unwrap().as_ref().unwrap();
+            let expected = orbit.floquet.log_moduli[0].unwrap() / orbit.period;
+            let value = exponent.exponent.unwrap();
+            assert!((value / expected - 1.0).abs() < 1e-5, "{value} {expected}");
+        }
+    }
+}
+
+/// The largest exponent of a mass that sticks is −∞; of its smooth copy, Liouville tells it.
+#[test]
+fn one_mass_is_superstable_and_its_copy_nearly() {
+    let model = entry::<BeltOscillator, _>();
+    let along = along(&*model, "v_dr", 0.2, 0.25);
+    let diagram = Diagram {
+        settle: 5,
+        lyapunov: Some(4),
+        ..USUAL
+    };
+    let copy = Dynamics::Smoothed("arctan:1e3".parse().unwrap());
+    let exponent = |dynamics| {
+        let case = case(&*model, dynamics, along);
+        let record = draw(&*model, &case, diagram);
+        let slice = slices(&record, 0)[0].clone();
+        let orbit = model
+            .orbit(&Case {
+                along: None,
+                ..case
+            })
+            .unwrap();
+        (slice.lyapunov.unwrap().unwrap().exponent, orbit)
+    };
+    assert_eq!(exponent(Dynamics::Exact).0, None);
+    let (found, orbit) = exponent(copy);
+    let expected = orbit.floquet.log_moduli[0].unwrap() / orbit.period;
+    assert!((found.unwrap() / expected - 1.0).abs() < 1e-6);
+}
+
+/// Down from the large circle, the motion stays on it to the fold at p = −1; up from the origin, it rests to p = 0.
+#[test]
+fn sweeps_stay_with_their_attractor() {
+    let model = entry::<TwoCircles, _>();
+    let case = case(
+        &*model,
+        Dynamics::Smooth,
+        along(&*model, "p", -1.505, 0.495),
+    );
+    let diagram = Diagram {
+        sweep: Sweep::Both,
+        values: 101,
+        settle: 60,
+        points: 8,
+        ..USUAL
+    };
+    let record = draw(&*model, &case, diagram);
+    let swings = |slice: &&Slice| slice.motion == Motion::Periodic(1);
+    let up: Vec<&Slice> = slices(&record, 0).iter().filter(swings).collect();
+    let down: Vec<&Slice> = slices(&record, 1).iter().filter(swings).collect();
+    assert_eq!(
+        (record.sweeps[0].name, record.sweeps[1].name),
+        ("up", "down")
+    );
+    let first = up.first().unwrap().r;
+    assert!(first > 0.0 && first < 0.2, "up it leaves rest at {first}");
+    let last = down.last().unwrap().r;
+    assert!(last > -1.0 && last < -0.96, "down it is lost at {last}");
+    for slice in down {
+        let radius = (1.0 + (1.0 + slice.r).sqrt()).sqrt();
+        assert!((slice.points[0][0] + radius).abs() < 1e-5, "{}", slice.r);
+    }
+}
+
+/// Any section of a periodic motion is crossed as often up as down, and `orbit` counts the default one.
+#[test]
+fn sections_of_an_orbit_agree_with_its_count() {
+    let (model, case) = belt_pair(0.146, 0.147);
+    let case = Case {
+        along: None,
+        ..case
+    };
+    let orbit = model.orbit(&case).unwrap();
+    let from = Case {
+        start: Some(orbit.state.clone()),
+        ..case
+    };
+    let count = |surface, direction| {
+        let section = Section { surface, direction };
+        let span = Span::Period(orbit.period);
+        model.crossings(&from, section, span).unwrap().len()
+    };
+    let default = count(Surface::Rate(0), Direction::Up);
+    assert_eq!(default, orbit.period_count);
+    for j in 0..4 {
+        let value = 0.5 * (orbit.min[j] + orbit.max[j]) + 0.01;
+        for surface in [Surface::Rate(j), Surface::Level { state: j, value }] {
+            let (up, down) = (
+                count(surface, Direction::Up),
+                count(surface, Direction::Down),
+            );
+            assert!(up > 0 && up == down, "state {j}: {up} up, {down} down");
+            assert_eq!(count(surface, Direction::Both), up + down);
+        }
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let (model, case) = belt_pair(0.2, 0.3);
+    for sweep in [Sweep::Fresh, Sweep::Both] {
+        let with = |threads| {
+            let diagram = Diagram {
+                sweep,
+                values: 9,
+                settle: 20,
+                points: 12,
+                lyapunov: Some(20),
+                threads,
+                ..USUAL
+            };
+            draw(&*model, &case, diagram).sweeps
+        };
+        let one = with(Some(1));
+        for threads in [Some(2), Some(8), None] {
+            assert_eq!(one, with(threads), "{threads:?}");
+        }
+    }
+}
+
+#[test]
+fn a_value_without_an_answer_does_not_stop_the_others() {
+    let model = entry::<BeltOscillator, _>();
+    let along = along(&*model, "v_dr", -0.1, 0.1);
+    let record = draw(
+        &*model,
+        &case(&*model, Dynamics::Exact, along),
+        Diagram {
+            values: 5,
+            settle: 5,
+            ..USUAL
+        },
+    );
+    assert_eq!(slices(&record, 0).len(), 5);
+    assert_eq!(slices(&record, 0)[2].motion, Motion::Rest, "v_dr = 0");
+    assert_eq!(slices(&record, 0)[4].motion, Motion::Periodic(1));
+}
