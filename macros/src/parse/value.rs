@@ -1,6 +1,6 @@
 //! Numbers, bounds and units.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
@@ -208,8 +208,20 @@ fn factor(input: ParseStream, divides: bool) -> syn::Result<UnitFactor> {
 
 /// The tokens between two places of the same stream.
 fn consumed(from: ParseStream, to: ParseStream) -> syn::Result<TokenStream> {
-    let from: TokenStream = from.fork().parse()?;
-    let to: TokenStream = to.fork().parse()?;
-    let length = from.clone().into_iter().count() - to.into_iter().count();
+    let from = seen(from.fork().parse()?);
+    let to = seen(to.fork().parse()?);
+    let length = from.len().saturating_sub(to.len());
     Ok(from.into_iter().take(length).collect())
+}
+
+/// The tokens as a parser meets them: it walks into an invisible group (what a `macro_rules!` fragment becomes), and may
+/// stop in the middle of one.
+fn seen(tokens: TokenStream) -> Vec<TokenTree> {
+    tokens
+        .into_iter()
+        .flat_map(|token| match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::None => seen(group.stream()),
+            token => vec![token],
+        })
+        .collect()
 }
