@@ -4,6 +4,7 @@ pub mod chain;
 pub mod hand_written;
 pub mod lanes;
 pub mod random;
+pub mod range;
 pub mod subject;
 pub mod transformed;
 

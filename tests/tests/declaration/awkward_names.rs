@@ -97,7 +97,7 @@ model! {
         let rates = None + Some * Ok / f64 - core * stickslip + ψ;
         der(params) = contacts;
         der(contacts) = (force + unit) - (state_);
-        der(s) = -(-rates * s) + crate::g;
+        der(s) = -(-rates * s) + crate::awkward_names::g;
     }
 }
 

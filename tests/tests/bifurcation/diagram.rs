@@ -1,33 +1,15 @@
 //! Poincaré diagrams against single orbits, known flips and each other.
 
-use stickslip::field::Design;
-use stickslip::model;
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
     Along, Case, Diagram, DiagramRecord, Dynamics, Entry, Motion, Slice, Span, Sweep, entry,
 };
 use stickslip_models::{BeltOscillator, BeltPair};
+use stickslip_tests::range::range;
 
-model! {
-    /// A circle of radius² 1 + √(1 + p): stable, and lost in a fold at p = −1; the origin is stable below p = 0.
-    pub struct TwoCircles {
-        state x = 1.5;
-        state v = 0.0;
-        param p = 0.5;
-        let square = powi(x, 2) + powi(v, 2);
-        der(x) = x * (p + 2.0 * square - powi(square, 2)) - v;
-        der(v) = v * (p + 2.0 * square - powi(square, 2)) + x;
-    }
-}
+use crate::orbits::TwoCircles;
 
 const IN_PHASE: [f64; 4] = [-0.5976, 0.0, -0.4604, -0.1607];
-
-fn along(model: &dyn Entry, name: &str, from: f64, to: f64) -> Along {
-    let names = model.info().parameters.iter();
-    let index = names.clone().position(|p| p.name == name).unwrap();
-    let design = Design::Parameter(index);
-    Along { design, from, to }
-}
 
 fn case(model: &dyn Entry, dynamics: Dynamics, along: Along) -> Case {
     let mut case = Case::declared(model.info(), dynamics);
@@ -58,7 +40,7 @@ fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {
 
 fn belt_pair(from: f64, to: f64) -> (Box<dyn Entry>, Case) {
     let model = entry::<BeltPair, _>();
-    let along = along(&*model, "v_dr", from, to);
+    let along = range(&*model, "v_dr", from, to);
     let mut case = case(&*model, Dynamics::Exact, along);
     case.start = Some(IN_PHASE.to_vec());
     (model, case)
@@ -132,7 +114,7 @@ fn a_slice_is_the_orbit_that_shooting_finds() {
 #[test]
 fn one_mass_is_superstable_and_its_copy_nearly() {
     let model = entry::<BeltOscillator, _>();
-    let along = along(&*model, "v_dr", 0.2, 0.25);
+    let along = range(&*model, "v_dr", 0.2, 0.25);
     let diagram = Diagram {
         settle: 5,
         lyapunov: Some(4),
@@ -164,7 +146,7 @@ fn sweeps_stay_with_their_attractor() {
     let case = case(
         &*model,
         Dynamics::Smooth,
-        along(&*model, "p", -1.505, 0.495),
+        range(&*model, "p", -1.505, 0.495),
     );
     let diagram = Diagram {
         sweep: Sweep::Both,
@@ -250,7 +232,7 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn a_value_without_an_answer_does_not_stop_the_others() {
     let model = entry::<BeltOscillator, _>();
-    let along = along(&*model, "v_dr", -0.1, 0.1);
+    let along = range(&*model, "v_dr", -0.1, 0.1);
     let record = draw(
         &*model,
         &case(&*model, Dynamics::Exact, along),

@@ -3,10 +3,10 @@
 
 use std::f64::consts::TAU;
 
-use stickslip::field::Design;
 use stickslip::model;
 use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, Entry, StudyError, entry};
 use stickslip_models::{BeltPair, DrillString, closed_form};
+use stickslip_tests::range::{place, range};
 
 model! {
     /// Bautin's normal form: two circles of radius² (q ± √(q² + 4p))/2 meet in a fold at p = −q²/4.
@@ -70,12 +70,6 @@ model! {
     }
 }
 
-fn range(model: &dyn Entry, name: &str, from: f64, to: f64) -> Along {
-    let index = model.info().parameters.iter().position(|p| p.name == name);
-    let design = Design::Parameter(index.expect("a parameter"));
-    Along { design, from, to }
-}
-
 /// The case at the beginning of both ranges, and what is followed.
 fn question(
     model: &dyn Entry,
@@ -104,8 +98,7 @@ fn circle(
 ) -> Result<CurveRecord, StudyError> {
     let (mut case, scope) = question(model, Dynamics::Smooth, along, and);
     for (name, value) in more {
-        let index = model.info().parameters.iter().position(|p| p.name == *name);
-        case.parameters[index.unwrap()] = *value;
+        case.parameters[place(model, name)] = *value;
     }
     let start = model.info().states.iter().map(|state| state.start);
     (case.start, case.period) = (Some(start.collect()), Some(TAU));

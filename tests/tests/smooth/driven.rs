@@ -2,12 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use stickslip::field::{Design, Kernel, Smoothing};
+use stickslip::field::{Kernel, Smoothing};
 use stickslip::model;
 use stickslip::study::trade::Scope;
-use stickslip::study::{Along, Case, Dynamics, Entry, OrbitRecord, StudyError, entry};
+use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError, entry};
 use stickslip_models::ForcedBelt;
 use stickslip_models::friction::Coulomb;
+use stickslip_tests::range::{place, range};
 
 model! {
     /// A damped oscillator under a harmonic force.
@@ -45,18 +46,6 @@ fn case(model: &dyn Entry, dynamics: Dynamics, set: &[(&str, f64)]) -> Case {
         case.parameters[place(model, name)] = *value;
     }
     case
-}
-
-fn place(model: &dyn Entry, name: &str) -> usize {
-    let mut parameters = model.info().parameters.iter();
-    parameters
-        .position(|parameter| parameter.name == name)
-        .expect("a parameter of the model")
-}
-
-fn along(model: &dyn Entry, name: &str, from: f64, to: f64) -> Option<Along> {
-    let design = Design::Parameter(place(model, name));
-    Some(Along { design, from, to })
 }
 
 #[track_caller]
@@ -111,7 +100,7 @@ fn the_linear_response_is_the_closed_form() {
 fn the_response_is_followed_through_resonance() {
     let model = entry::<Forced, _>();
     let case = Case {
-        along: along(&*model, "omega", 0.5, 2.0),
+        along: Some(range(&*model, "omega", 0.5, 2.0)),
         ..case(&*model, Dynamics::Smooth, &[("omega", 0.5)])
     };
     let branch = model.branch(&case, &mut |_| {}).expect("a branch");
@@ -227,7 +216,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
     let motion = model.motion(&case(&*model, Dynamics::Exact, &[]), 30.0);
     assert!(motion.is_ok(), "{motion:?}");
     let case = Case {
-        along: along(&*model, "omega", 0.6, 0.66),
+        along: Some(range(&*model, "omega", 0.6, 0.66)),
         ..case(&*model, Dynamics::Exact, &[("omega", 0.6)])
     };
     let branch = model.branch(&case, &mut |_| {}).expect("a branch");

@@ -1,0 +1,8 @@
+//! Branches, what happens on them, and where else motions end.
+
+mod atlas;
+mod branch;
+mod curves;
+mod diagram;
+mod equilibria;
+mod orbits;

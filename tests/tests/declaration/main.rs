@@ -1,0 +1,9 @@
+//! What the macros make of a declaration: data, values and derivatives.
+
+mod awkward_names;
+mod chains;
+mod declared;
+mod declared_data;
+mod derivatives;
+mod slopes;
+mod tangents;

@@ -1,0 +1,8 @@
+//! Smooth and smoothed motions: their flow, their layers, and the orbits that are shot for.
+
+mod driven;
+mod flow;
+mod layers;
+mod memory_laws;
+mod metamorphic;
+mod shooting;

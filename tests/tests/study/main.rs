@@ -1,0 +1,6 @@
+//! What a user is told: estimates, errors of smoothing, laws, and refusals.
+
+mod coverage;
+mod hostile;
+mod laws;
+mod trade;
