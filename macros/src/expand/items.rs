@@ -5,6 +5,9 @@ use quote::quote;
 
 use super::allowed;
 
+/// States up to which derivatives are written out where they are asked for.
+const SMALL: usize = 8;
+
 /// How many states, parameters, contacts and observables there are.
 #[derive(Clone, Copy)]
 pub(super) struct Sizes {
@@ -103,6 +106,12 @@ impl Items<'_> {
         let sizes = self.sizes;
         let [states, parameters, count] =
             [sizes.states, sizes.parameters, sizes.observables].map(Literal::usize_unsuffixed);
+        // A call costs a small model three times its formulas.
+        let inlined = if sizes.states <= SMALL {
+            quote!(#[inline(always)])
+        } else {
+            quote!(#[inline])
+        };
         let Self {
             rhs,
             entries,
@@ -119,7 +128,7 @@ impl Items<'_> {
                 #rhs
             }
 
-            #[inline]
+            #inlined
             fn entries(
                 __params: &[f64; #parameters],
                 __seeds: &[f64; #parameters],

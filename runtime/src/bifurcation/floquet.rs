@@ -1,9 +1,10 @@
 //! Multipliers of a periodic orbit, from its section map.
 
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exponents::exponents;
 use crate::flow::Factor;
+use crate::linear::eigenvalues;
 
 /// Moduli below this share of the largest entry of the section map are not resolved by it.
 const RESOLVED: f64 = 1e-9;
@@ -100,17 +101,6 @@ fn section_map(phi: &DMatrix<f64>, f: &DVector<f64>) -> DMatrix<f64> {
         DMatrix::identity(n, n) - 2.0 / normal.norm_squared() * &normal * normal.transpose();
     let basis = reflection.columns(1, n - 1);
     basis.transpose() * phi * basis
-}
-
-/// Eigenvalues; empty if the matrix is, NaN-free because the flow is.
-fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
-    match matrix.nrows() {
-        0 => Vec::new(),
-        1 => vec![Complex::new(matrix[(0, 0)], 0.0)],
-        _ => Schur::try_new(matrix.clone(), f64::EPSILON, 10_000)
-            .map(|schur| schur.complex_eigenvalues().iter().copied().collect())
-            .unwrap_or_default(),
-    }
 }
 
 /// Liouville: the logarithms of all moduli add up to ∫ tr J. What the product of Φ cannot resolve

@@ -11,6 +11,8 @@ pub enum Kind {
     Torus,
     /// A multiplier passes through 1 and the branch goes straight on: another one crosses.
     BranchPoint,
+    /// A branch point where the branch that crosses loses a symmetry of the orbit.
+    SymmetryBreaking,
     /// A crossing turns into a short stick.
     CrossingSliding,
     /// A sliding contact comes to rest for a moment.
@@ -32,6 +34,7 @@ impl Kind {
             Self::Flip => "flip",
             Self::Torus => "torus",
             Self::BranchPoint => "branch-point",
+            Self::SymmetryBreaking => "symmetry-breaking",
             Self::CrossingSliding => "crossing-sliding",
             Self::GrazingSliding => "grazing-sliding",
             Self::SwitchingSliding => "switching-sliding",
@@ -48,6 +51,7 @@ impl Kind {
             Self::Flip => "PD",
             Self::Torus => "NS",
             Self::BranchPoint => "BP",
+            Self::SymmetryBreaking => "SB",
             Self::CrossingSliding => "CS",
             Self::GrazingSliding => "GS",
             Self::SwitchingSliding => "SS",
@@ -59,7 +63,7 @@ impl Kind {
     /// By how many the number of unstable multipliers changes; `None` if it may be any number.
     pub(super) const fn jump(self) -> Option<i64> {
         match self {
-            Self::Fold | Self::Flip | Self::BranchPoint => Some(1),
+            Self::Fold | Self::Flip | Self::BranchPoint | Self::SymmetryBreaking => Some(1),
             Self::Torus => Some(2),
             _ => None,
         }

@@ -1,8 +1,9 @@
 //! Eigenvalues of an equilibrium, and what they say.
 
-use nalgebra::{Complex, DMatrix, Schur};
+use nalgebra::{Complex, DMatrix};
 
 use crate::bifurcation::Stability;
+use crate::linear::eigenvalues;
 
 /// Real parts below this many rounding errors of the Jacobian have no sign.
 const ROUNDING: f64 = 64.0;
@@ -85,16 +86,6 @@ fn size(a: Complex<f64>, b: Complex<f64>) -> f64 {
 
 fn rounding(jacobian: &DMatrix<f64>) -> f64 {
     ROUNDING * f64::EPSILON * jacobian.norm()
-}
-
-fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
-    match matrix.nrows() {
-        0 => Vec::new(),
-        1 => vec![Complex::new(matrix[(0, 0)], 0.0)],
-        _ => Schur::try_new(matrix.clone(), f64::EPSILON, 10_000)
-            .map(|schur| schur.complex_eigenvalues().iter().copied().collect())
-            .unwrap_or_default(),
-    }
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ mod problem;
 mod same;
 mod search;
 mod switch;
+mod symmetry;
 mod watched;
 
 pub use anchor::anchored;

@@ -55,7 +55,7 @@ impl Switch {
     pub(super) fn wants(&self, kind: Kind) -> bool {
         match kind {
             Kind::Flip => self.flips,
-            Kind::BranchPoint => self.branch_points,
+            Kind::BranchPoint | Kind::SymmetryBreaking => self.branch_points,
             _ => false,
         }
     }

@@ -148,7 +148,10 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
             return Verdict::GoOn;
         };
         let accuracy = self.sought.search.accuracy;
-        let findings = detect(&mut path, before, orbit, accuracy);
+        let mut findings = detect(&mut path, before, orbit, accuracy);
+        for found in &mut findings.located {
+            self.sought.tell_symmetry(found);
+        }
         if !findings.unexplained.is_empty() {
             self.wasted += path.work();
             self.wasted += point.work;

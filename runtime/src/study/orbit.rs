@@ -2,7 +2,7 @@
 
 use super::case::{Case, Dynamics};
 use super::seed::Seed;
-use crate::bifurcation::Floquet;
+use crate::bifurcation::{Floquet, Kind, Located};
 use crate::field::Work;
 use crate::flow::{Family, Flow, Segment};
 use crate::shooting::{Orbit, OrbitError, Search, closest};
@@ -68,6 +68,14 @@ pub(super) struct Sought<'a, F: Family<N>, const N: usize> {
 }
 
 impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
+    /// Tells a branch point from one at which a symmetry is lost.
+    pub(super) fn tell_symmetry(&self, found: &mut Located<Orbit<N, Mode<F, N>>>) {
+        // An orbit that cannot be gone around once more has no symmetry that could be told.
+        if found.kind == Kind::BranchPoint && found.point.loses_symmetry(self.family) == Ok(true) {
+            found.kind = Kind::SymmetryBreaking;
+        }
+    }
+
     /// The orbit at r, in the family's own count, from the first seed that leads to one.
     pub(super) fn orbit(&self, r: f64) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
         let mut telling = None::<OrbitError>;

@@ -62,6 +62,54 @@ model! {
 }
 
 model! {
+    /// A third state that follows the first round the unit circle, from p = 0 on beside it: the field changes sign with
+    /// all states, so that an orbit can be its own image after half a period, and the other two are not.
+    pub struct Escort {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 1.0;
+        param p = -0.1;
+        let pull = 1.0 - powi(x, 2) - powi(v, 2);
+        let ahead = u - x;
+        der(x) = x * pull - v;
+        der(v) = v * pull + x;
+        der(u) = x * pull - v + p * ahead - powi(ahead, 3);
+    }
+}
+
+model! {
+    /// The unit circle and another that changes places with it at p = 0: transcritical, and nothing is symmetric.
+    pub struct Transcritical {
+        state x = 1.0;
+        state v = 0.0;
+        state u = 0.0;
+        param p = -0.1;
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + x;
+        der(u) = p * u - powi(u, 2);
+    }
+}
+
+model! {
+    /// Two equal oscillators in phase, which they leave at the rate p: exchanging them changes nothing.
+    pub struct Twins {
+        state x = 1.0;
+        state v = 0.0;
+        state y = 1.0;
+        state w = 0.0;
+        param p = -0.1;
+        let own = 1.0 - powi(x, 2) - powi(v, 2);
+        let other = 1.0 - powi(y, 2) - powi(w, 2);
+        let apart = powi(x - y, 2) + powi(v - w, 2);
+        let rate = 0.5 * p - apart;
+        der(x) = x * own - v + rate * (x - y);
+        der(v) = v * own + x + rate * (v - w);
+        der(y) = y * other - w + rate * (y - x);
+        der(w) = w * other + y + rate * (w - v);
+    }
+}
+
+model! {
     /// Rössler (1976).
     pub struct Roessler {
         state x = 2.645_700_14;
@@ -153,8 +201,23 @@ fn a_neutral_saddle_is_no_torus_point() {
 }
 
 #[test]
-fn a_pitchfork_is_a_branch_point_and_no_fold() {
-    shows(&branch!(Pitchfork, 0, -0.1, 0.15, TAU), &[("BP1", 0.0)]);
+fn a_pitchfork_breaks_a_symmetry_and_is_no_fold() {
+    shows(&branch!(Pitchfork, 0, -0.1, 0.15, TAU), &[("SB1", 0.0)]);
+}
+
+#[test]
+fn a_symmetry_after_half_a_period_is_broken() {
+    shows(&branch!(Escort, 0, -0.1, 0.15, TAU), &[("SB1", 0.0)]);
+}
+
+#[test]
+fn equals_that_part_break_a_symmetry() {
+    shows(&branch!(Twins, 0, -0.1, 0.15, TAU), &[("SB1", 0.0)]);
+}
+
+#[test]
+fn what_is_not_symmetric_breaks_no_symmetry() {
+    shows(&branch!(Transcritical, 0, -0.1, 0.15, TAU), &[("BP1", 0.0)]);
 }
 
 /// The value is from DOP853 at 1e-13 with variational equations, and a root search on the multiplier.
@@ -192,7 +255,7 @@ fn the_branch_that_crosses_at_a_pitchfork_is_followed_both_ways() {
     let [crossing] = branch.branches.as_slice() else {
         panic!("{} branches leave it", branch.branches.len());
     };
-    assert_eq!(crossing.from.as_deref(), Some("BP1"));
+    assert_eq!(crossing.from.as_deref(), Some("SB1"));
     let heights = crossing
         .points
         .iter()

@@ -224,30 +224,21 @@ pub fn ranges() -> Vec<Range> {
         parameter!(BeltPair, "beta", "*β*", limits::none).at(-6..=0, Digits(7)),
         parameter!(BeltPair, "gamma", "*γ*", limits::none).at(-6..=1, Digits(7)),
     ];
-    let copies = [
-        copy!(BeltOscillator, Arctan, "arctan", limits::copy_of_belt)
-            .at(0..=0, Refused("equilibrium"))
-            .at(1..=12, Digits(7)),
-        copy!(BeltOscillator, Tanh, "tanh", limits::copy_of_belt)
-            .at(0..=0, Refused("equilibrium"))
-            .at(1..=12, Digits(7)),
-        copy!(BeltOscillator, Algebraic, "algebraic", limits::copy_of_belt)
-            .at(0..=0, Refused("equilibrium"))
-            .at(1..=12, Digits(7)),
-        copy!(BeltOscillator, Cubic, "cubic", limits::copy_of_belt)
-            .at(0..=0, Refused("equilibrium"))
-            .at(1..=12, Digits(7)),
-        copy!(BeltOscillator, Quintic, "quintic", limits::copy_of_belt)
-            .at(0..=0, Refused("equilibrium"))
-            .at(1..=12, Digits(7)),
-        copy!(
-            DrillString,
-            Quartic,
-            "quartic",
-            limits::copy_of_drill_string
-        )
-        .at(-8..=0, Digits(7))
-        .at(1..=1, Refused("equilibrium")),
+    let signs = [
+        copy!(BeltOscillator, Arctan, "arctan", limits::copy_of_belt),
+        copy!(BeltOscillator, Tanh, "tanh", limits::copy_of_belt),
+        copy!(BeltOscillator, Algebraic, "algebraic", limits::copy_of_belt),
+        copy!(BeltOscillator, Cubic, "cubic", limits::copy_of_belt),
+        copy!(BeltOscillator, Quintic, "quintic", limits::copy_of_belt),
     ];
-    exact.into_iter().chain(copies).collect()
+    let signs = signs.map(|copy| copy.at(0..=0, Refused("equilibrium")).at(1..=12, Digits(7)));
+    let bump = copy!(
+        DrillString,
+        Quartic,
+        "quartic",
+        limits::copy_of_drill_string
+    )
+    .at(-8..=0, Digits(7))
+    .at(1..=1, Refused("equilibrium"));
+    exact.into_iter().chain(signs).chain([bump]).collect()
 }

@@ -1,0 +1,233 @@
+//! Which symmetry an orbit has, and whether it loses one at a branch point.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::DMatrix;
+
+use super::orbit::Orbit;
+use crate::flow::{Family, Flow, FlowError, Place, Want};
+use crate::linear::eigenvalues;
+
+/// Systems of more states are asked for changes of sign only: exchanges of states become too many.
+const EXCHANGED: usize = 6;
+/// Systems of more states are asked for the change of all signs only.
+const SIGNED: usize = 12;
+/// States at which a symmetry of the field is tried.
+const TRIALS: usize = 6;
+/// And how far from the middle of the orbit they lie, in its half extents.
+const BEYOND: f64 = 1.2;
+/// A field is symmetric to this share of its largest component.
+const ROUNDING: f64 = 1e-11;
+/// An orbit is symmetric to this share of its extents.
+const CLOSE: f64 = 1e-5;
+
+/// A symmetry of order two: states change signs and places in pairs, and the phase of a drive moves by half a turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Symmetry<const N: usize> {
+    /// Which state each one becomes.
+    place: [usize; N],
+    /// And with which sign.
+    sign: [f64; N],
+    /// The state that is the phase of a drive, if it moves.
+    phase: Option<usize>,
+}
+
+impl<const N: usize> Symmetry<N> {
+    /// What it makes of a direction.
+    fn linear(&self, y: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| self.sign[i] * y[self.place[i]])
+    }
+
+    /// What it makes of a state.
+    fn of(&self, y: &[f64; N]) -> [f64; N] {
+        let mut image = self.linear(y);
+        if let Some(phase) = self.phase {
+            image[phase] += PI;
+        }
+        image
+    }
+
+    fn matrix(&self) -> DMatrix<f64> {
+        DMatrix::from_fn(N, N, |i, j| {
+            if j == self.place[i] {
+                self.sign[i]
+            } else {
+                0.0
+            }
+        })
+    }
+
+    /// All of them but the one that changes nothing.
+    fn all(drive: Option<usize>) -> Vec<Self> {
+        let mut all = vec![Self {
+            place: std::array::from_fn(|i| i),
+            sign: [0.0; N],
+            phase: None,
+        }];
+        if N > SIGNED {
+            all[0].sign = std::array::from_fn(|i| if Some(i) == drive { 1.0 } else { -1.0 });
+        } else {
+            for i in 0..N {
+                all = all
+                    .iter()
+                    .flat_map(|one| one.extended(i, Some(i) == drive))
+                    .collect();
+            }
+        }
+        let phases = [None, drive];
+        let moved = all
+            .iter()
+            .flat_map(|one| phases.map(|phase| Self { phase, ..*one }));
+        let mut moved: Vec<Self> = moved
+            .filter(|one| one.phase.is_some() || *one != Self::nothing())
+            .collect();
+        moved.dedup();
+        moved
+    }
+
+    fn nothing() -> Self {
+        Self {
+            place: std::array::from_fn(|i| i),
+            sign: [1.0; N],
+            phase: None,
+        }
+    }
+
+    /// The ways in which state i can take part, if those before it are settled.
+    fn extended(&self, i: usize, is_drive: bool) -> Vec<Self> {
+        if self.sign[i] != 0.0 {
+            return vec![*self];
+        }
+        let partners = if is_drive || N > EXCHANGED {
+            i..i + 1
+        } else {
+            i..N
+        };
+        let signs: &[f64] = if is_drive { &[1.0] } else { &[1.0, -1.0] };
+        let pairs = partners.flat_map(|j| signs.iter().map(move |sign| (j, *sign)));
+        pairs
+            .filter(|(j, _)| self.sign[*j] == 0.0)
+            .map(|(j, sign)| {
+                let mut one = *self;
+                (one.place[i], one.place[j]) = (j, i);
+                (one.sign[i], one.sign[j]) = (sign, sign);
+                one
+            })
+            .collect()
+    }
+}
+
+impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
+    /// Whether the branch that crosses this orbit's at a branch point has lost a symmetry that this orbit has: the
+    /// direction in which it leaves changes sign where the orbit maps to itself.
+    ///
+    /// Looked for are symmetries of order two: changes of sign, exchanges of states (up to six of them), and half a
+    /// turn of a drive; each leaves the orbit as it is at once, or after half its period.
+    ///
+    /// # Errors
+    /// The flow fails on the orbit.
+    pub(crate) fn loses_symmetry<F>(&self, family: &F) -> Result<bool, FlowError>
+    where
+        F: Family<N>,
+        F::Flow: Flow<N, Mode = Mode>,
+    {
+        let flow = family.at(self.r)?;
+        let drive = F::Flow::PHASE;
+        let mut candidates = Symmetry::all(drive);
+        for state in self.around() {
+            candidates.retain(|one| commutes(&flow, one, &state));
+        }
+        if candidates.is_empty() {
+            return Ok(false);
+        }
+        let want = Want {
+            derivatives: true,
+            ..Want::default()
+        };
+        let after = |time: f64| flow.advance(&self.place, time, want);
+        let (half, whole) = (after(0.5 * self.period)?, after(self.period)?);
+        let start = self.place.state;
+        for one in &candidates {
+            let image = one.of(&start);
+            let (map, fixed) = if self.are_one(&image, &start, drive) {
+                (&whole.derivatives, 1.0)
+            } else if self.are_one(&image, &half.end.state, drive) {
+                (&half.derivatives, -1.0)
+            } else {
+                continue;
+            };
+            let Some(map) = map else { continue };
+            let map = DMatrix::from_fn(N, N, |i, j| map.state[i][j]);
+            if changes_sign(&one.matrix(), &map, fixed) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// States in the box of the orbit, and a little beyond.
+    fn around(&self) -> impl Iterator<Item = [f64; N]> {
+        let magnitude = self.magnitude();
+        // Multiples of irrational numbers, apart from their whole parts: spread evenly, and the same every time.
+        (1..=TRIALS).map(move |trial| {
+            std::array::from_fn(|j| {
+                let share = (trial as f64 * (PI + j as f64).sqrt()).fract();
+                let middle = 0.5 * (self.min[j] + self.max[j]);
+                middle + BEYOND * magnitude[j] * (2.0 * share - 1.0)
+            })
+        })
+    }
+
+    /// Whether two states are one, to a share of the orbit's extents.
+    fn are_one(&self, p: &[f64; N], q: &[f64; N], drive: Option<usize>) -> bool {
+        let magnitude = self.magnitude();
+        (0..N).all(|j| {
+            let mut apart = p[j] - q[j];
+            if drive == Some(j) {
+                apart -= TAU * (apart / TAU).round();
+            }
+            apart.abs() <= CLOSE * magnitude[j]
+        })
+    }
+}
+
+/// Whether the field at the image of a state is the image of the field.
+fn commutes<F: Flow<N>, const N: usize>(flow: &F, one: &Symmetry<N>, state: &[f64; N]) -> bool {
+    let field = |state: [f64; N]| -> Option<[f64; N]> {
+        let place: Place<N, F::Mode> = flow.place(state).ok()?;
+        Some(flow.velocity(&place).ok()?.f)
+    };
+    let (Some(here), Some(there)) = (field(*state), field(one.of(state))) else {
+        return false;
+    };
+    let image = one.linear(&here);
+    let size = here.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
+    (0..N).all(|j| (image[j] - there[j]).abs() <= ROUNDING * size)
+}
+
+/// Whether the critical direction of an orbit changes sign under its symmetry S.
+///
+/// An orbit that S leaves as it is: Φ is split by (1 ± S)/2, and its second multiplier 1 belongs to one of the parts.
+/// One that S leaves as it is after half a period: SΦ(T/2) has the squares roots of the multipliers, that of the flow's
+/// own being 1, and a critical one is 1 or −1.
+fn changes_sign(symmetry: &DMatrix<f64>, map: &DMatrix<f64>, fixed: f64) -> bool {
+    let identity = DMatrix::<f64>::identity(symmetry.nrows(), symmetry.nrows());
+    let part = |sign: f64| (&identity + symmetry * sign) * 0.5 * map;
+    let [kept, changed] = if fixed > 0.0 {
+        [part(1.0), part(-1.0)]
+    } else {
+        [symmetry * map, symmetry * map]
+    };
+    let mut kept = distances(&kept, 1.0);
+    kept.sort_by(f64::total_cmp);
+    let changed = distances(&changed, fixed);
+    let critical = changed.into_iter().fold(f64::INFINITY, f64::min);
+    // The first is the flow's own direction.
+    critical < kept.get(1).copied().unwrap_or(f64::INFINITY)
+}
+
+/// How far each eigenvalue is from a number.
+fn distances(matrix: &DMatrix<f64>, from: f64) -> Vec<f64> {
+    let all = eigenvalues(matrix).into_iter();
+    all.map(|value| (value - from).norm()).collect()
+}
