@@ -15,7 +15,7 @@ use super::modes::sliding_modes;
 use super::orbit::{OrbitRecord, Sought};
 use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
-use super::trade::{Scope, tradable, trade};
+use super::trade::{Scope, TradeError, tradable, trade};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
 use crate::equilibrium::find;
 use crate::field::Design;
@@ -33,6 +33,10 @@ const SETTLED: f64 = 1e-3;
 pub(super) struct Declared<M, const N: usize>(PhantomData<fn() -> M>);
 
 impl<M: Model<N>, const N: usize> Declared<M, N> {
+    /// Whether there is friction to be exact about. What only such a model needs is not compiled for the others: that is
+    /// half of all, wherever this is asked as a constant.
+    pub(super) const RUBS: bool = !M::INFO.contacts.is_empty();
+
     pub(super) const fn new() -> Self {
         Self(PhantomData)
     }
@@ -93,12 +97,14 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
             (None, None) => {}
         }
         let mut seeds = match case.dynamics {
-            Dynamics::Exact => on_the_belt(&Self::model(case), start),
-            Dynamics::Smoothed(_) => Self::exact_orbit(case).map_or_else(Vec::new, |seed| {
-                // A copy may be out of reach of Newton and yet settle from there.
-                vec![seed, Seed::at(seed.start)]
-            }),
-            Dynamics::Smooth => Vec::new(),
+            Dynamics::Exact if const { Self::RUBS } => on_the_belt(&Self::model(case), start),
+            Dynamics::Smoothed(_) if const { Self::RUBS } => {
+                Self::exact_orbit(case).map_or_else(Vec::new, |seed| {
+                    // A copy may be out of reach of Newton and yet settle from there.
+                    vec![seed, Seed::at(seed.start)]
+                })
+            }
+            _ => Vec::new(),
         };
         seeds.push(declared);
         seeds
@@ -138,12 +144,12 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         let near: [f64; N] = std::array::from_fn(|j| state.get(j).copied().unwrap_or(0.0));
         let r = Self::beginning(case);
         let places: Vec<[f64; N]> = match case.dynamics {
-            Dynamics::Exact => {
+            Dynamics::Exact if const { Self::RUBS } => {
                 let model = Self::model(case);
                 let found = find(&Self::exact(case), r, &[near], |y| sliding_modes(&model, y));
                 found.iter().map(|one| one.place.state).collect()
             }
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+            _ => {
                 let found = find(&Self::smooth(case), r, &[near], |_| vec![()]);
                 found.iter().map(|one| one.place.state).collect()
             }
@@ -246,8 +252,8 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
             return Err(StudyError::NothingToSmooth);
         }
         match case.dynamics {
-            Dynamics::Exact => both_ends(&Self::exact(case), case)?,
-            Dynamics::Smooth | Dynamics::Smoothed(_) => both_ends(&Self::smooth(case), case)?,
+            Dynamics::Exact if const { Self::RUBS } => both_ends(&Self::exact(case), case)?,
+            _ => both_ends(&Self::smooth(case), case)?,
         }
         Ok(())
     }
@@ -255,11 +261,11 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn motion(&self, case: &Case, time: f64) -> Result<Trajectory, StudyError> {
         let (start, r) = (Self::start(case), Self::beginning(case));
         Ok(match case.dynamics {
-            Dynamics::Exact => {
+            Dynamics::Exact if const { Self::RUBS } => {
                 let readout = ExactReadout::new(Self::model(case));
                 trajectory(&Self::exact(case).at(r)?, &readout, start, time)?
             }
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+            _ => {
                 let flow = Self::smooth(case).at(r)?;
                 trajectory(&flow, flow.field(), start, time)?
             }
@@ -274,20 +280,20 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     ) -> Result<Vec<CrossingRecord>, StudyError> {
         let (start, r) = (Self::start(case), Self::beginning(case));
         Ok(match case.dynamics {
-            Dynamics::Exact => span.crossings(&Self::exact(case).at(r)?, start, section)?,
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                span.crossings(&Self::smooth(case).at(r)?, start, section)?
+            Dynamics::Exact if const { Self::RUBS } => {
+                span.crossings(&Self::exact(case).at(r)?, start, section)?
             }
+            _ => span.crossings(&Self::smooth(case).at(r)?, start, section)?,
         })
     }
 
     fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
         let r = Self::beginning(case);
         let found = match case.dynamics {
-            Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).found(r),
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                Self::sought_smoothly(case, &Self::smooth(case)).found(r)
+            Dynamics::Exact if const { Self::RUBS } => {
+                Self::sought_exactly(case, &Self::exact(case)).found(r)
             }
+            _ => Self::sought_smoothly(case, &Self::smooth(case)).found(r),
         };
         Ok(found.map_err(|error| Self::sharpened(case, error))?)
     }
@@ -318,12 +324,10 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let hopf = Self::hopf(case, along)?;
         match case.dynamics {
-            Dynamics::Exact => {
+            Dynamics::Exact if const { Self::RUBS } => {
                 Self::sought_exactly(case, &Self::exact(case)).branch(along, hopf, watch)
             }
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                Self::sought_smoothly(case, &Self::smooth(case)).branch(along, hopf, watch)
-            }
+            _ => Self::sought_smoothly(case, &Self::smooth(case)).branch(along, hopf, watch),
         }
     }
 
@@ -343,12 +347,10 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
             self.check(&other.at(value))?;
         }
         match case.dynamics {
-            Dynamics::Exact => {
+            Dynamics::Exact if const { Self::RUBS } => {
                 Self::sought_exactly(case, &Self::exact(case)).curve(along, scope, watch)
             }
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                Self::sought_smoothly(case, &Self::smooth(case)).curve(along, scope, watch)
-            }
+            _ => Self::sought_smoothly(case, &Self::smooth(case)).curve(along, scope, watch),
         }
     }
 
@@ -362,23 +364,27 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let start = Self::start(case);
         Ok(match case.dynamics {
-            Dynamics::Exact => diagram.draw(&Self::exact(case), along, start, watch),
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                diagram.draw(&Self::smooth(case), along, start, watch)
+            Dynamics::Exact if const { Self::RUBS } => {
+                diagram.draw(&Self::exact(case), along, start, watch)
             }
+            _ => diagram.draw(&Self::smooth(case), along, start, watch),
         })
     }
 
     fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
-        let at = |case: Case| {
-            let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
-            let trade = trade(&Self::model(&case), &exact, scope)?;
-            Ok(End {
-                parameters: case.parameters.clone(),
-                trade,
-            })
-        };
         tradable(M::INFO)?;
-        TradeRecord::gather(case, at)
+        if const { Self::RUBS } {
+            TradeRecord::gather(case, |case: Case| {
+                let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
+                let trade = trade(&Self::model(&case), &exact, scope)?;
+                Ok(End {
+                    parameters: case.parameters.clone(),
+                    trade,
+                })
+            })
+        } else {
+            let model = M::INFO.command;
+            Err(TradeError::NoFriction { model }.into())
+        }
     }
 }

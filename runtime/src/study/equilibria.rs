@@ -23,7 +23,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         let places = starts(Self::start(case));
         let r = Self::beginning(case);
         let found = match case.dynamics {
-            Dynamics::Exact => {
+            Dynamics::Exact if const { Self::RUBS } => {
                 let model = Self::model(case);
                 let sliding = find(&Self::exact(case), r, &places, |y| sliding_modes(&model, y));
                 let sets = sticking_sets(&model, &places, &sticking_modes())?;
@@ -33,7 +33,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
                 let sets = sets.iter().map(|set| set_record(case, set));
                 sliding.chain(sets).collect()
             }
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+            _ => {
                 let found = find(&Self::smooth(case), r, &places, |_| vec![()]);
                 let records = found.iter().map(|one| record(case, one, None));
                 records
@@ -56,7 +56,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         watch: Watch<'_>,
     ) -> Result<EquilibriaRecord, StudyError> {
         match case.dynamics {
-            Dynamics::Exact => {
+            Dynamics::Exact if const { Self::RUBS } => {
                 let model = Self::model(case);
                 let modes = |y: &[f64; N]| sliding_modes(&model, y);
                 let spelt = |mode| spelt::<M, N>(mode);
@@ -64,13 +64,15 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
                 let first = Self::first(case, &family, modes)?;
                 Self::followed(case, along, &family, (&first, spelt(first.mode)), watch)
             }
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+            _ => {
                 let family = Self::smooth(case);
                 let first = Self::first(case, &family, |_| vec![()])?;
                 let mut branch = Self::followed(case, along, &family, (&first, None), watch)?;
-                let exact = Counterpart::<M, N>::new(case);
-                for point in &mut branch.special {
-                    point.artefact = exact.lacks(along, point);
+                if const { Self::RUBS } {
+                    let exact = Counterpart::<M, N>::new(case);
+                    for point in &mut branch.special {
+                        point.artefact = exact.lacks(along, point);
+                    }
                 }
                 Ok(branch)
             }
@@ -130,7 +132,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
 
     /// The record of an equilibrium of a copy, compared with the exact system.
     fn compared(case: &Case, mut record: EquilibriumRecord) -> EquilibriumRecord {
-        if case.smoothing().is_some() {
+        if const { Self::RUBS } && case.smoothing().is_some() {
             record.artefact = Counterpart::<M, N>::new(case).differs(&record);
         }
         record
