@@ -8,10 +8,10 @@ use stickslip::study::{Along, Case, Dynamics, Entry, entry};
 use stickslip_models::friction::{CoulombStatic, Stribeck};
 use stickslip_tests::random::Random;
 
-/// How long random questions are asked.
-const TIME: Duration = Duration::from_secs(10);
-/// How long one of them may take on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(120);
+/// How many random questions are asked: the same ones on every machine.
+const QUESTIONS: usize = 50;
+/// How long one of them may take, without optimisation and on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 stickslip::model! {
     /// Two bodies of which anything may act on anything: every coefficient is a parameter.
@@ -169,14 +169,13 @@ fn ask(dice: &mut Random, entry: &dyn Entry) -> bool {
 fn anything_may_be_asked_of_anything() {
     let entries: [Box<dyn Entry>; 2] = [entry::<Web, _>(), entry::<Slab, _>()];
     let mut dice = Random::new(11);
-    let clock = Instant::now();
     let mut answers = 0;
-    // A slow machine has not answered anything when the time is up.
-    while clock.elapsed() < TIME || (answers == 0 && clock.elapsed() < 10 * TIME) {
+    for _ in 0..QUESTIONS {
         let which = usize::from(dice.unit() < 0.2);
-        let one = Instant::now();
+        let clock = Instant::now();
         answers += u32::from(ask(&mut dice, entries[which].as_ref()));
-        assert!(one.elapsed() < PATIENCE, "{:?}", one.elapsed());
+        let time = clock.elapsed();
+        assert!(time < PATIENCE, "{time:?}");
     }
     assert!(answers > 0, "no answer at all");
 }
