@@ -12,7 +12,7 @@ use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::modes::sliding_modes;
-use super::orbit::{OrbitRecord, Sought};
+use super::orbit::{CertifiedOrbit, OrbitRecord, Sought};
 use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
 use super::trade::{Scope, tradable, trade};
@@ -287,6 +287,17 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
             Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).found(r),
             Dynamics::Smooth | Dynamics::Smoothed(_) => {
                 Self::sought_smoothly(case, &Self::smooth(case)).found(r)
+            }
+        };
+        Ok(found.map_err(|error| Self::sharpened(case, error))?)
+    }
+
+    fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
+        let r = Self::beginning(case);
+        let found = match case.dynamics {
+            Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).certified(r),
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                Self::sought_smoothly(case, &Self::smooth(case)).certified(r)
             }
         };
         Ok(found.map_err(|error| Self::sharpened(case, error))?)

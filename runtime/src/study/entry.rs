@@ -8,7 +8,7 @@ use super::declared::Declared;
 use super::diagram::{Diagram, DiagramRecord};
 use super::ends::TradeRecord;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
-use super::orbit::OrbitRecord;
+use super::orbit::{CertifiedOrbit, OrbitRecord};
 use super::section::{CrossingRecord, Span};
 use super::trade::{Scope, TradeError};
 use super::trajectory::Trajectory;
@@ -54,6 +54,12 @@ pub trait Entry: Send + Sync {
     /// # Errors
     /// None was found.
     fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError>;
+
+    /// The same orbit with its certificate: how near to it a true orbit is, and only one.
+    ///
+    /// # Errors
+    /// None was found. An orbit that cannot be certified is no error: it comes with the reason.
+    fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError>;
 
     /// The equilibria that are found, and for exact dynamics the sets of sticking ones.
     ///
