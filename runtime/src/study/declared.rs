@@ -17,7 +17,7 @@ use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
 use super::trade::{Scope, tradable, trade};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
-use crate::equilibrium::find;
+use crate::equilibrium::{Proof, Unproven, find};
 use crate::field::Design;
 use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, word};
 use crate::integrate::Tolerance;
@@ -307,6 +307,10 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         self.check(case)?;
         Self::may_rest()?;
         Self::all_equilibria(case)
+    }
+
+    fn proofs(&self, case: &Case, found: &[EquilibriumRecord]) -> Vec<Result<Proof, Unproven>> {
+        found.iter().map(|one| Self::proof(case, one)).collect()
     }
 
     fn equilibria_along(

@@ -13,6 +13,7 @@ use super::section::{CrossingRecord, Span};
 use super::trade::{Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::continuation::Failure;
+use crate::equilibrium::{Proof, Unproven};
 use crate::flow::FlowError;
 use crate::model::{Model, ModelInfo};
 use crate::poincare::Section;
@@ -66,6 +67,10 @@ pub trait Entry: Send + Sync {
     /// # Errors
     /// None was found.
     fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError>;
+
+    /// For each equilibrium that was found at the case a proof that it exists and is the only one in a box, or why there is
+    /// none.
+    fn proofs(&self, case: &Case, found: &[EquilibriumRecord]) -> Vec<Result<Proof, Unproven>>;
 
     /// The branch of equilibria along the design variable of the case; `watch` sees each point as it is found.
     ///

@@ -140,8 +140,15 @@ fn branch() -> Command {
 fn equilibria() -> Command {
     Command::new("equilibria")
         .about("List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds")
+        .after_help(
+            "With --certify, those that cannot be proven are listed with the reason, and the exit code is 1 then",
+        )
         .args(shared())
         .arg(along())
+        .arg(flag(
+            "certify",
+            "Prove each with interval arithmetic: a box that holds one equilibrium, and only one",
+        ))
 }
 
 fn diagram() -> Command {

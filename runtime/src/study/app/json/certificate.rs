@@ -1,6 +1,7 @@
 //! Certificates as JSON.
 
 use super::{Named, states};
+use crate::equilibrium::{Proof, Unproven};
 use crate::model::ModelInfo;
 use crate::shooting::{Certificate, Constants, Uncertified};
 
@@ -34,6 +35,38 @@ struct Numbers {
     newton_step: f64,
     lipschitz: f64,
     h: f64,
+}
+
+/// A box that holds exactly one equilibrium, or why none is proven.
+#[derive(serde::Serialize)]
+pub(super) struct EquilibriumCertificate<'a> {
+    /// What it is worth.
+    kind: &'static str,
+    certified: bool,
+    #[serde(rename = "box", skip_serializing_if = "Option::is_none")]
+    holds: Option<Holds<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+}
+
+#[derive(serde::Serialize)]
+struct Holds<'a> {
+    min: Named<'a, f64>,
+    max: Named<'a, f64>,
+}
+
+impl<'a> EquilibriumCertificate<'a> {
+    pub(super) fn new(info: &'a ModelInfo, proof: &'a Result<Proof, Unproven>) -> Self {
+        Self {
+            kind: "rigorous",
+            certified: proof.is_ok(),
+            holds: proof.as_ref().ok().map(|proof| Holds {
+                min: states(info, proof.low.iter().copied()),
+                max: states(info, proof.high.iter().copied()),
+            }),
+            reason: proof.as_ref().err().map(ToString::to_string),
+        }
+    }
 }
 
 impl<'a> OrbitCertificate<'a> {
