@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use super::newton::near;
 use crate::field::{Enclosed, EnclosedField, Unenclosed};
 use crate::math::interval::Interval;
 use crate::model::Model;
@@ -31,6 +32,12 @@ pub enum Unproven {
     /// The Jacobian has no inverse: equilibria may form a set, or two of them meet.
     #[error("the Jacobian there is singular as far as numbers can tell")]
     Singular,
+    /// There is one, but not where it was said to be.
+    #[error("there is none: the nearest that is proven lies at {state:?}")]
+    Elsewhere {
+        /// A state in the proven box.
+        state: Vec<f64>,
+    },
     /// No box is mapped into itself.
     #[error(
         "no box around it is mapped into itself: its image reaches {reach:.1} times as far, with C an inverse of the \
@@ -48,7 +55,7 @@ pub enum Unproven {
     },
 }
 
-/// Proves that an equilibrium of `field` lies near `state`, and only one.
+/// Proves that `state` is an equilibrium of `field`, but for rounding errors, and that no other is next to it.
 ///
 /// With C near J(y)⁻¹, K(Y) = y − C f(y) + (1 − C J(Y)) (Y − y): where K(Y) lies inside the box Y, f has exactly one
 /// zero in Y, and it lies in K(Y) (Krawczyk 1969). J may hold the slopes of both sides of a kink.
@@ -109,10 +116,7 @@ impl<const N: usize> Operator<'_, N> {
             if (0..N).all(|i| image[i].is_inside(ball[i])) {
                 let image: [Interval; N] =
                     std::array::from_fn(|i| Interval::from(self.state[i]) + image[i]);
-                return Ok(Proof {
-                    low: image.map(Interval::low).to_vec(),
-                    high: image.map(Interval::high).to_vec(),
-                });
+                return self.verdict(image);
             }
             last = Some(self.failed(&reach, &image, &rest));
             for (reach, image) in reach.iter_mut().zip(&image) {
@@ -120,6 +124,19 @@ impl<const N: usize> Operator<'_, N> {
             }
         }
         Err(last.unwrap_or(Unproven::Singular))
+    }
+
+    /// The proven box, if it is one of the equilibrium that was meant.
+    fn verdict(&self, image: [Interval; N]) -> Result<Proof, Unproven> {
+        let proven = image.map(Interval::middle);
+        if !near(&proven, self.state) {
+            let state = proven.to_vec();
+            return Err(Unproven::Elsewhere { state });
+        }
+        Ok(Proof {
+            low: image.map(Interval::low).to_vec(),
+            high: image.map(Interval::high).to_vec(),
+        })
     }
 
     /// 1 − C J(Y).

@@ -1,10 +1,13 @@
 //! The field over a box: all its values there, and all values of its Jacobian.
 
+use num_traits::Signed;
+
 use super::exact::{Mode, Modes};
 use super::smoothing::{Kernel, Smoothing, bump_of};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::math::enclosure::Enclosure;
 use crate::math::interval::Interval;
+use crate::memory::{Answer, MemoryLaw};
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -28,9 +31,9 @@ pub enum Unenclosed {
         /// Name of the contact's force.
         name: &'static str,
     },
-    /// A law with internal state.
-    #[error("the law of `{name}` has internal state, and is not smooth where its speed turns")]
-    Remembers {
+    /// A law with internal state that may be on one of its kinks.
+    #[error("the law of `{name}` may be at one of its kinks there, where it has no derivative")]
+    MayTurn {
         /// Name of the force.
         name: &'static str,
     },
@@ -74,18 +77,20 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
     /// # Errors
     /// A contact may stick there, or a law has internal state.
     pub fn over(&self, states: &[Interval; N]) -> Result<Enclosed<N>, Unenclosed> {
-        if let Some(memory) = M::INFO.memories.first() {
-            return Err(Unenclosed::Remembers { name: memory.name });
-        }
         let mut rule = Rule {
             friction: &self.friction,
             at_rest: None,
+            at_kink: None,
         };
         let coordinates = std::array::from_fn(|j| Enclosure::coordinate(states[j], j));
         let field = M::rhs(&self.params, coordinates, &mut rule);
         if let Some(contact) = rule.at_rest {
             let name = M::INFO.contacts.get(contact).map_or("?", |c| c.name);
             return Err(Unenclosed::MayStick { name });
+        }
+        if let Some(element) = rule.at_kink {
+            let name = M::INFO.memories.get(element).map_or("?", |m| m.name);
+            return Err(Unenclosed::MayTurn { name });
         }
         Ok(Enclosed {
             f: field.map(|row| row.value),
@@ -94,10 +99,12 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
     }
 }
 
-/// Answers for forces over a box, and notes the contact whose speed does not keep its sign there.
+/// Answers for forces over a box, and notes the first contact whose speed does not keep its sign there, and the first
+/// law with internal state that does not keep to one side of each of its kinks.
 struct Rule<'a, M: Model<N>, const N: usize> {
     friction: &'a Friction<M, N>,
     at_rest: Option<usize>,
+    at_kink: Option<usize>,
 }
 
 impl<M: Model<N>, const N: usize> ContactRule<Enclosure<N>> for Rule<'_, M, N> {
@@ -119,6 +126,22 @@ impl<M: Model<N>, const N: usize> ContactRule<Enclosure<N>> for Rule<'_, M, N> {
             Friction::Smoothed(smoothing) => smoothed(law, smoothing, speed),
             Friction::Absent => Enclosure::from(0.0),
         }
+    }
+
+    fn recall<L: MemoryLaw<Enclosure<N>, S>, const S: usize>(
+        &mut self,
+        element: usize,
+        law: &L,
+        memory: [Enclosure<N>; S],
+        speed: Enclosure<N>,
+    ) -> Answer<Enclosure<N>, S> {
+        let at_kink = &mut self.at_kink;
+        law.kinks(memory, speed, |side| {
+            if !side.is_positive() && !side.is_negative() {
+                at_kink.get_or_insert(element);
+            }
+        });
+        law.answer(memory, speed)
     }
 }
 

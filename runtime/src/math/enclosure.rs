@@ -8,7 +8,9 @@ use super::interval::Interval;
 ///
 /// It is a [`Scalar`](crate::scalar::Scalar), so that formulas written for numbers can be evaluated over boxes. Its real
 /// part is NaN, because a box has no single value: no comparison with it holds, and a formula that branches on it takes
-/// the branch that holds in general. Who decides between branches must compare the enclosures themselves.
+/// the branch that holds in general. Who decides between branches must compare the enclosures themselves. The NaN has
+/// the sign of the values, for `math::abs` and `math::sign`: both are right where that sign is strict, and the kinks of a
+/// law tell where it is not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Enclosure<const N: usize> {
     /// The values.

@@ -60,13 +60,13 @@ pub struct Constants {
 pub enum Uncertified {
     /// The shooting equations have no isolated zero, as far as numbers can tell.
     #[error(
-        "the derivative of the shooting equations is singular as far as numbers can tell: |DF⁻¹| is {inverse:.1e}, and DF \
-         is known to {doubt:.1e}"
+        "DF, the derivative of the shooting equations, cannot be inverted as far as numbers can tell: |DF⁻¹| is \
+         {inverse:.1e}, and times the error of DF it is {doubt:.1e}, where less than 1 is needed"
     )]
     Singular {
         /// |DF⁻¹|; infinite if there is none.
         inverse: f64,
-        /// How well DF is known.
+        /// The same times how well DF is known.
         doubt: f64,
     },
     /// Newton and Kantorovich's condition does not hold.
@@ -118,18 +118,25 @@ pub fn certify<F: Family<N> + Clone, const N: usize>(
     // Two runs may agree by chance: no error is below what a tolerance lets through.
     let least = CHANCE * tolerance.explicit().relative;
     let error = (&before.f - &here.f).map(|gap| (DOUBT * gap.abs()).max(least));
-    let doubt = DOUBT * norm(&(&before.df - &here.df)) + least * norm(&here.df);
+    let gap = (&before.df - &here.df).abs() * DOUBT + here.df.abs() * least;
     let inverse = here.df.clone().try_inverse();
     let inverse = inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite()));
-    let size = inverse.as_ref().map_or(f64::INFINITY, norm);
-    let known = 1.0 - size * doubt;
-    let (Some(inverse), true) = (inverse, known > 0.0) else {
-        let inverse = size;
-        return Err(Uncertified::Singular { inverse, doubt });
-    };
+    let inverse = inverse.ok_or(Uncertified::Singular {
+        inverse: f64::INFINITY,
+        doubt: f64::INFINITY,
+    })?;
+    let size = norm(&inverse);
+    let doubt = norm(&(inverse.abs() * &gap));
+    if doubt.is_nan() || doubt >= 1.0 {
+        return Err(Uncertified::Singular {
+            inverse: size,
+            doubt,
+        });
+    }
+    let known = 1.0 - doubt;
     let newton = (&inverse * &here.f).abs() + inverse.abs() * &error;
     let (beta, step) = (size / known, newton.amax() / known);
-    let lipschitz = tight.lipschitz(&here, BALL * step, doubt.max(least).sqrt())?;
+    let lipschitz = tight.lipschitz(&here, BALL * step, norm(&gap).sqrt())?;
     let constants = Constants {
         residual: (here.f.abs() + &error).amax(),
         integration: error.amax(),

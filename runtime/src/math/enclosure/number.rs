@@ -235,8 +235,9 @@ impl<const N: usize> DualStruct for Enclosure<N> {
     type Real = f64;
     type Inner = Self;
 
+    /// NaN, with the sign of the values where they have one.
     fn re(&self) -> f64 {
-        f64::NAN
+        f64::NAN.copysign(if self.is_negative() { -1.0 } else { 1.0 })
     }
 
     fn from_inner(inner: &Self) -> Self {
