@@ -59,10 +59,12 @@ fn enclose(slip: &Ringdown<E>, centre: E, frequency: E, near: &Cycle) -> Enclose
     let unit = frequency.value.middle();
     let short = |time: E| slip.rate(time) - slip.rate;
     let end = root(short, |time| slip.acceleration(time), near.slip * unit);
-    // At first the mass becomes slower than the belt, and it stays so until then.
+    // At first the mass becomes slower than the belt, stays so, and just before the end becomes faster all the time.
     let first = 1e-3 * near.slip * unit;
+    let last = (1.0 - 1e-6) * near.slip * unit;
     assert!(slip.acceleration(between(0.0, first)) < 0.0);
-    assert!(is_negative(&short, first, end.value.low(), 40));
+    assert!(is_negative(&short, first, last, 40));
+    assert!(slip.acceleration(between(last, end.value.high())) > 0.0);
     let landing = slip.position(end);
     let stick = (slip.position - landing) / (slip.rate * frequency);
     // The rate falls through zero at the maximum, and rises through it at the minimum.

@@ -2,9 +2,11 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use stickslip::equilibrium::{Proof, Unproven, prove};
+use stickslip::equilibrium::{Proof, Unproven, find, prove};
 use stickslip::field::exact::{Mode, Modes};
 use stickslip::field::{EnclosedField, Unenclosed};
+use stickslip::flow::ExactFamily;
+use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip_models::{BeltOscillator, BeltPair, BristleOscillator, DrillString, VanDerPol};
 use stickslip_tests::chain::Chain10;
@@ -141,14 +143,14 @@ fn other_models_are_proven_too() {
     holds(&prove(&field, &[all]).unwrap(), &[all], 1e-12);
 
     let chain = Chain10::default();
-    let found = stickslip::study::entry::<Chain10, _>();
-    let case = stickslip::study::Case::declared(found.info(), stickslip::study::Dynamics::Exact);
-    let all = found.equilibria(&case).unwrap();
-    let slides = all
-        .iter()
-        .find(|one| !one.mode.as_ref().unwrap().contains("stick"))
-        .unwrap();
-    let state: [f64; 20] = slides.state.clone().try_into().unwrap();
+    let family = ExactFamily {
+        model: chain,
+        design: None,
+        tolerance: Tolerance::for_accuracy(1e-9),
+        magnitude: [1.0; 20],
+    };
+    let slides = |_: &[f64; 20]| vec![Modes::from_fn(|_| Mode::SlideBackward)];
+    let state = find(&family, 0.0, &[[0.0; 20]], slides)[0].place.state;
     let proof = prove(&sliding(&chain, Mode::SlideBackward), &state).unwrap();
     holds(&proof, &state, 1e-11);
 }

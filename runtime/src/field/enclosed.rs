@@ -39,7 +39,8 @@ pub enum Unenclosed {
     },
 }
 
-/// The field of a model at parameters that are exactly their numbers, for boxes.
+/// The field of a model for boxes; its parameters are exactly their doubles, and so are the constants of its formulas, as
+/// a compiler folds them.
 pub struct EnclosedField<M: Model<N>, const N: usize> {
     params: M::Params<Enclosure<N>>,
     friction: Friction<M, N>,

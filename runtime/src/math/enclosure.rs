@@ -1,5 +1,6 @@
 //! Numbers that enclose: a formula evaluated over a box, with its derivatives there.
 
+mod functions;
 mod number;
 
 use super::interval::Interval;

@@ -1,23 +1,20 @@
 //! How near a true orbit is to a computed one: Newton and Kantorovich's theorem, its constants taken from numbers.
 
-use nalgebra::{DMatrix, DVector};
+mod equations;
 
-use super::anchor::problem;
+use nalgebra::DMatrix;
+
 use super::converge::{CHANCE, DOUBT, TIGHTER};
 use super::guess::Guess;
-use super::problem::OrbitProblem;
 use crate::continuation::ZeroProblem;
 use crate::flow::{Family, Flow, FlowError};
 use crate::integrate::Tolerance;
+use equations::{Equations, norm};
 
 type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// The ball in which derivatives are compared, over the length of Newton's step; the radius is at most 2 of them.
 const BALL: f64 = 4.0;
-/// By how much a ball that is too large shrinks.
-const SHRINK: f64 = 0.125;
-/// What is reported of a Lipschitz constant over what samples show of it.
-const SAMPLED: f64 = 2.0;
 
 /// A true orbit lies within these radii of a computed one, and no other: a posteriori, not rigorous.
 ///
@@ -119,22 +116,12 @@ pub fn certify<F: Family<N> + Clone, const N: usize>(
     let least = CHANCE * tolerance.explicit().relative;
     let error = (&before.f - &here.f).map(|gap| (DOUBT * gap.abs()).max(least));
     let gap = (&before.df - &here.df).abs() * DOUBT + here.df.abs() * least;
-    let inverse = here.df.clone().try_inverse();
-    let inverse = inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite()));
-    let inverse = inverse.ok_or(Uncertified::Singular {
-        inverse: f64::INFINITY,
-        doubt: f64::INFINITY,
-    })?;
-    let size = norm(&inverse);
-    let doubt = norm(&(inverse.abs() * &gap));
-    if doubt.is_nan() || doubt >= 1.0 {
-        return Err(Uncertified::Singular {
-            inverse: size,
-            doubt,
-        });
-    }
-    let known = 1.0 - doubt;
-    let newton = (&inverse * &here.f).abs() + inverse.abs() * &error;
+    let Inverse {
+        matrix,
+        size,
+        known,
+    } = Inverse::new(&here.df, &gap)?;
+    let newton = (&matrix * &here.f).abs() + matrix.abs() * &error;
     let (beta, step) = (size / known, newton.amax() / known);
     let lipschitz = tight.lipschitz(&here, BALL * step, norm(&gap).sqrt())?;
     let constants = Constants {
@@ -162,101 +149,31 @@ fn radius(constants: &Constants) -> Option<f64> {
     (h <= 0.5).then(|| 2.0 * step / (1.0 + (1.0 - 2.0 * h).sqrt()))
 }
 
-/// The largest sum of magnitudes in a row.
-fn norm(matrix: &DMatrix<f64>) -> f64 {
-    let rows = matrix.row_iter().map(|row| row.abs().sum());
-    rows.fold(0.0, f64::max)
+/// The inverse of a derivative that is known to some error.
+struct Inverse {
+    matrix: DMatrix<f64>,
+    size: f64,
+    /// 1 − |DF⁻¹ · error|: the norm of the true inverse is at most `size` over it.
+    known: f64,
 }
 
-/// The shooting equations of one orbit with a flow at one tolerance.
-struct Equations<F: Family<N>, const N: usize> {
-    problem: OrbitProblem<F, N>,
-    start: DVector<f64>,
-    r: f64,
-}
-
-/// The equations at one point, in scaled units, and the modes that the motion runs through.
-struct Values<Mode> {
-    f: DVector<f64>,
-    df: DMatrix<f64>,
-    word: Vec<Mode>,
-}
-
-impl<F: Family<N> + Clone, const N: usize> Equations<F, N> {
-    fn new(
-        family: &F,
-        r: f64,
-        orbit: &Guess<N, Mode<F, N>>,
-        tolerance: Tolerance,
-    ) -> Result<Self, FlowError> {
-        let family = family.with_tolerance(tolerance);
-        let family = family.with_magnitude(orbit.magnitude);
-        let (mut problem, start) = problem(family, r, orbit, 1)?;
-        problem.want.extrema = false;
-        Ok(Self { problem, start, r })
-    }
-
-    fn at(&mut self, z: &DVector<f64>) -> Result<Values<Mode<F, N>>, FlowError> {
-        let there = self.problem.evaluate(z, self.r)?;
-        let mut df = there.jacobian;
-        for (mut column, unit) in df.column_iter_mut().zip(&self.problem.scale()) {
-            column *= *unit;
+impl Inverse {
+    fn new(df: &DMatrix<f64>, error: &DMatrix<f64>) -> Result<Self, Uncertified> {
+        let inverse = df.clone().try_inverse();
+        let finite = inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite()));
+        let matrix = finite.ok_or(Uncertified::Singular {
+            inverse: f64::INFINITY,
+            doubt: f64::INFINITY,
+        })?;
+        let (size, doubt) = (norm(&matrix), norm(&(matrix.abs() * error)));
+        if doubt.is_nan() || doubt >= 1.0 {
+            let inverse = size;
+            return Err(Uncertified::Singular { inverse, doubt });
         }
-        let passages = there.extra.passages.iter();
-        let segments = passages.flat_map(|passage| &passage.segments);
-        Ok(Values {
-            f: there.residual,
-            df,
-            word: segments.map(|segment| segment.mode).collect(),
-        })
-    }
-
-    /// Lip(DF) in a ball of at least this radius around `here`; larger, up to `wide`, where rounding would hide it.
-    fn lipschitz(
-        &mut self,
-        here: &Values<Mode<F, N>>,
-        least: f64,
-        wide: f64,
-    ) -> Result<f64, Uncertified> {
-        let mut ball = least.max(wide);
-        loop {
-            match self.bend(here, ball) {
-                Ok(bend) => return Ok(SAMPLED * bend),
-                Err(_) if ball > least => ball = (SHRINK * ball).max(least),
-                Err(error) => return Err(error),
-            }
-        }
-    }
-
-    /// |Σₖ ∂ₖDF| over the axes k of the ball, each taken both ways: to first order, no direction bends DF more.
-    fn bend(&mut self, here: &Values<Mode<F, N>>, ball: f64) -> Result<f64, Uncertified> {
-        let scale = self.problem.scale();
-        let mut total = DMatrix::zeros(scale.len(), scale.len());
-        for axis in 0..scale.len() {
-            let mut most: DMatrix<f64> = DMatrix::zeros(scale.len(), scale.len());
-            for sign in [1.0, -1.0] {
-                let mut z = self.start.clone();
-                z[axis] += sign * ball * scale[axis];
-                let there = self.neighbour(&z, ball)?;
-                if there.word != here.word {
-                    return Err(Uncertified::WordChanges { radius: ball });
-                }
-                let change = (there.df - &here.df).abs() / ball;
-                most.zip_apply(&change, |most, change| *most = most.max(change));
-            }
-            total += most;
-        }
-        Ok(norm(&total))
-    }
-
-    fn neighbour(
-        &mut self,
-        z: &DVector<f64>,
-        radius: f64,
-    ) -> Result<Values<Mode<F, N>>, Uncertified> {
-        self.at(z).map_err(|reason| match reason {
-            FlowError::OtherMode { .. } => Uncertified::WordChanges { radius },
-            reason => Uncertified::Neighbour { radius, reason },
+        Ok(Self {
+            matrix,
+            size,
+            known: 1.0 - doubt,
         })
     }
 }
