@@ -4,10 +4,11 @@ use stickslip::flow::{ExactFamily, Family, Flow, SmoothFamily};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip::shooting::{Certificate, Guess, Orbit, Search, Uncertified, certify, closest};
-use stickslip_models::closed_form::{CoulombBelt, drill_string};
+use stickslip_models::closed_form::{CoulombBelt, Cycle, drill_string};
 use stickslip_models::friction::CoulombStatic;
 use stickslip_models::{DrillString, VanDerPol};
 use stickslip_tests::on_every_reference_system;
+use stickslip_tests::random::Random;
 use stickslip_tests::subject::Subject;
 
 stickslip::model! {
@@ -161,6 +162,65 @@ fn the_closed_form_of_a_mass_on_a_belt_lies_within_the_radii() {
         let certificate = certificate.expect("a certificate");
         holds(&certificate, &[truth.min, 0.0], truth.period(), 1e-6);
     }
+}
+
+/// Over random drill strings and masses on belts, at random accuracies: no certificate lies, and few are refused.
+#[test]
+fn no_certificate_of_a_random_orbit_lies() {
+    let mut dice = Random::new(11);
+    let (mut asked, mut given) = (0, 0);
+    for _ in 0..150 {
+        let accuracy = dice.positive(1e-12, 1e-4);
+        let model = DrillString {
+            eta: dice.positive(0.1, 10.0),
+            theta: dice.positive(0.3, 10.0),
+            zeta: dice.positive(1e-3, 0.5),
+            ..Default::default()
+        };
+        let belt = CoulombBelt {
+            mass: 1.0,
+            stiffness: dice.positive(0.1, 10.0),
+            belt: dice.positive(0.01, 3.0),
+            static_force: 1.0 + dice.positive(0.01, 3.0),
+            kinetic_force: 1.0,
+        };
+        let slider = Slider {
+            k: belt.stiffness,
+            v_dr: belt.belt,
+            F_s: belt.static_force,
+            ..Default::default()
+        };
+        let mut judge = |orbit: Option<Result<Certificate, Uncertified>>, truth: &Cycle| {
+            asked += usize::from(orbit.is_some());
+            if let Some(Ok(certificate)) = orbit {
+                holds(&certificate, &[truth.min, 0.0], truth.period(), 1e-2);
+                given += 1;
+            }
+        };
+        if let Some(truth) = drill_string(&model) {
+            let orbit = sought(&exact(model), [truth.release, model.eta], accuracy);
+            judge(orbit, &truth);
+        }
+        if let Some(truth) = belt.cycle() {
+            let orbit = sought(&exact(slider), [truth.release, belt.belt], accuracy);
+            judge(orbit, &truth);
+        }
+    }
+    println!("{given} of {asked}");
+    assert!(
+        asked > 400 && 100 * given > 95 * asked,
+        "{given} of {asked}"
+    );
+}
+
+/// The certificate of the orbit from `start`, if there is one.
+fn sought<M: Model<N>, const N: usize>(
+    family: &ExactFamily<M, N>,
+    start: [f64; N],
+    accuracy: f64,
+) -> Option<Result<Certificate, Uncertified>> {
+    let orbit = closest(family, 0.0, &search(start, accuracy)).ok()?;
+    Some(certify(family, 0.0, &computed(&orbit), accuracy))
 }
 
 /// The amplitude and period of Van der Pol's oscillator, known to more digits than a double has.

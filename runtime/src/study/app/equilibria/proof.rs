@@ -7,11 +7,12 @@ use crate::study::app::text::{label, table};
 
 /// The box of each equilibrium, in the order of the list, or why it has none.
 pub(super) fn describe(info: &ModelInfo, proofs: &[Result<Proof, Unproven>]) -> String {
-    let mut text = "\n  proofs (interval arithmetic, rounded outwards): one equilibrium, and only one, from min to max\n"
-        .to_owned();
-    let proven = proofs.iter().any(Result::is_ok);
-    if proven {
+    let mut text = "\n  proofs (interval arithmetic, rounded outwards):".to_owned();
+    if proofs.iter().any(Result::is_ok) {
+        text.push_str(" one equilibrium, and only one, from min to max\n");
         text.push_str(&table(&boxes(info, proofs)));
+    } else {
+        text.push_str(" none\n");
     }
     for (i, proof) in proofs.iter().enumerate() {
         if let Err(reason) = proof {
