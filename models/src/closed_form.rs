@@ -1,25 +1,28 @@
 //! Motions in closed form, but for one root: an independent truth for the numerical ones.
 //!
 //! While a mass on a spring slips with constant friction it is a damped oscillator. A cycle sticks until
-//! the spring is as strong as friction at rest, slips until the mass is as fast as the belt again, and sticks.
+//! the spring is as strong as friction at rest, slips until the mass is as fast as the belt again, and sticks. The
+//! formulas are there for enclosures as well.
+
+use stickslip::scalar::Scalar;
 
 use crate::DrillString;
 
 /// z'' + 2ζz' + z = 0 from z(0), z'(0), for 0 ≤ ζ < 1: thesis (4.11) and (4.12).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ringdown {
+pub struct Ringdown<D = f64> {
     /// Damping ratio ζ.
-    pub damping: f64,
+    pub damping: D,
     /// z(0).
-    pub position: f64,
+    pub position: D,
     /// z'(0).
-    pub rate: f64,
+    pub rate: D,
 }
 
-impl Ringdown {
+impl<D: Scalar> Ringdown<D> {
     /// z(τ): thesis (4.11).
     #[must_use]
-    pub fn position(&self, time: f64) -> f64 {
+    pub fn position(&self, time: D) -> D {
         let frequency = self.frequency();
         let (sin, cos) = (frequency * time).sin_cos();
         let sine_part = (self.rate + self.damping * self.position) / frequency;
@@ -28,16 +31,32 @@ impl Ringdown {
 
     /// z'(τ): thesis (4.12).
     #[must_use]
-    pub fn rate(&self, time: f64) -> f64 {
+    pub fn rate(&self, time: D) -> D {
         self.slope().position(time)
     }
 
     /// z''(τ).
     #[must_use]
-    pub fn acceleration(&self, time: f64) -> f64 {
+    pub fn acceleration(&self, time: D) -> D {
         self.slope().rate(time)
     }
 
+    /// The motion of z', which obeys the same equation.
+    #[must_use]
+    pub fn slope(&self) -> Self {
+        Self {
+            damping: self.damping,
+            position: self.rate,
+            rate: -(self.damping * self.rate * 2.0) - self.position,
+        }
+    }
+
+    fn frequency(&self) -> D {
+        (-(self.damping * self.damping) + 1.0).sqrt()
+    }
+}
+
+impl Ringdown {
     /// First τ > 0 with z(τ) = 0; the next follow at distances [`Ringdown::half_period`].
     #[must_use]
     pub fn first_zero(&self) -> f64 {
@@ -51,20 +70,6 @@ impl Ringdown {
     #[must_use]
     pub fn half_period(&self) -> f64 {
         std::f64::consts::PI / self.frequency()
-    }
-
-    /// The motion of z', which obeys the same equation.
-    #[must_use]
-    pub fn slope(&self) -> Self {
-        Self {
-            damping: self.damping,
-            position: self.rate,
-            rate: -2.0 * self.damping * self.rate - self.position,
-        }
-    }
-
-    fn frequency(&self) -> f64 {
-        (1.0 - self.damping * self.damping).sqrt()
     }
 
     /// First τ > 0 at which z' is what it was at τ = 0, after it has been less; `None` if it never is again.

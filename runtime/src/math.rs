@@ -1,5 +1,7 @@
 //! The functions that formulas may use, over any [`Scalar`].
 
+pub mod enclosure;
+pub mod interval;
 #[doc(hidden)]
 pub mod slope;
 

@@ -2,6 +2,7 @@
 
 mod absences;
 mod answers;
+mod certificate;
 mod curve;
 mod diagram;
 mod equilibria;

@@ -5,6 +5,7 @@
 
 mod branch;
 mod confined;
+mod krawczyk;
 mod locate;
 mod newton;
 mod problem;
@@ -15,6 +16,7 @@ mod sticking;
 
 pub use branch::{Branch, End, follow, settings};
 pub use confined::Confined;
+pub use krawczyk::{Proof, Unproven, prove};
 pub use newton::{Equilibrium, find, settle};
 pub use problem::EquilibriumProblem;
 pub use special::{Found, Kind, Spot};

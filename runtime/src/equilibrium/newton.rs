@@ -81,11 +81,15 @@ where
 }
 
 fn same<const N: usize, Mode: PartialEq>(a: &Place<N, Mode>, b: &Place<N, Mode>) -> bool {
-    let near = |j: usize| {
-        let size = a.state[j].abs().max(b.state[j].abs()).max(1.0);
-        (a.state[j] - b.state[j]).abs() <= SAME * size
-    };
-    a.mode == b.mode && (0..N).all(near)
+    a.mode == b.mode && near(&a.state, &b.state)
+}
+
+/// Whether two equilibria of one mode are one, as far as numbers can tell.
+pub(super) fn near<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
+    (0..N).all(|j| {
+        let size = a[j].abs().max(b[j].abs()).max(1.0);
+        (a[j] - b[j]).abs() <= SAME * size
+    })
 }
 
 /// Deuflhard's natural test: a damped step must shrink the correction that the same Jacobian would make next.

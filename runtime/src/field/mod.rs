@@ -1,6 +1,7 @@
 //! Vector fields: all that an integrator sees of a model.
 
 mod count;
+mod enclosed;
 pub mod exact;
 mod memory;
 mod smooth;
@@ -8,6 +9,7 @@ mod smoothing;
 
 pub use crate::linear::Linear;
 pub use count::Work;
+pub use enclosed::{Enclosed, EnclosedField, Unenclosed};
 pub use smooth::{Design, SmoothField};
 pub(crate) use smoothing::Smoothed;
 pub use smoothing::{Kernel, Smoothing, SmoothingError};

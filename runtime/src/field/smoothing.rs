@@ -223,7 +223,7 @@ fn bump<D: Scalar, L: FrictionLaw<D>>(law: &L, u: D, speed: D) -> D {
 
 /// The bump of a static peak: slip + (stick − slip) u (4 − u)³/27, for u ≤ 4; slip beyond.
 #[inline]
-fn bump_of<D: Scalar>(stick: D, slip: D, u: D) -> D {
+pub(super) fn bump_of<D: Scalar>(stick: D, slip: D, u: D) -> D {
     let rest = -u + 4.0;
     slip + (stick - slip) * u * (rest * rest * rest) * (1.0 / 27.0)
 }

@@ -23,11 +23,11 @@ pub(super) const ROUGH: f64 = 1e-7;
 /// Accuracy at which it can still be told how often a motion has gone around.
 const LOOSEST: f64 = 1e-6;
 /// Error of a period over the local tolerance below which an agreement of two runs is one by chance.
-const CHANCE: f64 = 4.0;
+pub(super) const CHANCE: f64 = 4.0;
 /// What is reported over what two runs differ by: they share part of their errors.
-const DOUBT: f64 = 1.5;
+pub(super) const DOUBT: f64 = 1.5;
 /// Tolerance of the orbit that is reported, over that of the one with which it is compared.
-const TIGHTER: f64 = 0.1;
+pub(super) const TIGHTER: f64 = 0.1;
 /// How often the tolerance is tightened beyond that, and how far off the accuracy the estimate is to be for it.
 const TIGHTENINGS: usize = 3;
 const SLACK: f64 = 10.0;

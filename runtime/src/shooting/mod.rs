@@ -2,6 +2,7 @@
 
 mod anchor;
 mod branch;
+mod certificate;
 mod converge;
 mod error;
 mod guess;
@@ -18,6 +19,7 @@ mod watched;
 pub use anchor::anchored;
 pub(crate) use anchor::problem;
 pub use branch::{OrbitBranch, OrbitPath};
+pub use certificate::{Certificate, Constants, Uncertified, certify};
 pub use converge::converge;
 pub use error::OrbitError;
 pub use guess::{Guess, Settled, settle};

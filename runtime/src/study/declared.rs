@@ -12,12 +12,12 @@ use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::modes::sliding_modes;
-use super::orbit::{OrbitRecord, Sought};
+use super::orbit::{CertifiedOrbit, OrbitRecord, Sought};
 use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
 use super::trade::{Scope, TradeError, tradable, trade};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
-use crate::equilibrium::find;
+use crate::equilibrium::{Proof, Unproven, find};
 use crate::field::Design;
 use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, word};
 use crate::integrate::Tolerance;
@@ -298,10 +298,25 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         Ok(found.map_err(|error| Self::sharpened(case, error))?)
     }
 
+    fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
+        let r = Self::beginning(case);
+        let found = match case.dynamics {
+            Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).certified(r),
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                Self::sought_smoothly(case, &Self::smooth(case)).certified(r)
+            }
+        };
+        Ok(found.map_err(|error| Self::sharpened(case, error))?)
+    }
+
     fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
         self.check(case)?;
         Self::may_rest()?;
         Self::all_equilibria(case)
+    }
+
+    fn proofs(&self, case: &Case, found: &[EquilibriumRecord]) -> Vec<Result<Proof, Unproven>> {
+        found.iter().map(|one| Self::proof(case, one)).collect()
     }
 
     fn equilibria_along(

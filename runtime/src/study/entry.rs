@@ -8,11 +8,12 @@ use super::declared::Declared;
 use super::diagram::{Diagram, DiagramRecord};
 use super::ends::TradeRecord;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
-use super::orbit::OrbitRecord;
+use super::orbit::{CertifiedOrbit, OrbitRecord};
 use super::section::{CrossingRecord, Span};
 use super::trade::{Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::continuation::Failure;
+use crate::equilibrium::{Proof, Unproven};
 use crate::flow::FlowError;
 use crate::model::{Model, ModelInfo};
 use crate::poincare::Section;
@@ -55,11 +56,21 @@ pub trait Entry: Send + Sync {
     /// None was found.
     fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError>;
 
+    /// The same orbit with its certificate: how near to it a true orbit is, and only one.
+    ///
+    /// # Errors
+    /// None was found. An orbit that cannot be certified is no error: it comes with the reason.
+    fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError>;
+
     /// The equilibria that are found, and for exact dynamics the sets of sticking ones.
     ///
     /// # Errors
     /// None was found.
     fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError>;
+
+    /// For each equilibrium that was found at the case a proof that it exists and is the only one in a box, or why there is
+    /// none.
+    fn proofs(&self, case: &Case, found: &[EquilibriumRecord]) -> Vec<Result<Proof, Unproven>>;
 
     /// The branch of equilibria along the design variable of the case; `watch` sees each point as it is found.
     ///

@@ -6,11 +6,12 @@ use super::counterpart::Counterpart;
 use super::declared::Declared;
 use super::entry::StudyError;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
-use super::modes::{sliding_modes, spelt, sticking_modes};
+use super::modes::{sliding_mode, sliding_modes, spelt, sticking_modes};
 use crate::equilibrium::{
-    Branch, Confined, End, Equilibrium, Found, Kind, Spectrum, Spot, StickingSet, find, follow,
-    settings, starts, sticking_sets,
+    Branch, Confined, End, Equilibrium, Found, Kind, Proof, Spectrum, Spot, StickingSet, Unproven,
+    find, follow, prove, settings, starts, sticking_sets,
 };
+use crate::field::EnclosedField;
 use crate::flow::{Family, Flow, Place};
 use crate::model::Model;
 
@@ -77,6 +78,20 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
                 Ok(branch)
             }
         }
+    }
+
+    /// A proof that the equilibrium exists, in the mode in which its contacts slide there.
+    pub(super) fn proof(case: &Case, found: &EquilibriumRecord) -> Result<Proof, Unproven> {
+        let model = Self::model(case);
+        let state: [f64; N] =
+            std::array::from_fn(|j| found.state.get(j).copied().unwrap_or(f64::NAN));
+        let field = match case.dynamics {
+            Dynamics::Exact => EnclosedField::sliding(&model, sliding_mode(&model, &state)),
+            Dynamics::Smooth | Dynamics::Smoothed(_) => {
+                EnclosedField::smooth(&model, case.smoothing())
+            }
+        };
+        prove(&field, &state)
     }
 
     fn first<F: Family<N> + Clone>(

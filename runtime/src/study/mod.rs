@@ -43,7 +43,7 @@ pub use ends::{End, TradeRecord};
 pub use entry::{Entry, StudyError, entry};
 pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use hysteresis::Hysteresis;
-pub use orbit::OrbitRecord;
+pub use orbit::{CertifiedOrbit, OrbitRecord};
 pub use parallel::{parallel, parallel_on};
 pub use section::{CrossingRecord, Span};
 pub use special::Special;

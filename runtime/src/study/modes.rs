@@ -16,6 +16,15 @@ pub(super) fn spelt<M: Model<N>, const N: usize>(mode: Modes<M, N>) -> Option<St
     (!M::INFO.contacts.is_empty()).then(|| word::<M, N>(&[segment]))
 }
 
+/// The mode in which every contact slides as it does at `state`.
+pub(super) fn sliding_mode<M: Model<N>, const N: usize>(
+    model: &M,
+    state: &[f64; N],
+) -> Modes<M, N> {
+    let speeds = ExactSystem::new(model, None).speeds(state);
+    Modes::from_fn(|i| Mode::sliding(speeds.as_ref()[i]))
+}
+
 /// The modes in which every contact slides, first the one in which it does at `state`.
 pub(super) fn sliding_modes<M: Model<N>, const N: usize>(
     model: &M,

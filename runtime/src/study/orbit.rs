@@ -5,7 +5,9 @@ use super::seed::Seed;
 use crate::bifurcation::{Floquet, Kind, Located};
 use crate::field::Work;
 use crate::flow::{Family, Flow, Segment};
-use crate::shooting::{Orbit, OrbitError, Search, closest};
+use crate::shooting::{
+    Certificate, Guess, Orbit, OrbitError, Search, Uncertified, certify, closest,
+};
 
 type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
@@ -42,6 +44,15 @@ pub struct OrbitRecord {
     pub error_estimate: f64,
     /// What it cost.
     pub work: Work,
+}
+
+/// An orbit with its certificate, or with the reason for which it has none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CertifiedOrbit {
+    /// The orbit, certified or not.
+    pub orbit: OrbitRecord,
+    /// How near to it a true orbit is.
+    pub certificate: Result<Certificate, Uncertified>,
 }
 
 /// How much a failure tells of the system: that motions settle elsewhere is more than that a search ended.
@@ -102,6 +113,20 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
     /// The orbit at r as it is reported.
     pub(super) fn found(&self, r: f64) -> Result<OrbitRecord, OrbitError> {
         Ok(self.record(&self.orbit(r)?))
+    }
+
+    /// The orbit at r as it is reported, with its certificate.
+    pub(super) fn certified(&self, r: f64) -> Result<CertifiedOrbit, OrbitError> {
+        let orbit = self.orbit(r)?;
+        let found = Guess {
+            place: orbit.heading.start,
+            period: orbit.period,
+            magnitude: orbit.magnitude(),
+        };
+        Ok(CertifiedOrbit {
+            certificate: certify(self.family, r, &found, self.search.accuracy),
+            orbit: self.record(&orbit),
+        })
     }
 
     /// The orbit as it is reported.

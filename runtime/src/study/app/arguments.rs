@@ -91,9 +91,17 @@ fn simulate() -> Command {
 fn orbit() -> Command {
     Command::new("orbit")
         .about("Find a periodic orbit and judge its stability")
+        .after_help(
+            "A certificate says within which radius of the start a true orbit begins; the orbit is printed without one, \
+             too, and the exit code is 1 then",
+        )
         .args(shared())
         .arg(period())
         .arg(section())
+        .arg(flag(
+            "certify",
+            "How near a true orbit is, by Newton and Kantorovich: a posteriori, not rigorous",
+        ))
 }
 
 fn branch() -> Command {
@@ -132,8 +140,15 @@ fn branch() -> Command {
 fn equilibria() -> Command {
     Command::new("equilibria")
         .about("List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds")
+        .after_help(
+            "With --certify, those that cannot be proven are listed with the reason, and the exit code is 1 then",
+        )
         .args(shared())
         .arg(along())
+        .arg(flag(
+            "certify",
+            "Prove each with interval arithmetic: a box that holds one equilibrium, and only one",
+        ))
 }
 
 fn diagram() -> Command {

@@ -1,5 +1,7 @@
 //! `equilibria`: where the system can rest or slide evenly, and how stable that is.
 
+mod proof;
+
 use clap::ArgMatches;
 use nalgebra::Complex;
 
@@ -18,14 +20,16 @@ const DIGITS: usize = 9;
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let request = request(app, options)?;
-    if request.case.along.is_some() {
-        follow(&request)
-    } else {
-        list(&request)
+    match (request.case.along, options.get_flag("certify")) {
+        (None, certify) => list(&request, certify),
+        (Some(_), false) => follow(&request),
+        (Some(_), true) => Err(Failure::usage(
+            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value",
+        )),
     }
 }
 
-fn list(request: &Request<'_>) -> Result<(), Failure> {
+fn list(request: &Request<'_>, certify: bool) -> Result<(), Failure> {
     let Request {
         entry,
         case,
@@ -39,9 +43,14 @@ fn list(request: &Request<'_>) -> Result<(), Failure> {
     let mut text = format!("{title}  {}\n\n", parameters(info, case));
     text.push_str(&table(&rows(info, None, &found)));
     text.push_str(&remarks(case, found.iter().any(|one| one.artefact), false));
+    let proofs = certify.then(|| entry.proofs(case, &found));
+    if let Some(proofs) = &proofs {
+        text.push_str(&proof::describe(info, proofs));
+    }
     let sheet = Spreadsheet::equilibria(info, "", &found);
-    let document = json::Equilibria::new(info, case, &found);
-    output.deliver("equilibria", &text, &document, &[("equilibria", sheet)])
+    let document = json::Equilibria::new(info, case, &found).with_proofs(info, proofs.as_deref());
+    output.deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
+    proof::verdict(proofs.as_deref().unwrap_or_default())
 }
 
 fn follow(request: &Request<'_>) -> Result<(), Failure> {

@@ -1,5 +1,6 @@
 //! Answers as JSON.
 
+mod certificate;
 mod curve;
 mod diagram;
 mod equilibrium;
@@ -11,6 +12,7 @@ mod work;
 use serde::ser::{Serialize, Serializer};
 
 use super::text::time_unit;
+use certificate::OrbitCertificate;
 pub(super) use curve::CurveDocument;
 pub(super) use diagram::DiagramDocument;
 pub(super) use equilibrium::{Equilibria, EquilibriumBranch};
@@ -21,6 +23,7 @@ use work::Counts;
 
 use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
+use crate::shooting::{Certificate, Uncertified};
 use crate::study::{Along, BranchRecord, Case, OrbitRecord, Special};
 
 /// Values by name, in the order of declaration.
@@ -112,6 +115,8 @@ pub(super) struct Orbit<'a> {
     method: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     section: Option<Crossings<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certificate: Option<OrbitCertificate<'a>>,
     work: Counts,
 }
 
@@ -125,6 +130,16 @@ impl<'a> Orbit<'a> {
     /// The same with its points on a section.
     pub(super) fn with_section(mut self, section: Option<Crossings<'a>>) -> Self {
         self.section = section;
+        self
+    }
+
+    /// The same with its certificate, or why it has none, if one was asked for.
+    pub(super) fn with_certificate(
+        mut self,
+        info: &'a ModelInfo,
+        certificate: Option<&'a Result<Certificate, Uncertified>>,
+    ) -> Self {
+        self.certificate = certificate.map(|found| OrbitCertificate::new(info, found));
         self
     }
 
@@ -157,6 +172,7 @@ impl<'a> Orbit<'a> {
             error_estimate: orbit.error_estimate,
             method: None,
             section: None,
+            certificate: None,
             work: Counts::from(&orbit.work),
         }
     }

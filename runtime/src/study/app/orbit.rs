@@ -1,5 +1,7 @@
 //! `orbit`: a periodic orbit and its stability.
 
+mod certificate;
+
 use clap::ArgMatches;
 
 use super::App;
@@ -13,7 +15,7 @@ use super::spreadsheet::Spreadsheet;
 use super::text::{digits, label, number, parameters, table, time_unit};
 use crate::field::Work;
 use crate::model::ModelInfo;
-use crate::study::{Case, OrbitRecord, Span, choose};
+use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, choose};
 
 /// An estimate this many times above the accuracy asked for is worth a word.
 const MISSED: f64 = 10.0;
@@ -28,7 +30,13 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let section = section::section(info, options)?;
     let failed = |error| Failure::of(&error, info);
     let progress = Progress::endless(&output, "looking for a periodic orbit");
-    let orbit = entry.orbit(&case).map_err(failed)?;
+    let (orbit, certificate) = if options.get_flag("certify") {
+        let CertifiedOrbit { orbit, certificate } = entry.certified_orbit(&case).map_err(failed)?;
+        (orbit, Some(certificate))
+    } else {
+        (entry.orbit(&case).map_err(failed)?, None)
+    };
+    let certificate = certificate.as_ref();
     let mut sheets = Vec::new();
     let from = Case {
         start: Some(orbit.state.clone()),
@@ -51,10 +59,17 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     // `--exact` asks for what would be chosen anyway.
     let asked = text(options, "smooth").is_some();
     let choice = choose(info, asked.then_some(case.dynamics), case.accuracy);
-    let text = describe(info, &case, &orbit) + &points_text + &format!("\n  {}\n", choice.reason);
+    let text = [
+        describe(info, &case, &orbit),
+        certificate.map_or_else(String::new, |found| certificate::describe(info, found)),
+        points_text,
+        format!("\n  {}\n", choice.reason),
+    ]
+    .concat();
     let document = json::Orbit::new(info, &orbit)
         .with_method(choice.reason)
-        .with_section(points);
+        .with_section(points)
+        .with_certificate(info, certificate);
     if orbit.error_estimate > MISSED * case.accuracy {
         output.note(format!(
             "note: the estimated error, {}, is larger than the accuracy asked for, {:e}: the orbit hardly attracts, or \
@@ -63,7 +78,13 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
             case.accuracy
         ));
     }
-    output.deliver("orbit", &text, &document, &sheets)
+    output.deliver("orbit", &text, &document, &sheets)?;
+    match certificate {
+        Some(Err(reason)) => Err(Failure::failed(format!(
+            "the orbit is not certified: {reason}"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {

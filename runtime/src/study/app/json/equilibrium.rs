@@ -2,8 +2,10 @@
 
 use nalgebra::Complex;
 
+use super::certificate::EquilibriumCertificate;
 use super::work::Counts;
 use super::{Named, Range, parameters, states, units};
+use crate::equilibrium::{Proof, Unproven};
 use crate::model::ModelInfo;
 use crate::study::{Case, EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 
@@ -45,6 +47,8 @@ struct Equilibrium<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     set: Option<Set<'a>>,
     artefact: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certificate: Option<EquilibriumCertificate<'a>>,
 }
 
 /// How far a set reaches.
@@ -90,6 +94,21 @@ impl<'a> Equilibria<'a> {
     }
 }
 
+impl<'a> Equilibria<'a> {
+    /// The same with a proof for each, or why there is none, if proofs were asked for.
+    pub(in crate::study::app) fn with_proofs(
+        mut self,
+        info: &'a ModelInfo,
+        proofs: Option<&'a [Result<Proof, Unproven>]>,
+    ) -> Self {
+        let proofs = proofs.unwrap_or_default();
+        for (one, proof) in self.equilibria.iter_mut().zip(proofs) {
+            one.certificate = Some(EquilibriumCertificate::new(info, proof));
+        }
+        self
+    }
+}
+
 impl<'a> EquilibriumBranch<'a> {
     pub(in crate::study::app) fn new(
         info: &'a ModelInfo,
@@ -129,6 +148,7 @@ impl<'a> Equilibrium<'a> {
             mode: one.mode.as_deref(),
             set: one.set.as_ref().map(set),
             artefact: one.artefact,
+            certificate: None,
         }
     }
 }
