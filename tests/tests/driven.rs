@@ -1,6 +1,7 @@
 //! Harmonically forced models: closed forms, an independent event-driven integration, and every command.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 
 use stickslip::field::{Design, Kernel, Smoothing};
 use stickslip::model;
@@ -247,7 +248,9 @@ fn trade_measures_the_copies_of_a_forced_orbit() {
         tolerances: Vec::new(),
         ..Scope::default()
     };
-    let trade = model.trade(&case(&*model, Dynamics::Exact, &[]), &scope);
+    let trade = model.trade(&case(&*model, Dynamics::Exact, &[]), &scope, &mut |_, _| {
+        ControlFlow::Continue(())
+    });
     let trade = trade.expect("a trade");
     let curve = &trade.ends[0].trade.curves[0];
     assert_eq!(curve.points.len(), 3, "{:?}", curve.lost);

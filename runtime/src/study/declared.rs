@@ -1,13 +1,14 @@
 //! A declared model as an entry: which family answers, and from where it is asked.
 
 use std::marker::PhantomData;
+use std::ops::ControlFlow;
 
 use super::atlas::Hopf;
 use super::branch::BranchRecord;
 use super::case::{Along, Beginning, Case, Dynamics};
 use super::characteristic::{Characteristic, Laws};
 use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
-use super::diagram::{Diagram, DiagramRecord};
+use super::diagram::{Diagram, DiagramRecord, Known, Watcher};
 use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
@@ -15,7 +16,7 @@ use super::modes::sliding_modes;
 use super::orbit::{OrbitRecord, Sought};
 use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
-use super::trade::{Scope, tradable, trade};
+use super::trade::{Finding, Scope, tradable, watched};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
 use crate::equilibrium::find;
 use crate::field::Design;
@@ -166,7 +167,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         if case.beginning != Beginning::Hopf {
             return Ok(None);
         }
-        let branch = Self::equilibria_along(case, along, &mut |_| ())?;
+        let branch = Self::equilibria_along(case, along, &mut |_| ControlFlow::Continue(()))?;
         let point = branch.special.iter().find_map(|point| {
             let period = point.period?;
             let r = Along {
@@ -301,7 +302,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn equilibria_along(
         &self,
         case: &Case,
-        watch: &mut dyn FnMut(&EquilibriumRecord),
+        watch: &mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>,
     ) -> Result<EquilibriaRecord, StudyError> {
         self.check(case)?;
         Self::may_rest()?;
@@ -312,7 +313,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn branch(
         &self,
         case: &Case,
-        watch: &mut dyn FnMut(&OrbitRecord),
+        watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
@@ -331,7 +332,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         &self,
         case: &Case,
         scope: &CurveScope,
-        watch: &mut dyn FnMut(&CurvePointRecord),
+        watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
@@ -356,23 +357,30 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         &self,
         case: &Case,
         diagram: &Diagram,
-        watch: &(dyn Fn(f64) + Sync),
+        known: &Known,
+        watch: Watcher<'_>,
     ) -> Result<DiagramRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let start = Self::start(case);
         Ok(match case.dynamics {
-            Dynamics::Exact => diagram.draw(&Self::exact(case), along, start, watch),
+            Dynamics::Exact => diagram.draw(&Self::exact(case), along, start, known, watch),
             Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                diagram.draw(&Self::smooth(case), along, start, watch)
+                diagram.draw(&Self::smooth(case), along, start, known, watch)
             }
         })
     }
 
-    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
-        let at = |case: Case| {
+    fn trade(
+        &self,
+        case: &Case,
+        scope: &Scope,
+        watch: &mut dyn FnMut(usize, Finding<'_>) -> ControlFlow<()>,
+    ) -> Result<TradeRecord, StudyError> {
+        let at = |case: Case, end: usize| {
             let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
-            let trade = trade(&Self::model(&case), &exact, scope)?;
+            let mut here = |finding: Finding<'_>| watch(end, finding);
+            let trade = watched(&Self::model(&case), &exact, scope, &mut here)?;
             Ok(End {
                 parameters: case.parameters.clone(),
                 trade,

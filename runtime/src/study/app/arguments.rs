@@ -153,6 +153,14 @@ fn diagram() -> Command {
         .arg(valued("lyapunov", "N", "The largest Lyapunov exponent too, averaged over N laps"))
         .arg(valued("show", "NAME", "The state on the vertical axis of the drawing"))
         .arg(valued("threads", "N", "How many threads; all cores if nothing is said"))
+        .arg(resume())
+}
+
+fn resume() -> Arg {
+    flag(
+        "resume",
+        "Go on from what an interrupted run of the same command has left in --out DIR",
+    )
 }
 
 fn section() -> Arg {
