@@ -32,6 +32,8 @@ mod special;
 mod specimen;
 pub mod trade;
 mod trajectory;
+#[cfg(feature = "app")]
+mod whole;
 
 pub use branch::{BranchRecord, Ended};
 pub use case::{Along, Beginning, Case, Dynamics, Switch};

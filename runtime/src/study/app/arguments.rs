@@ -127,6 +127,7 @@ fn branch() -> Command {
             "LABEL",
             "Which one, for instance PD1; the first without --of",
         ))
+        .arg(resume().hide(true))
 }
 
 fn equilibria() -> Command {
@@ -134,6 +135,7 @@ fn equilibria() -> Command {
         .about("List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds")
         .args(shared())
         .arg(along())
+        .arg(resume().hide(true))
 }
 
 fn diagram() -> Command {
@@ -192,6 +194,7 @@ fn trade() -> Command {
             "NAME=A..B",
             "A parameter, to be judged at both A and B: the worst end counts",
         ))
+        .arg(resume().hide(true))
 }
 
 fn shared() -> [Arg; 9] {
@@ -234,8 +237,12 @@ fn period() -> Arg {
 }
 
 fn out() -> Arg {
-    valued("out", "DIR", "Write files to this folder")
-        .value_parser(clap::value_parser!(std::path::PathBuf))
+    valued(
+        "out",
+        "DIR",
+        "Write files to this folder, long tables row by row",
+    )
+    .value_parser(clap::value_parser!(std::path::PathBuf))
 }
 
 fn json() -> Arg {

@@ -42,6 +42,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let info = entry.info();
     diagram.section = section(info, options)?.unwrap_or_default();
     let shown = shown(info, options, &diagram.section)?;
+    let progress = Progress::along(&output);
     let mut known = Known::default();
     let mut recall =
         |line: &str| notes::read(line).map(|(sweep, slice)| known.insert(&sweep, slice));
@@ -53,7 +54,6 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         values: output.journal("values"),
         notes,
     });
-    let progress = Progress::along(&output);
     let watch = |seen: Seen<'_>| {
         let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
         papers.take(info, &seen);
@@ -82,8 +82,8 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     )?;
     drawn?;
     if record.missing > 0 {
-        let missing = record.missing;
-        return Err(output.interrupted(&format!("{missing} values are missing")));
+        let count = slices().count();
+        return Err(output.interrupted(&format!("{count} values were found")));
     }
     let papers = papers.into_inner().unwrap_or_else(PoisonError::into_inner);
     papers.notes.discard();

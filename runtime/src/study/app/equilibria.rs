@@ -72,8 +72,8 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
     let document = json::EquilibriumBranch::new(info, case, &branch);
     let text = describe(info, case, &branch);
     let drawn = output.draw([("equilibria", picture::equilibria(info, &branch))]);
-    output.deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
-    drawn?;
+    let delivered = output.deliver("equilibria", &text, &document, &[("equilibria", sheet)]);
+    delivered.and(drawn)?;
     if branch.ended.is_interrupted() {
         let count = branch.points.len();
         return Err(output.interrupted(&format!("{count} equilibria were found")));

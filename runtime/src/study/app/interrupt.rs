@@ -3,11 +3,12 @@
 //! The first signal asks whoever computes to come to an end; who does not hear it in time is ended, between two rows of
 //! whatever is being written. The second signal ends the program at once.
 
+use std::fs::Metadata;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
@@ -22,8 +23,10 @@ const GLANCE: Duration = Duration::from_millis(50);
 
 /// Whether an end is wanted.
 static ASKED: AtomicBool = AtomicBool::new(false);
-/// Whether something is being computed, and how long it has to come to an end by itself.
-static AT_WORK: Mutex<Option<Duration>> = Mutex::new(None);
+/// Since when something is being computed, if it is.
+static AT_WORK: Mutex<Option<SystemTime>> = Mutex::new(None);
+/// Whether it has asked if it shall go on: what has not has nothing yet to come to an end with.
+static LISTENS: AtomicBool = AtomicBool::new(false);
 /// Files that grow as results are found; held while one of them does.
 static GROWING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// The one who listens.
@@ -33,19 +36,11 @@ static SENTRY: LazyLock<()> = LazyLock::new(listen);
 pub(super) struct Work(());
 
 impl Work {
-    /// One that asks from time to time whether it shall go on: see [`verdict`].
-    pub(super) fn patient() -> Self {
-        Self::within(GRACE)
-    }
-
-    /// One that never asks.
-    pub(super) fn deaf() -> Self {
-        Self::within(Duration::ZERO)
-    }
-
-    fn within(grace: Duration) -> Self {
+    /// It begins now, and should ask at each finding whether it shall go on: see [`verdict`].
+    pub(super) fn begin() -> Self {
         LazyLock::force(&SENTRY);
-        *held(&AT_WORK) = Some(grace);
+        LISTENS.store(false, Ordering::Relaxed);
+        *held(&AT_WORK) = Some(SystemTime::now());
         Self(())
     }
 }
@@ -58,6 +53,7 @@ impl Drop for Work {
 
 /// Whether a computation shall go on.
 pub(super) fn verdict() -> ControlFlow<()> {
+    LISTENS.store(true, Ordering::Relaxed);
     if ASKED.load(Ordering::Relaxed) {
         ControlFlow::Break(())
     } else {
@@ -87,21 +83,30 @@ fn listen() {
 
 /// Ends the program if a computation does not end by itself.
 fn wait() {
-    while verdict().is_continue() {
+    while !ASKED.load(Ordering::Relaxed) {
         std::thread::sleep(GLANCE);
     }
     let asked = Instant::now();
     loop {
         // Held to the end: what has come to its end is not ended any more.
         let at_work = held(&AT_WORK);
-        if at_work.is_some_and(|grace| asked.elapsed() >= grace) {
-            let files = growing();
+        if let Some(since) = *at_work
+            && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= GRACE)
+        {
+            let mut files = growing();
+            // What was there before is not what was found now.
+            files.retain(|path| path.metadata().is_ok_and(|file| is_new(&file, since)));
             Failure::interrupted(&told(&files)).report();
             std::process::exit(INTERRUPTED.into());
         }
         drop(at_work);
         std::thread::sleep(GLANCE);
     }
+}
+
+fn is_new(file: &Metadata, since: SystemTime) -> bool {
+    let coarse = since - Duration::from_secs(1);
+    file.modified().is_ok_and(|time| time >= coarse)
 }
 
 fn told(files: &[PathBuf]) -> String {

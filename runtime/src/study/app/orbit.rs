@@ -35,6 +35,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         ..case.clone()
     };
     let (mut points, mut points_text) = (None, String::new());
+    let mut drawn = Ok(());
     if let Some(section) = section {
         let span = Span::Period(orbit.period);
         let found = entry.crossings(&from, section, span).map_err(failed)?;
@@ -45,7 +46,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     if output.out.is_some() {
         let motion = entry.motion(&from, orbit.period).map_err(failed)?;
         sheets.push(("orbit", Spreadsheet::motion(info, &motion)));
-        output.draw([("orbit", picture::motion(info, &motion))])?;
+        drawn = output.draw([("orbit", picture::motion(info, &motion))]);
     }
     drop(progress);
     // `--exact` asks for what would be chosen anyway.
@@ -63,7 +64,9 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
             case.accuracy
         ));
     }
-    output.deliver("orbit", &text, &document, &sheets)
+    output
+        .deliver("orbit", &text, &document, &sheets)
+        .and(drawn)
 }
 
 fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {

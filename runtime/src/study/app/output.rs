@@ -12,6 +12,7 @@ use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::spreadsheet::Spreadsheet;
 use crate::study::report::Figure;
+use crate::study::whole;
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -214,17 +215,8 @@ fn json(document: &impl Serialize) -> Result<String, Failure> {
 
 /// Writes a file whole or not at all.
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    let mut growing = path.as_os_str().to_owned();
-    growing.push(".part");
-    let done = std::fs::write(&growing, text).and_then(|()| std::fs::rename(&growing, path));
-    done.map_err(|error| {
-        let _ = std::fs::remove_file(&growing);
-        unwritten(path, &error)
-    })
-}
-
-fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::failed(format!("cannot write {}: {error}", path.display()))
+    whole::write(path, text)
+        .map_err(|error| Failure::failed(format!("cannot write {}: {error}", path.display())))
 }
 
 /// Prints on stdout; a reader who has left is no error.

@@ -52,7 +52,7 @@ impl Progress {
             } else {
                 ProgressBar::hidden()
             },
-            _work: Work::patient(),
+            _work: Work::begin(),
         }
     }
 }

@@ -35,9 +35,12 @@ struct Line {
     min: Vec<Exact>,
     max: Vec<Exact>,
     end: Vec<Exact>,
-    lyapunov: Option<Result<(Option<Exact>, Exact, Exact), String>>,
+    lyapunov: Option<Result<Exponent, String>>,
     work: [u64; 7],
 }
+
+/// A Lyapunov exponent, its error, and the time over which it was averaged.
+type Exponent = (Option<Exact>, Exact, Exact);
 
 #[derive(Serialize, Deserialize)]
 enum Kind {
