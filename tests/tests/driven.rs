@@ -115,7 +115,9 @@ fn the_response_is_followed_through_resonance() {
         along: along(&*model, "omega", 0.5, 2.0),
         ..case(&*model, Dynamics::Smooth, &[("omega", 0.5)])
     };
-    let branch = model.branch(&case, &mut |_| {}).expect("a branch");
+    let branch = model
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
+        .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     assert!(branch.points.len() > 5);
     for point in &branch.points {
@@ -231,7 +233,9 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
         along: along(&*model, "omega", 0.6, 0.66),
         ..case(&*model, Dynamics::Exact, &[("omega", 0.6)])
     };
-    let branch = model.branch(&case, &mut |_| {}).expect("a branch");
+    let branch = model
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
+        .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     for point in &branch.points {
         let omega = point.r.expect("a followed parameter");
