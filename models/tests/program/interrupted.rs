@@ -140,6 +140,7 @@ fn what_does_not_hear_is_ended() {
     );
     assert!(clock.elapsed() < PATIENCE);
     // A second signal waits for nothing: whatever the first one has begun.
+    let out = folder("interrupted-twice");
     let mut child = start(deaf, &out);
     wait_for(&mut child, &out.join(notes.0), notes.1);
     send("-INT", &child);
