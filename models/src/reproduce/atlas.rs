@@ -4,6 +4,7 @@ mod drawn;
 mod named;
 mod page;
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use stickslip::field::{Design, Kernel, Smoothing, Work};
@@ -128,7 +129,7 @@ fn branches(family: &Family, dynamics: Dynamics) -> Result<BranchRecord, StudyEr
         branch_points: false,
         depth: family.depth,
     };
-    pair.branch(&case.at(family.v_dr), &mut |_| ())
+    pair.branch(&case.at(family.v_dr), &mut |_| ControlFlow::Continue(()))
 }
 
 fn pair() -> Box<dyn Entry> {

@@ -20,7 +20,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use stickslip::study::StudyError;
-use stickslip::study::report::{Report, ReportError, Written};
+use stickslip::study::report::{Edition, Report, ReportError, Written};
 
 pub use follow::FollowError;
 
@@ -116,42 +116,38 @@ fn write(out: &Path, quiet: bool, with_atlas: bool) -> Result<Summary, Reproduce
             eprintln!("{what} ...");
         }
     };
-    let mut costs = Vec::new();
-    say("Van der Pol oscillator");
-    let van_der_pol = van_der_pol::section(&mut costs)?;
-    say("Mass on a belt");
-    let belt_oscillator = belt_oscillator::section(&mut costs)?;
-    say("Two masses on a belt");
-    let belt_pair = belt_pair::section()?;
-    let mut sections = vec![
-        introduction::section(),
-        van_der_pol,
-        belt_oscillator,
-        belt_pair,
-    ];
-    let mut branches = 0;
-    if with_atlas {
-        say("The branches of two masses on a belt");
-        let (atlas, followed) = atlas::section()?;
-        sections.push(atlas);
-        branches += followed;
-    }
-    say("Drill string");
-    let drill_string = drill_string::section(&mut costs)?;
-    say("What smoothing costs");
-    let smoothing = smoothing::section()?;
-    say("The extremes");
-    let extremes = extremes::section();
-    branches += costs.len();
-    sections.extend([drill_string, smoothing, extremes, cost::section(costs)]);
     let report = Report {
         title: "Stick-slip vibrations, thirty years later".to_owned(),
         subtitle: "The periodic motions of B. L. van de Vrande's *Modeling Dry Friction in DIANA* (Eindhoven, 1996), \
                    computed again from declared models"
             .to_owned(),
-        sections,
+        sections: vec![introduction::section()],
     };
-    let written = report.write(out)?;
+    // Written section by section: what is finished stays, whatever ends the program.
+    let mut edition = Edition::begin(report, out)?;
+    let mut costs = Vec::new();
+    let mut branches = 0;
+    say("Van der Pol oscillator");
+    edition.add(van_der_pol::section(&mut costs)?)?;
+    say("Mass on a belt");
+    edition.add(belt_oscillator::section(&mut costs)?)?;
+    say("Two masses on a belt");
+    edition.add(belt_pair::section()?)?;
+    if with_atlas {
+        say("The branches of two masses on a belt");
+        let (atlas, followed) = atlas::section()?;
+        edition.add(atlas)?;
+        branches += followed;
+    }
+    say("Drill string");
+    edition.add(drill_string::section(&mut costs)?)?;
+    say("What smoothing costs");
+    edition.add(smoothing::section()?)?;
+    say("The extremes");
+    edition.add(extremes::section())?;
+    branches += costs.len();
+    edition.add(cost::section(costs))?;
+    let written = edition.written();
     Ok(Summary {
         written,
         branches,

@@ -7,6 +7,7 @@ mod curve;
 mod diagram;
 mod equilibria;
 mod hostile;
+mod interrupted;
 mod laws;
 mod losses;
 mod refusals;

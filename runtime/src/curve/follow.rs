@@ -1,5 +1,7 @@
 //! Following a curve, with what happens on it.
 
+use std::ops::ControlFlow;
+
 use super::codimension::Codimension;
 use super::condition::Condition;
 use super::critical::{CriticalProblem, CriticalShot, joined, split};
@@ -50,6 +52,8 @@ pub enum End {
     Followed(Ending<FlowError>),
     /// p left its range.
     Window,
+    /// Whoever watched wanted no more.
+    Stopped,
     /// The bifurcation becomes another one here, or none: torus points a neutral saddle.
     Degenerate(Codimension),
     /// The multipliers do not say what the condition does any more: off by this.
@@ -57,7 +61,7 @@ pub enum End {
 }
 
 /// Follows the bifurcation `kind` that `orbit` meets at (p, q = settings.from) up to q = `settings.to`,
-/// as long as p stays inside `window`; `watch` sees each point as it is found. `None` if there is no
+/// as long as p stays inside `window`; `watch` sees each point as it is found, and may end the curve there. `None` if there is no
 /// condition for that kind.
 ///
 /// # Errors
@@ -68,7 +72,7 @@ pub fn follow<F: Steered<N>, const N: usize>(
     orbit: &Orbit<N, Mode<F, N>>,
     window: [f64; 2],
     settings: Settings,
-    watch: &mut dyn FnMut(&Spot<F, N>),
+    watch: &mut dyn FnMut(&Spot<F, N>) -> ControlFlow<()>,
 ) -> Result<Option<Curve<N, Mode<F, N>>>, Failure<FlowError>> {
     let Some(condition) = Condition::of(kind) else {
         return Ok(None);
@@ -131,7 +135,11 @@ struct Walk<F: Steered<N>, const N: usize> {
 }
 
 impl<F: Steered<N>, const N: usize> Walk<F, N> {
-    fn run(&mut self, first: Shown<F, N>, watch: &mut dyn FnMut(&Spot<F, N>)) -> End {
+    fn run(
+        &mut self,
+        first: Shown<F, N>,
+        watch: &mut dyn FnMut(&Spot<F, N>) -> ControlFlow<()>,
+    ) -> End {
         let mut next = Some(first);
         while let Some(point) = next.take() {
             let mut spot = self.spot(&point);
@@ -140,10 +148,13 @@ impl<F: Steered<N>, const N: usize> Walk<F, N> {
                 return End::Lost(off);
             }
             let end = self.examine(&mut spot);
-            watch(&spot);
+            let verdict = watch(&spot);
             self.points.push(spot);
             if let Some(end) = end {
                 return end;
+            }
+            if verdict.is_break() {
+                return End::Stopped;
             }
             next = self.branch.next();
         }

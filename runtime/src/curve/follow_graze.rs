@@ -1,5 +1,7 @@
 //! Following a curve of grazing orbits.
 
+use std::ops::ControlFlow;
+
 use super::follow::End;
 use super::grazing::{Graze, GrazingProblem, GrazingShot};
 use super::plane::Plane;
@@ -46,7 +48,7 @@ pub fn follow_graze<F: Steered<N>, const N: usize>(
     p: f64,
     window: [f64; 2],
     settings: Settings,
-    watch: &mut dyn FnMut(&GrazingPoint<N>),
+    watch: &mut dyn FnMut(&GrazingPoint<N>) -> ControlFlow<()>,
 ) -> Result<Option<GrazingCurve<N>>, Failure<FlowError>>
 where
     F::Flow: Glide<N>,
@@ -87,7 +89,9 @@ where
             });
             end = Some(End::Window);
         }
-        watch(&here);
+        if watch(&here).is_break() {
+            end.get_or_insert(End::Stopped);
+        }
         points.push(here);
         if end.is_none() {
             next = branch.next();

@@ -1,5 +1,7 @@
 //! A branch of equilibria along the design variable, with everything that happens on it.
 
+use std::ops::ControlFlow;
+
 use nalgebra::DVector;
 
 use super::locate::{Locator, spot};
@@ -31,11 +33,13 @@ pub enum End {
     Followed(Ending<FlowError>),
     /// This contact has no relative speed any more.
     Boundary(usize),
+    /// Whoever watched wanted no more.
+    Stopped,
     /// The stability changes between these values of r, and no bifurcation was found there.
     Unexplained(f64, f64),
 }
 
-/// Follows the equilibrium at `from`; `watch` sees each point as it is found.
+/// Follows the equilibrium at `from`; `watch` sees each point as it is found, and may end the branch there.
 ///
 /// # Errors
 /// There is no equilibrium to begin with.
@@ -43,7 +47,7 @@ pub fn follow<F: Family<N> + Clone, const N: usize>(
     family: &F,
     from: &Place<N, Mode<F, N>>,
     settings: Settings,
-    watch: &mut dyn FnMut(&Spot<N>),
+    watch: &mut dyn FnMut(&Spot<N>) -> ControlFlow<()>,
 ) -> Result<Branch<N>, Failure<FlowError>>
 where
     F::Flow: Confined<N>,
@@ -61,8 +65,9 @@ where
     let mut end = None;
     while let (Some(point), None) = (next.take(), &end) {
         end = walk.on(&mut branch.problem, &point);
-        if let Some(spot) = walk.points.last() {
-            watch(spot);
+        let seen = walk.points.last().map(&mut *watch);
+        if seen.is_some_and(|verdict| verdict.is_break()) {
+            end.get_or_insert(End::Stopped);
         }
         if end.is_none() {
             next = branch.next();

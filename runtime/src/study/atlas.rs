@@ -1,10 +1,10 @@
 //! A branch of orbits with those that leave it, and those that leave them.
 
-use super::branch::BranchRecord;
+use super::branch::{BranchRecord, Watch};
 use super::case::{Along, Beginning};
 use super::entry::StudyError;
 use super::follow::{Stretch, follow};
-use super::orbit::{OrbitRecord, Sought};
+use super::orbit::Sought;
 use super::special::numbered;
 use crate::bifurcation::{Kind, Located};
 use crate::continuation::Settings;
@@ -32,12 +32,12 @@ const SAME_ORBIT: f64 = 2e-2;
 
 impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
     /// Follows the orbit where `along` begins, and the branches that leave it as far as the case asks;
-    /// `watch` sees each point as it is found.
+    /// `watch` sees each point as it is found, and may end all of them there.
     pub(super) fn branch(
         &self,
         along: Along,
         hopf: Option<Hopf<N>>,
-        watch: &mut dyn FnMut(&OrbitRecord),
+        watch: Watch<'_>,
     ) -> Result<BranchRecord, StudyError> {
         let (from, to) = along.span();
         let mut atlas = Atlas {
@@ -62,7 +62,7 @@ struct Atlas<'a, F: Family<N> + Clone, const N: usize> {
     settings: Settings,
     /// Special points whose other branch is already there.
     known: Vec<Here<F, N>>,
-    watch: &'a mut dyn FnMut(&OrbitRecord),
+    watch: Watch<'a>,
 }
 
 impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
@@ -82,7 +82,7 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
         let orbit = self.sought.orbit(r)?;
         let ahead = to >= from;
         let forth = self.orbit(&orbit, (r, ahead), orbit.work)?;
-        if !both || forth.ended.word == "closed" {
+        if !both || forth.ended.word == "closed" || forth.ended.is_interrupted() {
             return Ok(forth);
         }
         let back = self.orbit(&orbit, (r, !ahead), Work::default())?;
@@ -126,7 +126,11 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
         let met = stretch.located.iter().filter(|event| event.meets);
         self.known.extend(met.cloned());
         let mut branches = Vec::new();
+        let mut stopped = stretch.is_interrupted();
         for (event, special) in stretch.located.iter().zip(&mut special) {
+            if stopped {
+                break;
+            }
             if event.kind == Kind::Flip && !event.meets {
                 special.criticality = self.criticality(event);
             }
@@ -141,7 +145,9 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
             match self.leave(event) {
                 Ok(other) => {
                     let label = Some(special.label.clone());
-                    branches.push(self.record(other, label, depth - 1));
+                    let below = self.record(other, label, depth - 1);
+                    stopped = below.is_interrupted();
+                    branches.push(below);
                 }
                 Err(error) => special.note = Some(error.to_string()),
             }
@@ -160,7 +166,8 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
     /// The branch that leaves another at this point: at a branch point to both sides.
     fn leave(&mut self, event: &Here<F, N>) -> Result<Stretch<N, Mode<F, N>>, SwitchError> {
         let forth = self.one_way(event, true);
-        if event.kind == Kind::Flip {
+        let stopped = forth.as_ref().is_ok_and(Stretch::is_interrupted);
+        if event.kind == Kind::Flip || stopped {
             return forth;
         }
         let back = self.one_way(event, false);

@@ -1,5 +1,7 @@
 //! A branch of periodic orbits as it is reported, with those that leave it.
 
+use std::ops::ControlFlow;
+
 use super::case::Along;
 use super::orbit::OrbitRecord;
 use super::special::Special;
@@ -9,6 +11,12 @@ use crate::flow::FlowError;
 
 /// A branch whose period has grown this many times has none in the end.
 pub(super) const ENDLESS: f64 = 1e6;
+
+/// Told of each orbit as it is found; a break ends the branch there.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>;
+
+/// How an interrupted branch ended.
+const INTERRUPTED: &str = "interrupted";
 
 /// A branch as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +44,13 @@ impl BranchRecord {
         let own = self.began.iter().chain([&self.ended]);
         let below = self.branches.iter().filter_map(Self::unlocated);
         own.filter(|ended| !ended.located).chain(below).next()
+    }
+
+    /// Whether it, or a branch that leaves it, would have gone on if it had not been interrupted.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        let mut ends = self.began.iter().chain([&self.ended]);
+        ends.any(Ended::is_interrupted) || self.branches.iter().any(Self::is_interrupted)
     }
 
     /// This branch and all that leave it, each before those that leave it in turn.
@@ -106,6 +121,21 @@ impl Ended {
                  bifurcation was located there: {reason}"
             ),
         }
+    }
+
+    /// A branch that nobody wanted to be followed any further.
+    pub(super) fn interrupted() -> Self {
+        Self {
+            word: INTERRUPTED,
+            located: false,
+            reason: "it was interrupted".to_owned(),
+        }
+    }
+
+    /// Whether it ended because whoever watched it wanted no more.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        self.word == INTERRUPTED
     }
 
     /// The period grows without bound, as it does towards rest.

@@ -1,6 +1,7 @@
 //! What the exact system says of an equilibrium of its smooth copy.
 
 use std::cell::OnceCell;
+use std::ops::ControlFlow;
 
 use super::case::{Along, Case, Dynamics};
 use super::declared::Declared;
@@ -82,7 +83,12 @@ impl<M: Model<N>, const N: usize> Counterpart<M, N> {
         let start = std::array::from_fn(|j| state.get(j).copied().unwrap_or(0.0));
         let first = find(&family, from, &[start], |y| sliding_modes(&self.model, y)).pop();
         first
-            .and_then(|first| follow(&family, &first.place, settings(from, to), &mut |_| {}).ok())
+            .and_then(|first| {
+                follow(&family, &first.place, settings(from, to), &mut |_| {
+                    ControlFlow::Continue(())
+                })
+                .ok()
+            })
             .map_or_else(Vec::new, |branch| branch.special)
     }
 }

@@ -1,6 +1,7 @@
 //! A bifurcation followed in two design variables, and all that is reported of it.
 
 use std::collections::HashMap;
+use std::ops::ControlFlow;
 
 use nalgebra::Complex;
 
@@ -82,8 +83,8 @@ pub struct SpecialCurvePoint {
     pub point: CurvePointRecord,
 }
 
-/// Told of each point of a curve.
-pub(super) type Watch<'a> = &'a mut dyn FnMut(&CurvePointRecord);
+/// Told of each point of a curve; a break ends it there.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>;
 
 impl<F: Steered<N>, const N: usize> Sought<'_, F, N>
 where
@@ -102,7 +103,9 @@ where
         let settings = Settings::new(from, to, accuracy);
         let branch = OrbitBranch::start(self.family, &first, &self.search, settings)
             .map_err(OrbitError::Newton)?;
-        let stretch = follow_branch(self, along, branch, first.work, &mut |_| ());
+        let stretch = follow_branch(self, along, branch, first.work, &mut |_| {
+            ControlFlow::Continue(())
+        });
         let labels = numbered(&along, &stretch.located, &stretch.after);
         let all: Vec<(&str, Kind)> = labels
             .iter()
@@ -144,9 +147,8 @@ where
                 work: found.work,
             });
         }
-        let mut seen = |point: &CurvePoint<N, <F::Flow as Flow<N>>::Mode>| {
-            watch(&read.point(point));
-        };
+        let mut seen =
+            |point: &CurvePoint<N, <F::Flow as Flow<N>>::Mode>| watch(&read.point(point));
         let orbit = &stretch.located[place].point;
         let found = follow(&plane, kind, orbit, [from, to], settings, &mut seen)
             .map_err(StudyError::Curve)?
@@ -247,6 +249,7 @@ impl Ended {
     fn of_curve(end: &End) -> Self {
         match end {
             End::Followed(ending) => Self::from(ending),
+            End::Stopped => Self::interrupted(),
             End::Window => Self {
                 word: "left-range",
                 located: true,

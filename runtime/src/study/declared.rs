@@ -1,13 +1,14 @@
 //! A declared model as an entry: which family answers, and from where it is asked.
 
 use std::marker::PhantomData;
+use std::ops::ControlFlow;
 
 use super::atlas::Hopf;
 use super::branch::BranchRecord;
 use super::case::{Along, Beginning, Case, Dynamics};
 use super::characteristic::{Characteristic, Laws};
 use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
-use super::diagram::{Diagram, DiagramRecord};
+use super::diagram::{Diagram, DiagramRecord, Known, Watcher};
 use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
@@ -15,7 +16,7 @@ use super::modes::sliding_modes;
 use super::orbit::{CertifiedOrbit, OrbitRecord, Sought};
 use super::section::{CrossingRecord, Span};
 use super::seed::{Seed, on_the_belt};
-use super::trade::{Scope, TradeError, tradable, trade};
+use super::trade::{Finding, Scope, TradeError, tradable, watched};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
 use crate::equilibrium::{Proof, Unproven, find};
 use crate::field::Design;
@@ -172,7 +173,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         if case.beginning != Beginning::Hopf {
             return Ok(None);
         }
-        let branch = Self::equilibria_along(case, along, &mut |_| ())?;
+        let branch = Self::equilibria_along(case, along, &mut |_| ControlFlow::Continue(()))?;
         let point = branch.special.iter().find_map(|point| {
             let period = point.period?;
             let r = Along {
@@ -301,10 +302,10 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
         let r = Self::beginning(case);
         let found = match case.dynamics {
-            Dynamics::Exact => Self::sought_exactly(case, &Self::exact(case)).certified(r),
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                Self::sought_smoothly(case, &Self::smooth(case)).certified(r)
+            Dynamics::Exact if const { Self::RUBS } => {
+                Self::sought_exactly(case, &Self::exact(case)).certified(r)
             }
+            _ => Self::sought_smoothly(case, &Self::smooth(case)).certified(r),
         };
         Ok(found.map_err(|error| Self::sharpened(case, error))?)
     }
@@ -322,7 +323,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn equilibria_along(
         &self,
         case: &Case,
-        watch: &mut dyn FnMut(&EquilibriumRecord),
+        watch: &mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>,
     ) -> Result<EquilibriaRecord, StudyError> {
         self.check(case)?;
         Self::may_rest()?;
@@ -333,7 +334,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn branch(
         &self,
         case: &Case,
-        watch: &mut dyn FnMut(&OrbitRecord),
+        watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
@@ -350,7 +351,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         &self,
         case: &Case,
         scope: &CurveScope,
-        watch: &mut dyn FnMut(&CurvePointRecord),
+        watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
@@ -373,25 +374,32 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         &self,
         case: &Case,
         diagram: &Diagram,
-        watch: &(dyn Fn(f64) + Sync),
+        known: &Known,
+        watch: Watcher<'_>,
     ) -> Result<DiagramRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let start = Self::start(case);
         Ok(match case.dynamics {
             Dynamics::Exact if const { Self::RUBS } => {
-                diagram.draw(&Self::exact(case), along, start, watch)
+                diagram.draw(&Self::exact(case), along, start, known, watch)
             }
-            _ => diagram.draw(&Self::smooth(case), along, start, watch),
+            _ => diagram.draw(&Self::smooth(case), along, start, known, watch),
         })
     }
 
-    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
+    fn trade(
+        &self,
+        case: &Case,
+        scope: &Scope,
+        watch: &mut dyn FnMut(usize, Finding<'_>) -> ControlFlow<()>,
+    ) -> Result<TradeRecord, StudyError> {
         tradable(M::INFO)?;
         if const { Self::RUBS } {
-            TradeRecord::gather(case, |case: Case| {
+            TradeRecord::gather(case, |case: Case, end: usize| {
                 let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
-                let trade = trade(&Self::model(&case), &exact, scope)?;
+                let mut here = |finding: Finding<'_>| watch(end, finding);
+                let trade = watched(&Self::model(&case), &exact, scope, &mut here)?;
                 Ok(End {
                     parameters: case.parameters.clone(),
                     trade,

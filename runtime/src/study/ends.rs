@@ -27,10 +27,10 @@ pub struct End {
 }
 
 impl TradeRecord {
-    /// Asks `at` at both ends of the range of a case, or once.
+    /// Asks `at` at both ends of the range of a case, or once; it is told the number of the end.
     pub(super) fn gather(
         case: &Case,
-        at: impl Fn(Case) -> Result<End, StudyError>,
+        mut at: impl FnMut(Case, usize) -> Result<End, StudyError>,
     ) -> Result<Self, StudyError> {
         let along = case
             .along
@@ -42,11 +42,23 @@ impl TradeRecord {
             ..value.map_or_else(|| case.clone(), |value| case.at(value))
         };
         let values = along.map_or(vec![None], |along| vec![Some(along.from), Some(along.to)]);
-        let ends = values.into_iter().map(|value| at(exact(value)));
-        Ok(Self {
+        let mut record = Self {
             along,
-            ends: ends.collect::<Result<_, _>>()?,
-        })
+            ends: Vec::new(),
+        };
+        for value in values {
+            if !record.is_interrupted() {
+                let end = at(exact(value), record.ends.len())?;
+                record.ends.push(end);
+            }
+        }
+        Ok(record)
+    }
+
+    /// Whether it was ended before all of it was there.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        self.ends.iter().any(|end| end.trade.interrupted)
     }
 
     /// The cheapest setting of a kernel where it is most demanding: the number of that end, and the setting.

@@ -1,16 +1,18 @@
 //! Models of any number of states behind one interface.
 
+use std::ops::ControlFlow;
+
 use super::branch::BranchRecord;
 use super::case::Case;
 use super::characteristic::Characteristic;
 use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
 use super::declared::Declared;
-use super::diagram::{Diagram, DiagramRecord};
+use super::diagram::{Diagram, DiagramRecord, Known, Watcher};
 use super::ends::TradeRecord;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord};
 use super::orbit::{CertifiedOrbit, OrbitRecord};
 use super::section::{CrossingRecord, Span};
-use super::trade::{Scope, TradeError};
+use super::trade::{Finding, Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::continuation::Failure;
 use crate::equilibrium::{Proof, Unproven};
@@ -72,28 +74,30 @@ pub trait Entry: Send + Sync {
     /// none.
     fn proofs(&self, case: &Case, found: &[EquilibriumRecord]) -> Vec<Result<Proof, Unproven>>;
 
-    /// The branch of equilibria along the design variable of the case; `watch` sees each point as it is found.
+    /// The branch of equilibria along the design variable of the case; `watch` sees each point as it is found, and may end
+    /// the branch there.
     ///
     /// # Errors
     /// There is no equilibrium to begin with.
     fn equilibria_along(
         &self,
         case: &Case,
-        watch: &mut dyn FnMut(&EquilibriumRecord),
+        watch: &mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>,
     ) -> Result<EquilibriaRecord, StudyError>;
 
-    /// The branch of orbits along the design variable of the case; `watch` sees each point as it is found.
+    /// The branch of orbits along the design variable of the case; `watch` sees each point as it is found, and may end
+    /// the branch there.
     ///
     /// # Errors
     /// There is no orbit to begin with.
     fn branch(
         &self,
         case: &Case,
-        watch: &mut dyn FnMut(&OrbitRecord),
+        watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, StudyError>;
 
     /// A special point of that branch, followed in the design variable of the case and another one; `watch` sees each
-    /// point as it is found.
+    /// point as it is found, and may end the curve there.
     ///
     /// # Errors
     /// There is no orbit to begin with, or no such point on its branch.
@@ -101,11 +105,11 @@ pub trait Entry: Send + Sync {
         &self,
         case: &Case,
         scope: &CurveScope,
-        watch: &mut dyn FnMut(&CurvePointRecord),
+        watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError>;
 
-    /// Where the motions of the case meet a section, for many values of its design variable; `watch` is told the
-    /// share of the work done, from any thread.
+    /// Where the motions of the case meet a section, for many values of its design variable; what is `known` from the
+    /// same question is not computed again, and `watch` sees each value, from any thread.
     ///
     /// # Errors
     /// Nothing is followed, or the case cannot be asked.
@@ -113,14 +117,21 @@ pub trait Entry: Send + Sync {
         &self,
         case: &Case,
         diagram: &Diagram,
-        watch: &(dyn Fn(f64) + Sync),
+        known: &Known,
+        watch: Watcher<'_>,
     ) -> Result<DiagramRecord, StudyError>;
 
     /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.
+    /// `watch` sees what is found at which end as it is found, and may end the trade there.
     ///
     /// # Errors
     /// There is no friction, or no exact orbit.
-    fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError>;
+    fn trade(
+        &self,
+        case: &Case,
+        scope: &Scope,
+        watch: &mut dyn FnMut(usize, Finding<'_>) -> ControlFlow<()>,
+    ) -> Result<TradeRecord, StudyError>;
 }
 
 /// Why a case has no answer.

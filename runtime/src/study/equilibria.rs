@@ -1,5 +1,7 @@
 //! The equilibria of a declared model: of its exact system, of its copies, and what the one says of the other.
 
+use std::ops::ControlFlow;
+
 use super::branch::Ended;
 use super::case::{Along, Case, Dynamics};
 use super::counterpart::Counterpart;
@@ -16,7 +18,7 @@ use crate::flow::{Family, Flow, Place};
 use crate::model::Model;
 
 /// Told of each point of a branch.
-pub(super) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord);
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>;
 
 impl<M: Model<N>, const N: usize> Declared<M, N> {
     /// Every equilibrium that is found, and for exact dynamics every set of sticking ones.
@@ -86,10 +88,10 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         let state: [f64; N] =
             std::array::from_fn(|j| found.state.get(j).copied().unwrap_or(f64::NAN));
         let field = match case.dynamics {
-            Dynamics::Exact => EnclosedField::sliding(&model, sliding_mode(&model, &state)),
-            Dynamics::Smooth | Dynamics::Smoothed(_) => {
-                EnclosedField::smooth(&model, case.smoothing())
+            Dynamics::Exact if const { Self::RUBS } => {
+                EnclosedField::sliding(&model, sliding_mode(&model, &state))
             }
+            _ => EnclosedField::smooth(&model, case.smoothing()),
         };
         prove(&field, &state)
     }
@@ -131,8 +133,9 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
                 ..plain(&at, spot.state.to_vec(), &spot.spectrum, mode.clone())
             };
             let point = Self::compared(&at, point);
-            watch(&point);
+            let verdict = watch(&point);
             points.push(point);
+            verdict
         };
         let branch = follow(family, first, settings(from, to), &mut take)
             .map_err(StudyError::Equilibrium)?;
@@ -182,6 +185,7 @@ fn numbered<const N: usize>(along: Along, found: &[Found<N>]) -> Vec<SpecialEqui
 fn ended<M: Model<N>, const N: usize>(branch: &Branch<N>) -> Ended {
     match &branch.end {
         End::Followed(ending) => Ended::from(ending),
+        End::Stopped => Ended::interrupted(),
         End::Boundary(contact) => {
             let name = M::INFO
                 .contacts

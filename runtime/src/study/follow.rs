@@ -1,6 +1,6 @@
 //! One branch of periodic orbits, followed in one direction.
 
-use super::branch::{ENDLESS, Ended};
+use super::branch::{ENDLESS, Ended, Watch};
 use super::case::Along;
 use super::orbit::{OrbitRecord, Sought};
 use crate::bifurcation::{Located, Unexplained, detect, explain, reach};
@@ -27,6 +27,12 @@ pub(super) struct Stretch<const N: usize, M> {
 }
 
 impl<const N: usize, M> Stretch<N, M> {
+    /// Whether it would have gone on if it had not been interrupted.
+    pub(super) fn is_interrupted(&self) -> bool {
+        let mut ends = self.began.iter().chain([&self.ended]);
+        ends.any(Ended::is_interrupted)
+    }
+
     /// The same branch with what lies behind its beginning; `shared` tells whether both begin with one orbit.
     pub(super) fn behind(self, back: Self, shared: bool) -> Self {
         let (mut points, count) = (back.points, back.after.iter().rev());
@@ -79,7 +85,7 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
     along: Along,
     branch: OrbitBranch<F, N>,
     before: Work,
-    watch: &mut dyn FnMut(&OrbitRecord),
+    watch: Watch<'_>,
 ) -> Stretch<N, Mode<F, N>> {
     let mut following = Following {
         sought,
@@ -93,7 +99,8 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
         wasted: Work::default(),
     };
     let ended = following.run(before, watch);
-    let unexplained = following.unexplained.map(|change| Unexplained {
+    let unexplained = following.unexplained.filter(|_| !ended.is_interrupted());
+    let unexplained = unexplained.map(|change| Unexplained {
         between: change.between.map(|r| along.value(r)),
         ..change
     });
@@ -107,7 +114,7 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
 }
 
 impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
-    fn run(&mut self, before: Work, watch: &mut dyn FnMut(&OrbitRecord)) -> Ended {
+    fn run(&mut self, before: Work, watch: Watch<'_>) -> Ended {
         while let Some(orbit) = self.branch.next() {
             let mut point = self.sought.record(&orbit);
             if self.points.is_empty() {
@@ -118,13 +125,16 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
                 Verdict::Again => continue,
                 Verdict::End(ended) => return ended,
             }
-            watch(&point);
+            let verdict = watch(&point);
             let first = self.points.first().map_or(point.period, |p| p.period);
             let endless = point.period > ENDLESS * first;
             self.points.push(point);
             self.orbits.push(orbit);
             if endless {
                 return Ended::endless();
+            }
+            if verdict.is_break() {
+                return Ended::interrupted();
             }
         }
         let reason = match self.branch.ending() {

@@ -32,13 +32,17 @@ mod special;
 mod specimen;
 pub mod trade;
 mod trajectory;
+#[cfg(feature = "app")]
+mod whole;
 
 pub use branch::{BranchRecord, Ended};
 pub use case::{Along, Beginning, Case, Dynamics, Switch};
 pub use characteristic::Characteristic;
 pub use choice::{Choice, choose};
 pub use curve::{CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
-pub use diagram::{Diagram, DiagramRecord, Motion, Slice, Sweep, SweepRecord};
+pub use diagram::{
+    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
+};
 pub use ends::{End, TradeRecord};
 pub use entry::{Entry, StudyError, entry};
 pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};

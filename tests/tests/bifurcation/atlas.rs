@@ -1,5 +1,7 @@
 //! Branches of two masses on a belt with exact friction, and what leaves them.
 
+use std::ops::ControlFlow;
+
 use stickslip::field::Design;
 use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch, entry};
 use stickslip_models::BeltPair;
@@ -26,7 +28,8 @@ fn follow((v_dr, start, period): Place, range: [f64; 2], depth: usize) -> Branch
         branch_points: false,
         depth,
     };
-    pair.branch(&case.at(v_dr), &mut |_| ()).expect("a branch")
+    pair.branch(&case.at(v_dr), &mut |_| ControlFlow::Continue(()))
+        .expect("a branch")
 }
 
 fn of_kind<'a>(branch: &'a BranchRecord, kind: &str) -> Vec<&'a Special> {

@@ -2,6 +2,7 @@
 //! in one parameter at fixed values of the other.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use stickslip::model;
 use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, Entry, StudyError, entry};
@@ -102,7 +103,7 @@ fn circle(
     }
     let start = model.info().states.iter().map(|state| state.start);
     (case.start, case.period) = (Some(start.collect()), Some(TAU));
-    model.curve(&case, &scope, &mut |_| ())
+    model.curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
 }
 
 fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
@@ -226,7 +227,9 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
         let (mut case, scope) =
             question(&*model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
         case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
-        let curve = model.curve(&case, &scope, &mut |_| ()).unwrap();
+        let curve = model
+            .curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
+            .unwrap();
         assert_eq!(
             (curve.kind, curve.ended.word),
             ("flip", "reached-end"),
@@ -245,7 +248,9 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
                 ..case.along.unwrap()
             });
             alone = alone.at(point.p - 5e-3);
-            let branch = model.branch(&alone, &mut |_| ()).unwrap();
+            let branch = model
+                .branch(&alone, &mut |_| ControlFlow::Continue(()))
+                .unwrap();
             let flip = branch
                 .special
                 .iter()
@@ -291,7 +296,9 @@ fn the_drill_strings_graze_follows_its_closed_form() {
         } else {
             wide
         };
-        let curve = model.curve(&question, &scope, &mut |_| ()).unwrap();
+        let curve = model
+            .curve(&question, &scope, &mut |_| ControlFlow::Continue(()))
+            .unwrap();
         assert_eq!((curve.kind, curve.of.as_str()), ("grazing-sliding", "GS1"));
         assert!(curve.ended.located, "{}", curve.ended.reason);
         let first = curve.points[0].p;

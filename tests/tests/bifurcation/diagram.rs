@@ -1,8 +1,10 @@
 //! Poincaré diagrams against single orbits, known flips and each other.
 
+use std::ops::ControlFlow;
+
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
-    Along, Case, Diagram, DiagramRecord, Dynamics, Entry, Motion, Slice, Span, Sweep, entry,
+    Along, Case, Diagram, DiagramRecord, Dynamics, Entry, Known, Motion, Slice, Span, Sweep, entry,
 };
 use stickslip_models::{BeltOscillator, BeltPair};
 use stickslip_tests::range::range;
@@ -31,7 +33,11 @@ const USUAL: Diagram = Diagram {
 };
 
 fn draw(model: &dyn Entry, case: &Case, diagram: Diagram) -> DiagramRecord {
-    model.diagram(case, &diagram, &|_| ()).expect("a diagram")
+    model
+        .diagram(case, &diagram, &Known::default(), &|_| {
+            ControlFlow::Continue(())
+        })
+        .expect("a diagram")
 }
 
 fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {

@@ -1,5 +1,7 @@
 //! Equilibria against closed forms: of the thesis, of its smooth copies, and of textbook systems.
 
+use std::ops::ControlFlow;
+
 use nalgebra::Complex;
 use stickslip::bifurcation::Stability;
 use stickslip::equilibrium::{Branch, End, Kind, find, follow, settings, starts, sticking_sets};
@@ -84,7 +86,10 @@ fn branch<M: Model<N>, const N: usize>(
     let family = smooth(model, smoothing, Design::Parameter(along.index));
     let found = find(&family, from, &starts(declared::<M, N>()), |_| vec![()]);
     let first = found.first().expect("an equilibrium");
-    follow(&family, &first.place, settings(from, to), &mut |_| {}).expect("a branch")
+    follow(&family, &first.place, settings(from, to), &mut |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("a branch")
 }
 
 fn only<const N: usize>(branch: &Branch<N>, kind: Kind) -> (f64, f64) {
@@ -216,7 +221,10 @@ fn the_exact_belt_oscillator_slides_unstably_until_its_boundary() {
         state: [0.6, 0.0],
         mode,
     };
-    let branch = follow(&family, &start, settings(0.2, -0.1), &mut |_| {}).expect("a branch");
+    let branch = follow(&family, &start, settings(0.2, -0.1), &mut |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("a branch");
     assert_eq!(branch.end, End::Boundary(0));
     let (r, _) = only(&branch, Kind::BoundaryEquilibrium);
     assert!(r.abs() < 1e-15, "{r}");
@@ -234,7 +242,10 @@ fn the_exact_drill_string_slides_stably() {
         state: [1.0, 0.0],
         mode,
     };
-    let branch = follow(&family, &start, settings(6.0, 0.01), &mut |_| {}).expect("a branch");
+    let branch = follow(&family, &start, settings(6.0, 0.01), &mut |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("a branch");
     assert!(branch.special.is_empty());
     let expected = Complex::new(-0.05, (1.0_f64 - 0.05 * 0.05).sqrt());
     for spot in &branch.points {

@@ -1,6 +1,7 @@
 //! Bifurcations of orbits, where they are known in closed form or from an independent method.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use stickslip::field::Design;
 use stickslip::model;
@@ -160,7 +161,9 @@ macro_rules! branch {
             from: $from,
             to: $to,
         });
-        model.branch(&case, &mut |_| ()).expect("a branch")
+        model
+            .branch(&case, &mut |_| ControlFlow::Continue(()))
+            .expect("a branch")
     }};
 }
 
@@ -242,7 +245,9 @@ fn accuracy_loses_no_point() {
     });
     for accuracy in [1e-6, 1e-8, 1e-10] {
         case.accuracy = accuracy;
-        let branch = model.branch(&case, &mut |_| ()).expect("a branch");
+        let branch = model
+            .branch(&case, &mut |_| ControlFlow::Continue(()))
+            .expect("a branch");
         assert_eq!(branch.special.len(), 1, "at {accuracy:e}");
         assert!(branch.special[0].r.abs() <= accuracy);
     }
@@ -316,7 +321,9 @@ fn orbits_begin_at_the_brusselators_hopf_point() {
         to: 2.5,
     });
     case.beginning = Beginning::Hopf;
-    let branch = model.branch(&case, &mut |_| ()).expect("a branch");
+    let branch = model
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
+        .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     let extent = |i: usize| branch.points[i].max[0] - branch.points[i].min[0];
     let above = |i: usize| branch.points[i].r.expect("r") - 2.0;

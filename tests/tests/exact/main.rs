@@ -3,6 +3,7 @@
 mod audit;
 mod closed_form;
 mod derivatives;
+mod enclosed_cycles;
 mod henon;
 mod metamorphic;
 mod properties;

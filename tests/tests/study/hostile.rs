@@ -1,6 +1,7 @@
 //! Models with random equations at random, hostile values, asked for everything: answers are finite, failures are typed,
 //! and all of it comes to an end.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use stickslip::field::{Kernel, Smoothing};
@@ -147,7 +148,9 @@ fn ask(dice: &mut Random, entry: &dyn Entry) -> bool {
                 from,
                 to,
             });
-            entry.equilibria_along(&case, &mut |_| {}).is_ok()
+            entry
+                .equilibria_along(&case, &mut |_| ControlFlow::Continue(()))
+                .is_ok()
         }
         _ => entry.orbit(&case).is_ok_and(|orbit| {
             finite(

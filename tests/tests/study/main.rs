@@ -1,6 +1,8 @@
 //! What a user is told: estimates, errors of smoothing, laws, and refusals.
 
+mod certificates;
 mod coverage;
 mod hostile;
 mod laws;
+mod proofs;
 mod trade;

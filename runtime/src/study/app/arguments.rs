@@ -135,6 +135,7 @@ fn branch() -> Command {
             "LABEL",
             "Which one, for instance PD1; the first without --of",
         ))
+        .arg(resume().hide(true))
 }
 
 fn equilibria() -> Command {
@@ -149,6 +150,7 @@ fn equilibria() -> Command {
             "certify",
             "Prove each with interval arithmetic: a box that holds one equilibrium, and only one",
         ))
+        .arg(resume().hide(true))
 }
 
 fn diagram() -> Command {
@@ -168,6 +170,14 @@ fn diagram() -> Command {
         .arg(valued("lyapunov", "N", "The largest Lyapunov exponent too, averaged over N laps"))
         .arg(valued("show", "NAME", "The state on the vertical axis of the drawing"))
         .arg(valued("threads", "N", "How many threads; all cores if nothing is said"))
+        .arg(resume())
+}
+
+fn resume() -> Arg {
+    flag(
+        "resume",
+        "Go on from what an interrupted run of the same command has left in --out DIR",
+    )
 }
 
 fn section() -> Arg {
@@ -199,6 +209,7 @@ fn trade() -> Command {
             "NAME=A..B",
             "A parameter, to be judged at both A and B: the worst end counts",
         ))
+        .arg(resume().hide(true))
 }
 
 fn shared() -> [Arg; 9] {
@@ -241,8 +252,12 @@ fn period() -> Arg {
 }
 
 fn out() -> Arg {
-    valued("out", "DIR", "Write files to this folder")
-        .value_parser(clap::value_parser!(std::path::PathBuf))
+    valued(
+        "out",
+        "DIR",
+        "Write files to this folder, long tables row by row",
+    )
+    .value_parser(clap::value_parser!(std::path::PathBuf))
 }
 
 fn json() -> Arg {

@@ -1,5 +1,7 @@
 //! `branch`: orbits along a design variable.
 
+use std::ops::ControlFlow;
+
 use clap::ArgMatches;
 
 use super::App;
@@ -37,12 +39,13 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let progress = Progress::along(&output);
     let mut journal = output.journal("branch");
     let mut watch = |point: &OrbitRecord| {
-        if let (Some(along), Some(r)) = (case.along, point.r) {
-            let name = followed(info, &along);
-            journal.add(|| Spreadsheet::orbits(info, &name, std::slice::from_ref(point)));
-            let message = format!("{} = {}", along.name(info), significant(r, 6));
-            progress.reach(along.share(r), message);
-        }
+        let (Some(along), Some(r)) = (case.along, point.r) else {
+            return ControlFlow::Continue(());
+        };
+        let name = followed(info, &along);
+        journal.add(|| Spreadsheet::orbits(info, &name, std::slice::from_ref(point)));
+        let message = format!("{} = {}", along.name(info), significant(r, 6));
+        progress.reach(along.share(r), message)
     };
     let branch = entry
         .branch(&case, &mut watch)
@@ -60,13 +63,18 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         .map(|(name, sheet)| (name.as_str(), sheet.clone()))
         .collect();
     let document = json::Branch::new(info, &case, &branch);
-    output.draw([("branch", picture::branch(info, &branch))])?;
+    let drawn = output.draw([("branch", picture::branch(info, &branch))]);
     output.deliver(
         "branch",
         &describe(info, &case, &branch),
         &document,
         &sheets,
     )?;
+    drawn?;
+    if branch.is_interrupted() {
+        let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
+        return Err(output.interrupted(&format!("{count} orbits were found")));
+    }
     let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word, ended.reason);
     if let Some(ended) = branch.unlocated() {
         return Err(Failure::failed(reason(ended)));

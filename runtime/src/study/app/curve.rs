@@ -45,21 +45,32 @@ pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), 
     let info = entry.info();
     let (case, scope) = question(info, options, case)?;
     let progress = Progress::along(&output);
+    let mut journal = output.journal("curve");
+    let ranges = [case.along.unwrap_or(scope.and), scope.and];
     let mut watch = |point: &CurvePointRecord| {
+        journal.add(|| sheet(info, &ranges, std::slice::from_ref(point)));
         let message = format!("{} = {}", scope.and.name(info), number(point.q, 6));
-        progress.reach(scope.and.share(point.q), message);
+        progress.reach(scope.and.share(point.q), message)
     };
     let curve = entry
         .curve(&case, &scope, &mut watch)
         .map_err(|error| Failure::of(&error, info))?;
     drop(progress);
-    output.draw([("curve", picture::curve(info, &curve))])?;
+    let drawn = output.draw([("curve", picture::curve(info, &curve))]);
     output.deliver(
         "curve",
         &describe(info, &case, &curve),
         &json::CurveDocument::new(info, &case, &curve),
-        &[("curve", sheet(info, &curve))],
+        &[(
+            "curve",
+            sheet(info, &[curve.along, curve.and], &curve.points),
+        )],
     )?;
+    drawn?;
+    if curve.ended.is_interrupted() {
+        let count = curve.points.len();
+        return Err(output.interrupted(&format!("{count} points were found")));
+    }
     let reason = format!(
         "the curve ended, {}: {}",
         curve.ended.word, curve.ended.reason
@@ -147,10 +158,8 @@ fn describe(info: &ModelInfo, case: &Case, curve: &CurveRecord) -> String {
 }
 
 /// One row for each point.
-fn sheet(info: &ModelInfo, curve: &CurveRecord) -> Spreadsheet {
-    let mut head = [&curve.along, &curve.and]
-        .map(|range| followed(info, range))
-        .to_vec();
+fn sheet(info: &ModelInfo, ranges: &[Along; 2], points: &[CurvePointRecord]) -> Spreadsheet {
+    let mut head: Vec<String> = ranges.iter().map(|range| followed(info, range)).collect();
     head.push(timed(info, "period", "s"));
     let states = info.states.iter();
     head.extend(states.map(|state| label(state.name, state.unit)));
@@ -172,7 +181,7 @@ fn sheet(info: &ModelInfo, curve: &CurveRecord) -> Spreadsheet {
     };
     Spreadsheet::of(
         std::iter::once(head)
-            .chain(curve.points.iter().map(row))
+            .chain(points.iter().map(row))
             .collect(),
     )
 }

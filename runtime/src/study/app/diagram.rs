@@ -1,6 +1,9 @@
 //! `diagram`: where motions meet a section, for many values of a design variable.
 
+mod notes;
 mod sheets;
+
+use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 
@@ -9,14 +12,18 @@ use super::failure::Failure;
 use super::json;
 use super::options::{Request, request, text};
 use super::orbit::work;
+use super::output::Journal;
 use super::picture;
 use super::progress::Progress;
+use super::resume::{Notes, Question};
 use super::section::section;
 use super::text::{followed, number, parameters, table};
 use super::words::{count, unknown};
 use crate::model::ModelInfo;
 use crate::poincare::{Section, Surface};
-use crate::study::{Case, Diagram, DiagramRecord, Motion, Slice, Sweep, SweepRecord};
+use crate::study::{
+    Along, Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord,
+};
 
 /// Digits shown of the design variable.
 const DIGITS: usize = 6;
@@ -36,25 +43,87 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     diagram.section = section(info, options)?.unwrap_or_default();
     let shown = shown(info, options, &diagram.section)?;
     let progress = Progress::along(&output);
-    progress.reach(0.0, String::new());
-    let watch = |share: f64| progress.reach(share, String::new());
+    let mut known = Known::default();
+    let mut recall =
+        |line: &str| notes::read(line).map(|(sweep, slice)| known.insert(&sweep, slice));
+    let question = question(app, info, &case, &diagram);
+    let notes = Notes::open(&output, options, "diagram", &question, &mut recall)?;
+    let papers = Mutex::new(Papers {
+        along: case.along,
+        points: output.journal("points"),
+        values: output.journal("values"),
+        notes,
+    });
+    let watch = |seen: Seen<'_>| {
+        let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
+        papers.take(info, &seen);
+        progress.reach(seen.share, String::new())
+    };
     let record = entry
-        .diagram(&case, &diagram, &watch)
+        .diagram(&case, &diagram, &known, &watch)
         .map_err(|error| Failure::of(&error, info))?;
     drop(progress);
     let picture = picture::diagram(info, &record, shown);
-    output.draw([("diagram", picture)])?;
+    let drawn = output.draw([("diagram", picture)]);
     let document = json::DiagramDocument::new(info, &case, &record);
+    let name = &followed(info, &record.along);
+    let slices = || {
+        let sweeps = record.sweeps.iter();
+        sweeps.flat_map(|sweep| sweep.slices.iter().map(|slice| (sweep.name, slice)))
+    };
     output.deliver(
         "diagram",
         &describe(info, &case, &record),
         &document,
         &[
-            ("points", sheets::points(info, &record)),
-            ("values", sheets::values(info, &record)),
+            ("points", sheets::points(info, name, slices())),
+            ("values", sheets::values(info, name, slices())),
         ],
     )?;
+    drawn?;
+    if record.missing > 0 {
+        let count = slices().count();
+        return Err(output.interrupted(&format!("{count} values were found")));
+    }
+    let papers = papers.into_inner().unwrap_or_else(PoisonError::into_inner);
+    papers.notes.discard();
     failures(info, &record)
+}
+
+/// What is asked, as far as the answer depends on it: not on the number of threads.
+fn question(app: &App, info: &ModelInfo, case: &Case, diagram: &Diagram) -> Question {
+    Question::new(app.version, info, case)
+        .and("`--section`", diagram.section.describe(info))
+        .exactly("the section", &diagram.section)
+        .and("`--sweep`", diagram.sweep.name())
+        .and("`--values`", diagram.values)
+        .and("`--settle`", diagram.settle)
+        .and("`--points`", diagram.points)
+        .exactly("`--lyapunov`", &diagram.lyapunov)
+}
+
+/// What is written of each value as it is found.
+struct Papers {
+    along: Option<Along>,
+    points: Journal,
+    values: Journal,
+    notes: Notes,
+}
+
+impl Papers {
+    fn take(&mut self, info: &ModelInfo, seen: &Seen<'_>) {
+        let Seen { sweep, slice, .. } = *seen;
+        if !seen.known {
+            self.notes.add(|| notes::written(sweep, slice));
+        }
+        let along = self
+            .along
+            .map_or(String::new(), |along| followed(info, &along));
+        self.points
+            .add(|| sheets::points(info, &along, [(sweep, slice)]));
+        self.values
+            .add(|| sheets::values(info, &along, [(sweep, slice)]));
+    }
 }
 
 /// All that is counted; the section is not known yet.

@@ -2,6 +2,8 @@
 
 mod proof;
 
+use std::ops::ControlFlow;
+
 use clap::ArgMatches;
 use nalgebra::Complex;
 
@@ -63,12 +65,13 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
     let progress = Progress::along(output);
     let mut journal = output.journal("equilibria");
     let mut watch = |point: &EquilibriumRecord| {
-        if let (Some(along), Some(r)) = (case.along, point.r) {
-            let name = along.name(info);
-            journal.add(|| Spreadsheet::equilibria(info, name, std::slice::from_ref(point)));
-            let message = format!("{} = {}", along.name(info), number(r, 6));
-            progress.reach(along.share(r), message);
-        }
+        let (Some(along), Some(r)) = (case.along, point.r) else {
+            return ControlFlow::Continue(());
+        };
+        let name = followed(info, &along);
+        journal.add(|| Spreadsheet::equilibria(info, &name, std::slice::from_ref(point)));
+        let message = format!("{} = {}", along.name(info), number(r, 6));
+        progress.reach(along.share(r), message)
     };
     let branch = entry
         .equilibria_along(case, &mut watch)
@@ -77,8 +80,13 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
     let sheet = Spreadsheet::equilibria(info, &followed(info, &branch.along), &branch.points);
     let document = json::EquilibriumBranch::new(info, case, &branch);
     let text = describe(info, case, &branch);
-    output.draw([("equilibria", picture::equilibria(info, &branch))])?;
-    output.deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
+    let drawn = output.draw([("equilibria", picture::equilibria(info, &branch))]);
+    let delivered = output.deliver("equilibria", &text, &document, &[("equilibria", sheet)]);
+    delivered.and(drawn)?;
+    if branch.ended.is_interrupted() {
+        let count = branch.points.len();
+        return Err(output.interrupted(&format!("{count} equilibria were found")));
+    }
     let reason = format!(
         "the branch ended, {}: {}",
         branch.ended.word, branch.ended.reason

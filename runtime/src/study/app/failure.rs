@@ -8,6 +8,9 @@ use crate::shooting::OrbitError;
 use crate::study::StudyError;
 use crate::study::trade::TradeError;
 
+/// The exit code of what was interrupted, as shells have it: 128 and the number of the signal.
+pub(super) const INTERRUPTED: u8 = 130;
+
 /// A failure with the message for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Failure {
@@ -29,6 +32,14 @@ impl Failure {
         Self {
             message: message.into(),
             code: 1,
+        }
+    }
+
+    /// What was asked was ended before it was done.
+    pub(super) fn interrupted(what: &str) -> Self {
+        Self {
+            message: format!("interrupted: {what}"),
+            code: INTERRUPTED,
         }
     }
 

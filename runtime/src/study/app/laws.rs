@@ -136,11 +136,11 @@ fn deliver(
     options: &ArgMatches,
 ) -> Result<(), Failure> {
     let output = Output::new(options)?;
-    output.draw(
+    let drawn = output.draw(
         exhibits
             .iter()
             .map(|one| (one.name.as_str(), one.figure.clone())),
-    )?;
+    );
     let document = match exhibits {
         [one] if name != "laws" => one.document.clone(),
         _ => {
@@ -152,7 +152,7 @@ fn deliver(
         .iter()
         .map(|one| (one.name.as_str(), one.sheet.clone()))
         .collect();
-    output.deliver(name, text, &document, &sheets)
+    output.deliver(name, text, &document, &sheets).and(drawn)
 }
 
 enum Found<'a> {

@@ -6,6 +6,7 @@ mod curve;
 mod diagram;
 mod equilibria;
 mod failure;
+mod interrupt;
 mod json;
 mod laws;
 mod models;
@@ -15,6 +16,7 @@ mod output;
 mod picture;
 mod progress;
 mod reproduce;
+mod resume;
 mod section;
 mod simulate;
 mod spreadsheet;
@@ -108,7 +110,8 @@ impl App {
         self
     }
 
-    /// Does what the arguments of the process say; 0 if all went well, 2 if they make no sense, 1 otherwise.
+    /// Does what the arguments of the process say; 0 if all went well, 2 if they make no sense, 130 if a long command was
+    /// interrupted, 1 otherwise.
     #[must_use]
     pub fn run(self) -> ExitCode {
         // A chain of a hundred masses carries matrices of 200 × 200 through each stage of a step.

@@ -19,6 +19,7 @@ pub(super) struct Request<'a> {
 
 /// Reads a request; nothing has been computed or written yet.
 pub(super) fn request<'a>(app: &'a App, options: &ArgMatches) -> Result<Request<'a>, Failure> {
+    resumes(options)?;
     let entry = app.entry(model(app, options)?)?;
     let info = entry.info();
     let along = text(options, "along")
@@ -51,6 +52,18 @@ pub(super) fn request<'a>(app: &'a App, options: &ArgMatches) -> Result<Request<
         case,
         output,
     })
+}
+
+/// Whether `--resume`, if it is there, has a meaning: a branch is more than its points, and is found anew.
+fn resumes(options: &ArgMatches) -> Result<(), Failure> {
+    let asked = options.try_get_one::<bool>("resume").ok().flatten() == Some(&true);
+    if asked && options.try_contains_id("settle").is_err() {
+        return Err(Failure::usage(
+            "`--resume` goes on with a `diagram` only, of which each value stands for itself; a branch that was interrupted \
+             is begun anew, or from its last point: `--along` from there",
+        ));
+    }
+    Ok(())
 }
 
 /// The value of an option that this command may not even have.

@@ -43,6 +43,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         ..case.clone()
     };
     let (mut points, mut points_text) = (None, String::new());
+    let mut drawn = Ok(());
     if let Some(section) = section {
         let span = Span::Period(orbit.period);
         let found = entry.crossings(&from, section, span).map_err(failed)?;
@@ -53,7 +54,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     if output.out.is_some() {
         let motion = entry.motion(&from, orbit.period).map_err(failed)?;
         sheets.push(("orbit", Spreadsheet::motion(info, &motion)));
-        output.draw([("orbit", picture::motion(info, &motion))])?;
+        drawn = output.draw([("orbit", picture::motion(info, &motion))]);
     }
     drop(progress);
     // `--exact` asks for what would be chosen anyway.
@@ -78,7 +79,9 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
             case.accuracy
         ));
     }
-    output.deliver("orbit", &text, &document, &sheets)?;
+    output
+        .deliver("orbit", &text, &document, &sheets)
+        .and(drawn)?;
     match certificate {
         Some(Err(reason)) => Err(Failure::failed(format!(
             "the orbit is not certified: {reason}"

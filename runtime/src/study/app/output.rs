@@ -2,15 +2,17 @@
 
 use std::fmt::Display;
 use std::fs::File;
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use serde::Serialize;
 
 use super::failure::Failure;
+use super::interrupt::{growing, way_out};
 use super::spreadsheet::Spreadsheet;
 use crate::study::report::Figure;
+use crate::study::whole;
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,13 +62,15 @@ impl Output {
         print(if self.json { &document } else { &text }).and(written)
     }
 
+    /// The place of a file in the folder, if there is one.
+    pub(super) fn path(&self, name: &str) -> Option<PathBuf> {
+        self.out.as_ref().map(|folder| folder.join(name))
+    }
+
     /// A table in the folder, if there is one, that grows row by row.
     pub(super) fn journal(&self, name: &str) -> Journal {
         Journal {
-            path: self
-                .out
-                .as_ref()
-                .map(|folder| folder.join(format!("{name}.csv"))),
+            path: self.path(&format!("{name}.csv")),
             file: None,
         }
     }
@@ -82,6 +86,16 @@ impl Output {
         Ok(())
     }
 
+    /// That a command has come to its end before it was done, and what is there.
+    pub(super) fn interrupted(&self, found: &str) -> Failure {
+        let place = match &self.out {
+            Some(folder) => format!(", and all of it is in {}", folder.display()),
+            None => String::new(),
+        };
+        let way_out = way_out(&growing());
+        Failure::interrupted(&format!("{found}{place}{way_out}"))
+    }
+
     /// Says something beside the answer.
     pub(super) fn note(&self, note: impl Display) {
         if !self.quiet {
@@ -93,7 +107,51 @@ impl Output {
 /// A table that is there as far as it has come, whatever ends the program.
 pub(super) struct Journal {
     path: Option<PathBuf>,
-    file: Option<File>,
+    file: Option<Growing>,
+}
+
+/// A file that is whole after each addition.
+pub(super) struct Growing {
+    path: PathBuf,
+    file: File,
+    length: u64,
+}
+
+impl Growing {
+    /// A new file with this beginning.
+    pub(super) fn begin(path: PathBuf, text: &str) -> std::io::Result<Self> {
+        let file = File::create(&path)?;
+        let mut new = Self::new(path, file, 0);
+        new.add(text)?;
+        Ok(new)
+    }
+
+    /// A file that is there, of which only this many bytes are good.
+    pub(super) fn carry_on(path: PathBuf, length: u64) -> std::io::Result<Self> {
+        let mut file = File::options().write(true).open(&path)?;
+        file.set_len(length)?;
+        file.seek(SeekFrom::End(0))?;
+        Ok(Self::new(path, file, length))
+    }
+
+    fn new(path: PathBuf, file: File, length: u64) -> Self {
+        growing().push(path.clone());
+        Self { path, file, length }
+    }
+
+    /// Adds whole lines, or nothing at all.
+    pub(super) fn add(&mut self, text: &str) -> std::io::Result<()> {
+        let mut files = growing();
+        let added = self.file.write_all(text.as_bytes());
+        match &added {
+            Ok(()) => self.length += text.len() as u64,
+            Err(_) => {
+                let _ = self.file.set_len(self.length);
+                files.retain(|path| *path != self.path);
+            }
+        }
+        added
+    }
 }
 
 impl Journal {
@@ -107,12 +165,18 @@ impl Journal {
     }
 
     fn grow(&mut self, path: PathBuf, rows: Spreadsheet) -> Option<()> {
-        let (mut file, rows) = match self.file.take() {
-            Some(file) => (file, rows.without_head()),
-            None => (File::create(path).ok()?, rows),
+        let rows = match self.file {
+            Some(_) => rows.without_head(),
+            None => rows,
         };
-        file.write_all(rows.text().ok()?.as_bytes()).ok()?;
-        self.file = Some(file);
+        let rows = rows.text().ok()?;
+        match self.file.take() {
+            Some(mut file) => {
+                file.add(&rows).ok()?;
+                self.file = Some(file);
+            }
+            None => self.file = Some(Growing::begin(path, &rows).ok()?),
+        }
         Some(())
     }
 }
@@ -151,17 +215,8 @@ fn json(document: &impl Serialize) -> Result<String, Failure> {
 
 /// Writes a file whole or not at all.
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    let mut growing = path.as_os_str().to_owned();
-    growing.push(".part");
-    let done = std::fs::write(&growing, text).and_then(|()| std::fs::rename(&growing, path));
-    done.map_err(|error| {
-        let _ = std::fs::remove_file(&growing);
-        unwritten(path, &error)
-    })
-}
-
-fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::failed(format!("cannot write {}: {error}", path.display()))
+    whole::write(path, text)
+        .map_err(|error| Failure::failed(format!("cannot write {}: {error}", path.display())))
 }
 
 /// Prints on stdout; a reader who has left is no error.

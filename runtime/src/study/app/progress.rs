@@ -1,54 +1,64 @@
 //! Progress on a terminal.
 
 use std::io::IsTerminal;
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::interrupt::{self, Work};
 use super::output::Output;
 
 /// Parts into which the way of a branch is divided.
 const PARTS: u64 = 1000;
 
-/// A sign of life on stderr, gone when it is dropped; nothing where nobody would see it.
-pub(super) struct Progress(ProgressBar);
+/// A long computation: a sign of life on stderr, where somebody would see it, until it is dropped or interrupted.
+pub(super) struct Progress {
+    bar: ProgressBar,
+    _work: Work,
+}
 
 impl Progress {
     /// Work of unknown length.
     pub(super) fn endless(output: &Output, message: &'static str) -> Self {
-        Self::visible(output).map_or_else(Self::hidden, |()| {
+        Self::shown(output, || {
             let bar = ProgressBar::new_spinner().with_message(message);
             bar.enable_steady_tick(Duration::from_millis(100));
-            Self(bar)
+            bar
         })
     }
 
     /// Work along a way, see [`Progress::reach`].
     pub(super) fn along(output: &Output) -> Self {
-        Self::visible(output).map_or_else(Self::hidden, |()| {
+        Self::shown(output, || {
             let bar = ProgressBar::new(PARTS).with_message("looking for the first orbit");
             let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}");
-            Self(style.map_or_else(|_| bar.clone(), |style| bar.clone().with_style(style)))
+            style.map_or_else(|_| bar.clone(), |style| bar.clone().with_style(style))
         })
     }
 
-    /// The share of the way done, and what is there.
-    pub(super) fn reach(&self, share: f64, message: String) {
-        self.0.set_position((share * PARTS as f64) as u64);
-        self.0.set_message(message);
+    /// The share of the way done, and what is there; the answer says whether to go on.
+    pub(super) fn reach(&self, share: f64, message: String) -> ControlFlow<()> {
+        self.bar.set_position((share * PARTS as f64) as u64);
+        self.bar.set_message(message);
+        interrupt::verdict()
     }
 
-    fn visible(output: &Output) -> Option<()> {
-        (!output.quiet && std::io::stderr().is_terminal()).then_some(())
-    }
-
-    fn hidden() -> Self {
-        Self(ProgressBar::hidden())
+    fn shown(output: &Output, bar: impl FnOnce() -> ProgressBar) -> Self {
+        let visible = !output.quiet && std::io::stderr().is_terminal();
+        Self {
+            bar: if visible {
+                bar()
+            } else {
+                ProgressBar::hidden()
+            },
+            _work: Work::begin(),
+        }
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 
 use super::failure::Failure;
+use super::interrupt::{Work, growing};
 use super::options::text;
 use super::output::prepare;
 use super::words::unknown;
@@ -26,6 +27,8 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let folder = options.get_one::<PathBuf>("out");
     let folder = folder.map_or(Path::new("report"), PathBuf::as_path);
     prepare(folder)?;
+    growing().push(folder.join("index.html"));
+    let _work = Work::begin();
     reproduction(folder, options.get_flag("quiet"))
         .map_err(|error| Failure::failed(error.to_string()))
 }

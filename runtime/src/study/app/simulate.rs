@@ -44,9 +44,11 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         points = Some(json::Crossings::new(info, &section, &found));
     }
     drop(progress);
-    output.draw([("trajectory", picture::motion(info, &motion))])?;
+    let drawn = output.draw([("trajectory", picture::motion(info, &motion))]);
     let document = json::Motion::new(info, &case, &motion).with_section(points);
-    output.deliver("trajectory", &text, &document, &sheets)
+    output
+        .deliver("trajectory", &text, &document, &sheets)
+        .and(drawn)
 }
 
 fn describe(info: &ModelInfo, case: &Case, motion: &Trajectory, time: f64) -> String {

@@ -7,13 +7,14 @@ use clap::parser::ValueSource;
 
 use super::App;
 use super::failure::Failure;
+use super::interrupt;
 use super::json;
 use super::options::{Request, request};
 use super::progress::Progress;
 use super::text::{digits, followed, number, parameters, short, table, time_unit, timed};
 use crate::field::{Design, Kernel};
 use crate::model::ModelInfo;
-use crate::study::trade::{Cost, Curve, Need, Point, Scope, Setting, Trade};
+use crate::study::trade::{Cost, Curve, Finding, Need, Point, Precision, Scope, Setting, Trade};
 use crate::study::{Case, Dynamics, End, TradeRecord};
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
@@ -38,16 +39,47 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(message));
     }
     let progress = Progress::endless(&output, "measuring what smoothing costs");
+    let [mut errors, mut precisions] = ["trade", "work-precision"].map(|name| output.journal(name));
+    let mut watch = |end: usize, finding: Finding<'_>| {
+        match finding {
+            Finding::Copy(kernel, point) => {
+                errors.add(|| sheets::errors(info, [(end, kernel, point)]));
+            }
+            Finding::Precision(one) => precisions.add(|| sheets::precision([(end, one)])),
+        }
+        interrupt::verdict()
+    };
     let record = entry
-        .trade(&case, &scope)
+        .trade(&case, &scope, &mut watch)
         .map_err(|error| Failure::of(&error, info))?;
     drop(progress);
     let sheets = [
-        ("trade", sheets::errors(info, &record)),
-        ("work-precision", sheets::precision(&record)),
+        ("trade", sheets::errors(info, copies(&record))),
+        ("work-precision", sheets::precision(precision(&record))),
     ];
     let text = describe(info, &case, &record, scope.accuracy);
-    output.deliver("trade", &text, &json::Trade::new(info, &record), &sheets)
+    output.deliver("trade", &text, &json::Trade::new(info, &record), &sheets)?;
+    if record.is_interrupted() {
+        let count = copies(&record).count();
+        return Err(output.interrupted(&format!("{count} copies were measured")));
+    }
+    Ok(())
+}
+
+/// All copies with the numbers of their ends.
+fn copies(record: &TradeRecord) -> impl Iterator<Item = (usize, Kernel, &Point)> {
+    let ends = record.ends.iter().enumerate();
+    let curves = ends.flat_map(|(end, at)| at.trade.curves.iter().map(move |curve| (end, curve)));
+    curves.flat_map(|(end, curve)| {
+        let points = curve.points.iter();
+        points.map(move |point| (end, curve.kernel, point))
+    })
+}
+
+/// All work-precision curves with the numbers of their ends.
+fn precision(record: &TradeRecord) -> impl Iterator<Item = (usize, &Precision)> {
+    let ends = record.ends.iter().enumerate();
+    ends.flat_map(|(end, at)| at.trade.precision.iter().map(move |one| (end, one)))
 }
 
 fn words<const COUNT: usize>(words: [&str; COUNT]) -> Vec<String> {

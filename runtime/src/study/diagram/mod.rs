@@ -5,12 +5,15 @@
 //! as there is one: it is sequential by nature. Sweeps up and down run side by side, and values that
 //! start afresh run on all cores; nothing depends on how many there are.
 
+mod known;
 mod slice;
 mod sweep;
 
+pub use known::Known;
 pub use slice::{Motion, Slice};
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::case::Along;
 use super::parallel::parallel_on;
@@ -60,6 +63,8 @@ pub struct DiagramRecord {
     pub diagram: Diagram,
     /// One or two sweeps.
     pub sweeps: Vec<SweepRecord>,
+    /// How many values are not there, because it was interrupted.
+    pub missing: usize,
 }
 
 /// One sweep over all values.
@@ -87,21 +92,40 @@ impl Sweep {
     }
 }
 
+/// A value of a diagram as it is found.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen<'a> {
+    /// The sweep to which it belongs.
+    pub sweep: &'static str,
+    /// What is seen there.
+    pub slice: &'a Slice,
+    /// Whether it was known before.
+    pub known: bool,
+    /// The share of all values that are there.
+    pub share: f64,
+}
+
+/// Told of each value of a diagram, from any thread; a break ends the diagram there.
+pub type Watcher<'a> = &'a (dyn Fn(Seen<'_>) -> ControlFlow<()> + Sync);
+
 impl Diagram {
-    /// Draws it for a family, from `start`.
+    /// Draws it for a family, from `start`, where it is not `known` already.
     pub(super) fn draw<F: Family<N> + Clone + Sync, const N: usize>(
         &self,
         family: &F,
         along: Along,
         start: [f64; N],
-        watch: &(dyn Fn(f64) + Sync),
+        known: &Known,
+        watch: Watcher<'_>,
     ) -> DiagramRecord {
         let values = self.spaced(along);
-        let done = AtomicUsize::new(0);
-        let all = values.len() * if self.sweep == Sweep::Both { 2 } else { 1 };
-        let count = || {
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            watch(done as f64 / all as f64);
+        let ways = self.ways(&values);
+        let all = ways.iter().map(|(_, values)| values.len()).sum();
+        let tell = Tell {
+            watch,
+            all,
+            done: AtomicUsize::new(0),
+            stopped: AtomicBool::new(false),
         };
         let cut = Cut {
             family,
@@ -109,33 +133,41 @@ impl Diagram {
             along,
             start,
         };
-        let backwards: Vec<f64> = values.iter().rev().copied().collect();
-        let up = ("up", values.as_slice());
-        let down = ("down", backwards.as_slice());
-        let ways = match self.sweep {
-            Sweep::Up => vec![up],
-            Sweep::Down => vec![down],
-            Sweep::Both => vec![up, down],
-            Sweep::Fresh => Vec::new(),
+        let sweeps = match self.sweep {
+            Sweep::Fresh => ways
+                .iter()
+                .map(|(name, values)| SweepRecord {
+                    name,
+                    slices: fresh(&cut, (name, values), known, &tell),
+                })
+                .collect(),
+            _ => parallel_on(self.threads, &ways, |(name, values)| SweepRecord {
+                name,
+                slices: sweep::sweep(
+                    &cut,
+                    values,
+                    |r| known.get(name, along.value(r)),
+                    |slice, known| tell.of(name, slice, known),
+                ),
+            }),
         };
-        let mut sweeps = parallel_on(self.threads, &ways, |(name, values)| SweepRecord {
-            name,
-            slices: sweep::sweep(&cut, values, &count),
-        });
-        if self.sweep == Sweep::Fresh {
-            sweeps.push(SweepRecord {
-                name: "fresh",
-                slices: parallel_on(self.threads, &values, |&r| {
-                    let slice = cut.fresh(r);
-                    count();
-                    slice
-                }),
-            });
-        }
         DiagramRecord {
             along,
             diagram: *self,
+            missing: all - tell.done.into_inner(),
             sweeps,
+        }
+    }
+
+    /// The sweeps with their values in the order of each.
+    fn ways(&self, values: &[f64]) -> Vec<(&'static str, Vec<f64>)> {
+        let up = || (Sweep::Up.name(), values.to_vec());
+        let down = || (Sweep::Down.name(), values.iter().rev().copied().collect());
+        match self.sweep {
+            Sweep::Up => vec![up()],
+            Sweep::Down => vec![down()],
+            Sweep::Both => vec![up(), down()],
+            Sweep::Fresh => vec![(Sweep::Fresh.name(), values.to_vec())],
         }
     }
 
@@ -150,6 +182,52 @@ impl Diagram {
             k => low + (high - low) * k as f64 / last as f64,
         };
         (0..=last).map(value).collect()
+    }
+}
+
+/// All values at once, each from the start.
+fn fresh<F: Family<N> + Clone + Sync, const N: usize>(
+    cut: &Cut<'_, F, N>,
+    (name, values): (&'static str, &[f64]),
+    known: &Known,
+    tell: &Tell<'_>,
+) -> Vec<Slice> {
+    let one = |&r: &f64| {
+        if tell.stopped.load(Ordering::Relaxed) {
+            return None;
+        }
+        let old = known.get(name, cut.along.value(r));
+        let is_old = old.is_some();
+        let slice = old.unwrap_or_else(|| cut.fresh(r));
+        let _ = tell.of(name, &slice, is_old);
+        Some(slice)
+    };
+    let slices = parallel_on(cut.diagram.threads, values, one);
+    slices.into_iter().flatten().collect()
+}
+
+/// Tells of each value.
+struct Tell<'a> {
+    watch: Watcher<'a>,
+    all: usize,
+    done: AtomicUsize,
+    stopped: AtomicBool,
+}
+
+impl Tell<'_> {
+    fn of(&self, sweep: &'static str, slice: &Slice, known: bool) -> ControlFlow<()> {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        let share = done as f64 / self.all as f64;
+        let verdict = (self.watch)(Seen {
+            sweep,
+            slice,
+            known,
+            share,
+        });
+        if verdict.is_break() {
+            self.stopped.store(true, Ordering::Relaxed);
+        }
+        verdict
     }
 }
 

@@ -30,6 +30,8 @@ pub struct Slice {
     pub min: Vec<f64>,
     /// Largest value of each state.
     pub max: Vec<f64>,
+    /// Where it was when the last point was taken; nothing if it failed.
+    pub end: Vec<f64>,
     /// The largest Lyapunov exponent across the motion, if it was wanted and has a value.
     pub lyapunov: Option<Result<Lyapunov, String>>,
     /// What it cost.
@@ -73,13 +75,6 @@ pub(super) struct Cut<'a, F, const N: usize> {
     pub(super) start: [f64; N],
 }
 
-/// What is left of a motion for the next value.
-pub(super) struct Trace<const N: usize> {
-    pub(super) state: [f64; N],
-    pub(super) min: [f64; N],
-    pub(super) max: [f64; N],
-}
-
 /// A slice under way.
 struct Seen<const N: usize, Mode> {
     motion: Motion,
@@ -95,35 +90,23 @@ struct Seen<const N: usize, Mode> {
 impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
     /// The slice at r, in the family's own count, from the declared start.
     pub(super) fn fresh(&self, r: f64) -> Slice {
-        self.slice(r, self.start, &magnitude(&self.start)).0
+        self.slice(r, self.start, &magnitude(&self.start))
     }
 
-    /// The slice at r from `start`, and what the next value begins with; states are measured against `scale`.
-    pub(super) fn slice(
-        &self,
-        r: f64,
-        start: [f64; N],
-        scale: &[f64; N],
-    ) -> (Slice, Option<Trace<N>>) {
+    /// The slice at r from `start`; states are measured against `scale`.
+    pub(super) fn slice(&self, r: f64, start: [f64; N], scale: &[f64; N]) -> Slice {
         match self.seen(r, start, scale) {
-            Ok((seen, lyapunov)) => {
-                let trace = Trace {
-                    state: seen.place.state,
-                    min: seen.min,
-                    max: seen.max,
-                };
-                let slice = Slice {
-                    r: self.along.value(r),
-                    motion: seen.motion,
-                    points: seen.points.iter().map(|point| point.to_vec()).collect(),
-                    min: seen.min.to_vec(),
-                    max: seen.max.to_vec(),
-                    lyapunov,
-                    work: seen.work,
-                };
-                (slice, Some(trace))
-            }
-            Err(error) => (self.failed(r, &error), None),
+            Ok((seen, lyapunov)) => Slice {
+                r: self.along.value(r),
+                motion: seen.motion,
+                points: seen.points.iter().map(|point| point.to_vec()).collect(),
+                min: seen.min.to_vec(),
+                max: seen.max.to_vec(),
+                end: seen.place.state.to_vec(),
+                lyapunov,
+                work: seen.work,
+            },
+            Err(error) => self.failed(r, &error),
         }
     }
 
@@ -134,6 +117,7 @@ impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
             points: Vec::new(),
             min: Vec::new(),
             max: Vec::new(),
+            end: Vec::new(),
             lyapunov: None,
             work: Work::default(),
         }

@@ -1,5 +1,7 @@
 //! Values one after the other, each from the end of the one before.
 
+use std::ops::ControlFlow;
+
 use super::slice::{Cut, Slice, magnitude};
 use crate::flow::Family;
 
@@ -7,31 +9,61 @@ use crate::flow::Family;
 /// rest, or one as symmetric as its start, would never leave what has lost its stability.
 const NUDGE: f64 = 1e-6;
 
-/// The slices at these values of r, in their order.
+/// The slices at these values of r, in their order, until `seen` wants no more; `known` may have the one at r already.
 pub(super) fn sweep<F: Family<N> + Clone, const N: usize>(
     cut: &Cut<'_, F, N>,
     values: &[f64],
-    done: &(dyn Fn() + Sync),
+    known: impl Fn(f64) -> Option<Slice>,
+    seen: impl Fn(&Slice, bool) -> ControlFlow<()>,
 ) -> Vec<Slice> {
-    let mut scale = magnitude(&cut.start);
-    let mut known = false;
-    let mut state = cut.start;
+    let mut hand = Hand::new(cut.start);
     let mut slices = Vec::with_capacity(values.len());
     for &r in values {
-        let (slice, trace) = cut.slice(r, state, &scale);
-        if let Some(trace) = trace {
-            let half = |j: usize| 0.5 * (trace.max[j] - trace.min[j]);
-            if !known && (0..N).all(|j| half(j) > 0.0) {
-                scale = std::array::from_fn(half);
-                known = true;
-            }
-            state = std::array::from_fn(|j| {
-                scale[j] = scale[j].max(half(j));
-                trace.state[j] + NUDGE * scale[j]
-            });
-        }
+        let old = known(r);
+        let is_old = old.is_some();
+        let slice = old.unwrap_or_else(|| cut.slice(r, hand.state, &hand.scale));
+        hand.take(&slice);
+        let verdict = seen(&slice, is_old);
         slices.push(slice);
-        done();
+        if verdict.is_break() {
+            break;
+        }
     }
     slices
+}
+
+/// What one value hands on to the next.
+struct Hand<const N: usize> {
+    /// Where it begins.
+    state: [f64; N],
+    /// How large its states usually are.
+    scale: [f64; N],
+    /// Whether a motion has shown that.
+    known: bool,
+}
+
+impl<const N: usize> Hand<N> {
+    fn new(start: [f64; N]) -> Self {
+        Self {
+            state: start,
+            scale: magnitude(&start),
+            known: false,
+        }
+    }
+
+    /// Takes over from a slice; what has failed hands on nothing.
+    fn take(&mut self, slice: &Slice) {
+        let Ok(end) = <[f64; N]>::try_from(slice.end.as_slice()) else {
+            return;
+        };
+        let half = |j: usize| 0.5 * (slice.max[j] - slice.min[j]);
+        if !self.known && (0..N).all(|j| half(j) > 0.0) {
+            self.scale = std::array::from_fn(half);
+            self.known = true;
+        }
+        self.state = std::array::from_fn(|j| {
+            self.scale[j] = self.scale[j].max(half(j));
+            end[j] + NUDGE * self.scale[j]
+        });
+    }
 }

@@ -1,18 +1,17 @@
 //! A report: sections of text, figures and tables, written as one page with its data beside it.
 
 mod draw;
+mod edition;
 mod figure;
 mod page;
 mod table;
 mod text;
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use draw::draw;
+pub use edition::Edition;
 pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
-use page::page;
 pub use table::{Column, Table};
 
 /// A report.
@@ -155,98 +154,9 @@ impl Report {
     ///
     /// # Errors
     /// A file or folder cannot be written.
-    pub fn write(&self, out: &Path) -> Result<Written, ReportError> {
-        let (figures, data) = (out.join("figures"), out.join("data"));
-        for folder in [&figures, &data] {
-            fs::create_dir_all(folder).map_err(|source| ReportError::Write {
-                path: folder.clone(),
-                source,
-            })?;
-        }
-        let index = out.join("index.html");
-        let mut written = Written {
-            page: index.clone(),
-            figures: 0,
-            data: 0,
-        };
-        for block in self.sections.iter().flat_map(|section| &section.blocks) {
-            match block {
-                Block::Figure(figure) => {
-                    save(&figures.join(figure.name() + ".svg"), &draw(figure))?;
-                    for (i, panel) in figure.panels.iter().enumerate() {
-                        save_panel(&data.join(figure.panel_name(i) + ".csv"), panel)?;
-                        written.data += 1;
-                    }
-                    written.figures += 1;
-                }
-                Block::Table(table) => {
-                    save_table(&data.join(format!("{}.csv", table.name)), table)?;
-                    written.data += 1;
-                }
-                Block::Page(page) => {
-                    save(&out.join(format!("{}.html", page.name)), &page.html)?;
-                    let (head, rows) = page.data.clone();
-                    save_rows(
-                        &data.join(format!("{}.csv", page.name)),
-                        head,
-                        rows.into_iter(),
-                    )?;
-                    written.data += 1;
-                }
-                Block::Text(_) | Block::Formula(_) | Block::Sketch(..) => {}
-            }
-        }
-        save(&index, &page(self))?;
-        Ok(written)
+    pub fn write(self, out: &Path) -> Result<Written, ReportError> {
+        let edition = Edition::begin(self, out)?;
+        edition.save_page()?;
+        Ok(edition.written())
     }
-}
-
-fn save(path: &Path, content: &str) -> Result<(), ReportError> {
-    fs::write(path, content).map_err(|source| ReportError::Write {
-        path: path.to_owned(),
-        source,
-    })
-}
-
-/// One row for each point: its curve, x and y.
-fn save_panel(path: &Path, panel: &Panel) -> Result<(), ReportError> {
-    let head = [
-        "curve".to_owned(),
-        text::plain(&panel.x.label),
-        text::plain(&panel.y.label),
-    ];
-    let rows = panel.curves.iter().flat_map(|curve| {
-        let label = text::plain(&curve.label);
-        curve
-            .points
-            .iter()
-            .map(move |[x, y]| vec![label.clone(), x.to_string(), y.to_string()])
-    });
-    save_rows(path, head, rows)
-}
-
-fn save_table(path: &Path, table: &Table) -> Result<(), ReportError> {
-    let head = table.columns.iter().map(|column| text::plain(&column.head));
-    let rows = table
-        .rows
-        .iter()
-        .map(|row| row.iter().map(|cell| text::plain(cell)).collect());
-    save_rows(path, head, rows)
-}
-
-fn save_rows(
-    path: &Path,
-    head: impl IntoIterator<Item = String>,
-    rows: impl Iterator<Item = Vec<String>>,
-) -> Result<(), ReportError> {
-    let failed = |source| ReportError::Data {
-        path: path.to_owned(),
-        source,
-    };
-    let mut writer = csv::Writer::from_path(path).map_err(failed)?;
-    writer.write_record(head).map_err(failed)?;
-    for row in rows {
-        writer.write_record(row).map_err(failed)?;
-    }
-    writer.flush().map_err(|source| failed(source.into()))
 }

@@ -8,14 +8,9 @@ use super::{Block, Report, Section};
 
 const STYLE: &str = include_str!("page.css");
 
-/// The whole page.
-pub(super) fn page(report: &Report) -> String {
-    let sections: String = report
-        .sections
-        .iter()
-        .enumerate()
-        .map(|(i, part)| section(i + 1, part))
-        .collect();
+/// The whole page, of which `sections` are the sections: see [`section`].
+pub(super) fn page(report: &Report, sections: &[String]) -> String {
+    let sections = sections.concat();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -70,7 +65,8 @@ fn figures(section: &Section) -> String {
     }
 }
 
-fn section(number: usize, section: &Section) -> String {
+/// One section, as it stands on the page.
+pub(super) fn section(number: usize, section: &Section) -> String {
     let blocks: String = section.blocks.iter().map(block).collect();
     format!(
         "<section id=\"section-{number}\">\n<h2><span class=\"number\">{number}</span>{}</h2>\n{blocks}</section>\n",

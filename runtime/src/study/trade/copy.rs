@@ -1,7 +1,9 @@
 //! The orbit's smooth copies, from the nearest to the exact law to the farthest.
 
+use std::ops::ControlFlow;
+
 use super::shoot::{Effort, Shooting, cost, follow, shoot};
-use super::{Curve, Fit, Point, Scope, smoothing};
+use super::{Curve, Finding, Fit, Point, Scope, Trade, Watch, precision, smoothing};
 use crate::field::exact::Modes;
 use crate::field::{Design, Kernel, SmoothField, Smoothing, Work};
 use crate::flow::{Place, SmoothFamily};
@@ -43,8 +45,33 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         }
     }
 
-    /// All copies of one kernel.
-    pub(super) fn curve(&self, kernel: Kernel, scope: &Scope) -> (Curve, Vec<Found<N>>) {
+    /// Adds everything about one kernel to a trade.
+    pub(super) fn measure(&self, kernel: Kernel, scope: &Scope, all: &mut Trade, watch: Watch<'_>) {
+        let (mut curve, found, mut verdict) = self.curve(kernel, scope, watch);
+        for (smoothing, copy) in &found {
+            if verdict.is_break() {
+                break;
+            }
+            let family = self.family(*smoothing, Effort::TIGHT.tolerance);
+            let precision = precision::of(Some(*smoothing), &family, copy, self.truth, scope);
+            verdict = watch(Finding::Precision(&precision));
+            all.precision.push(precision);
+        }
+        if let (Some(accuracy), None, false) = (scope.accuracy, &curve.refused, verdict.is_break())
+        {
+            curve.need = Some(self.need(&curve, &found, accuracy));
+        }
+        all.curves.push(curve);
+        all.interrupted = verdict.is_break();
+    }
+
+    /// All copies of one kernel, and whether there shall be more.
+    fn curve(
+        &self,
+        kernel: Kernel,
+        scope: &Scope,
+        watch: Watch<'_>,
+    ) -> (Curve, Vec<Found<N>>, ControlFlow<()>) {
         let sizes = if kernel.is_bump() {
             &scope.bump_sizes
         } else {
@@ -60,13 +87,18 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
             need: None,
         };
         let mut found: Vec<Found<N>> = Vec::new();
+        let mut verdict = ControlFlow::Continue(());
         if curve.refused.is_some() {
-            return (curve, found);
+            return (curve, found, verdict);
         }
         for &size in sizes.iter().rev() {
+            if verdict.is_break() {
+                break;
+            }
             let smoothing = smoothing(kernel, size);
             match self.point(smoothing, found.last()) {
                 Ok((point, shooting)) => {
+                    verdict = watch(Finding::Copy(kernel, &point));
                     curve.points.push(point);
                     found.push((smoothing, shooting));
                 }
@@ -81,7 +113,7 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         };
         curve.frequency = errors(&|point| point.frequency);
         curve.max_abs = (0..N).map(|j| errors(&|point| point.max_abs[j])).collect();
-        (curve, found)
+        (curve, found, verdict)
     }
 
     fn refusal(&self, kernel: Kernel) -> Option<crate::field::SmoothingError> {

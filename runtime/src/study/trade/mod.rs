@@ -13,7 +13,9 @@ mod shoot;
 pub use accuracy::{Need, Setting};
 pub use fit::Fit;
 pub use precision::{Precision, PrecisionPoint};
-pub use record::{Cost, Curve, Point, Scope, Trade, Truth, worst};
+pub use record::{Cost, Curve, Finding, Point, Scope, Trade, Truth, worst};
+
+use std::ops::ControlFlow;
 
 use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::field::{Kernel, Smoothing};
@@ -71,6 +73,22 @@ pub fn trade<M: Model<N>, const N: usize>(
     orbit: &Orbit<N, Modes<M, N>>,
     scope: &Scope,
 ) -> Result<Trade, TradeError> {
+    watched(model, orbit, scope, &mut |_| ControlFlow::Continue(()))
+}
+
+/// Told of each finding of a trade; a break ends it there.
+pub type Watch<'a> = &'a mut dyn FnMut(Finding<'_>) -> ControlFlow<()>;
+
+/// The same as [`trade`]; `watch` sees what is found as it is found, and may end the trade there.
+///
+/// # Errors
+/// See [`trade`].
+pub fn watched<M: Model<N>, const N: usize>(
+    model: &M,
+    orbit: &Orbit<N, Modes<M, N>>,
+    scope: &Scope,
+    watch: Watch<'_>,
+) -> Result<Trade, TradeError> {
     tradable(M::INFO)?;
     let family = ExactFamily {
         model: *model,
@@ -87,41 +105,29 @@ pub fn trade<M: Model<N>, const N: usize>(
         truth: &truth,
         stiffness: stiffness(model, &orbit.place.state),
     };
-    let mut curves = Vec::new();
-    let mut precision = vec![precision::of(None, &family, &truth, &truth, scope)];
-    for &kernel in &scope.kernels {
-        let (mut curve, found) = copies.curve(kernel, scope);
-        for (smoothing, copy) in &found {
-            let family = copies.family(*smoothing, Effort::TIGHT.tolerance);
-            precision.push(precision::of(
-                Some(*smoothing),
-                &family,
-                copy,
-                &truth,
-                scope,
-            ));
-        }
-        if let Some(accuracy) = scope.accuracy
-            && curve.refused.is_none()
-        {
-            curve.need = Some(copies.need(&curve, &found, accuracy));
-        }
-        curves.push(curve);
-    }
-    let need = scope
-        .accuracy
-        .map(|accuracy| accuracy::cheapest(&family, &truth, &truth, accuracy));
-    Ok(Trade {
+    let first = precision::of(None, &family, &truth, &truth, scope);
+    let mut all = Trade {
         exact: Truth {
             period: truth.period,
             max_abs: truth.max_abs().to_vec(),
             period_count: truth.count,
             cost,
         },
-        curves,
-        precision,
-        need,
-    })
+        curves: Vec::new(),
+        precision: Vec::new(),
+        need: None,
+        interrupted: watch(Finding::Precision(&first)).is_break(),
+    };
+    all.precision.push(first);
+    for &kernel in &scope.kernels {
+        if !all.interrupted {
+            copies.measure(kernel, scope, &mut all, watch);
+        }
+    }
+    if let (Some(accuracy), false) = (scope.accuracy, all.interrupted) {
+        all.need = Some(accuracy::cheapest(&family, &truth, &truth, accuracy));
+    }
+    Ok(all)
 }
 
 /// stick · G of each contact at `state`; the largest.

@@ -105,6 +105,17 @@ pub struct Trade {
     pub precision: Vec<Precision>,
     /// The cheapest setting of the exact system for the accuracy asked for.
     pub need: Option<Result<Setting, String>>,
+    /// Whether it was ended before all of this was there.
+    pub interrupted: bool,
+}
+
+/// What is found on the way of a trade.
+#[derive(Debug, Clone, Copy)]
+pub enum Finding<'a> {
+    /// A copy of this kernel.
+    Copy(Kernel, &'a Point),
+    /// A work-precision curve.
+    Precision(&'a Precision),
 }
 
 impl Curve {

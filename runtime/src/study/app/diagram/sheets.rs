@@ -1,45 +1,48 @@
 //! A diagram as CSV.
 
 use super::super::spreadsheet::{Spreadsheet, full, optional};
-use super::super::text::{followed, label, timed};
+use super::super::text::{label, timed};
 use crate::model::ModelInfo;
-use crate::study::{DiagramRecord, Slice, SweepRecord};
+use crate::study::Slice;
 
-/// One row for each point.
-pub(super) fn points(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
-    let mut head = vec!["sweep".to_owned(), followed(info, &record.along)];
+/// One row for each point; `name` is what is followed, with its unit.
+pub(super) fn points<'a>(
+    info: &ModelInfo,
+    name: &str,
+    slices: impl IntoIterator<Item = (&'a str, &'a Slice)>,
+) -> Spreadsheet {
+    let mut head = vec!["sweep".to_owned(), name.to_owned()];
     head.extend(
         info.states
             .iter()
             .map(|state| label(state.name, state.unit)),
     );
-    let row = |sweep: &SweepRecord, slice: &Slice, point: &Vec<f64>| {
+    let row = |sweep: &str, slice: &Slice, point: &Vec<f64>| {
         let values = std::iter::once(&slice.r).chain(point).map(full);
-        std::iter::once(sweep.name.to_owned())
-            .chain(values)
-            .collect()
+        std::iter::once(sweep.to_owned()).chain(values).collect()
     };
     let mut rows: Vec<Vec<String>> = vec![head];
-    for sweep in &record.sweeps {
-        for slice in &sweep.slices {
-            rows.extend(slice.points.iter().map(|point| row(sweep, slice, point)));
-        }
+    for (sweep, slice) in slices {
+        rows.extend(slice.points.iter().map(|point| row(sweep, slice, point)));
     }
     Spreadsheet::of(rows)
 }
 
-/// One row for each value.
-pub(super) fn values(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
+/// One row for each value; `name` is what is followed, with its unit.
+pub(super) fn values<'a>(
+    info: &ModelInfo,
+    name: &str,
+    slices: impl IntoIterator<Item = (&'a str, &'a Slice)>,
+) -> Spreadsheet {
     let exponents = ["lyapunov", "lyapunov_error"].map(|name| timed(info, name, "1/s"));
-    let name = followed(info, &record.along);
-    let mut head = vec!["sweep".to_owned(), name, "motion".to_owned()];
+    let mut head = ["sweep", name, "motion"].map(str::to_owned).to_vec();
     head.extend(exponents);
     for prefix in ["min_", "max_"] {
         let states = info.states.iter();
         head.extend(states.map(|state| label(&format!("{prefix}{}", state.name), state.unit)));
     }
     let states = info.states.len();
-    let row = |sweep: &SweepRecord, slice: &Slice| {
+    let row = |sweep: &str, slice: &Slice| {
         let found = slice
             .lyapunov
             .as_ref()
@@ -47,7 +50,7 @@ pub(super) fn values(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
         let exponent = found.and_then(|found| found.exponent);
         let error = exponent.and(found.map(|found| found.error));
         let mut row = vec![
-            sweep.name.to_owned(),
+            sweep.to_owned(),
             full(&slice.r),
             slice.motion.name(),
             optional(exponent),
@@ -59,8 +62,6 @@ pub(super) fn values(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
         row
     };
     let mut rows = vec![head];
-    for sweep in &record.sweeps {
-        rows.extend(sweep.slices.iter().map(|slice| row(sweep, slice)));
-    }
+    rows.extend(slices.into_iter().map(|(sweep, slice)| row(sweep, slice)));
     Spreadsheet::of(rows)
 }

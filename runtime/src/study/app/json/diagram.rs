@@ -15,8 +15,16 @@ pub(in crate::study::app) struct DiagramDocument<'a> {
     section: String,
     settle: usize,
     sweeps: Vec<SweepDocument<'a>>,
+    /// Values that are not there, of a diagram that was interrupted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interrupted: Option<Missing>,
     units: Named<'a, &'static str>,
     work: Counts,
+}
+
+#[derive(serde::Serialize)]
+struct Missing {
+    missing: usize,
 }
 
 #[derive(serde::Serialize)]
@@ -69,6 +77,9 @@ impl<'a> DiagramDocument<'a> {
             section: record.diagram.section.describe(info),
             settle: record.diagram.settle,
             sweeps: record.sweeps.iter().map(sweep).collect(),
+            interrupted: Some(record.missing)
+                .filter(|missing| *missing > 0)
+                .map(|missing| Missing { missing }),
             units: units(info),
             work: Counts::from(&record.work()),
         }

@@ -21,6 +21,9 @@ pub(in super::super) struct Trade<'a> {
     ends: Vec<AtEnd<'a>>,
     /// Where a range is judged: the most demanding end of each kernel.
     worst: Vec<Worst>,
+    /// Whether it was ended before all of this was there.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    interrupted: bool,
     units: Named<'a, &'static str>,
 }
 
@@ -146,6 +149,7 @@ impl<'a> Trade<'a> {
             }),
             ends: record.ends.iter().map(|end| at_end(info, end)).collect(),
             worst: Kernel::ALL.into_iter().filter_map(worst).collect(),
+            interrupted: record.is_interrupted(),
             units: units(info),
         }
     }

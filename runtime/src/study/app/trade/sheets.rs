@@ -1,14 +1,17 @@
 //! A trade as CSV.
 
 use super::words;
+use crate::field::Kernel;
 use crate::model::ModelInfo;
-use crate::study::TradeRecord;
 use crate::study::app::spreadsheet::{Spreadsheet, full};
 use crate::study::app::text::timed;
-use crate::study::trade::{Curve, Point};
+use crate::study::trade::{Point, Precision};
 
 /// Errors, one row for each copy at each end.
-pub(super) fn errors(info: &ModelInfo, record: &TradeRecord) -> Spreadsheet {
+pub(super) fn errors<'a>(
+    info: &ModelInfo,
+    copies: impl IntoIterator<Item = (usize, Kernel, &'a Point)>,
+) -> Spreadsheet {
     let mut head = words([
         "end",
         "kernel",
@@ -33,25 +36,17 @@ pub(super) fn errors(info: &ModelInfo, record: &TradeRecord) -> Spreadsheet {
         "seconds",
     ]));
     let mut rows = vec![head];
-    for (end, at) in record.ends.iter().enumerate() {
-        for curve in &at.trade.curves {
-            rows.extend(
-                curve
-                    .points
-                    .iter()
-                    .map(|point| sheet_row(end, curve, point)),
-            );
-        }
-    }
+    let row = |(end, kernel, point)| sheet_row(end, kernel, point);
+    rows.extend(copies.into_iter().map(row));
     Spreadsheet::of(rows)
 }
 
-fn sheet_row(end: usize, curve: &Curve, point: &Point) -> Vec<String> {
+fn sheet_row(end: usize, kernel: Kernel, point: &Point) -> Vec<String> {
     let predicted = point.predicted.as_ref().ok();
     let told = |value: Option<f64>| value.as_ref().map(full).unwrap_or_default();
     let mut row = vec![
         end.to_string(),
-        curve.kernel.to_string(),
+        kernel.to_string(),
         full(&point.size),
         full(&point.stiffness),
         full(&point.frequency),
@@ -77,7 +72,9 @@ fn sheet_row(end: usize, curve: &Curve, point: &Point) -> Vec<String> {
 }
 
 /// Work-precision curves, one row for each orbit.
-pub(super) fn precision(record: &TradeRecord) -> Spreadsheet {
+pub(super) fn precision<'a>(
+    curves: impl IntoIterator<Item = (usize, &'a Precision)>,
+) -> Spreadsheet {
     let mut rows = vec![words([
         "end",
         "dynamics",
@@ -90,24 +87,20 @@ pub(super) fn precision(record: &TradeRecord) -> Spreadsheet {
         "factorisations",
         "seconds",
     ])];
-    for (end, at) in record.ends.iter().enumerate() {
-        for precision in &at.trade.precision {
-            for point in &precision.points {
-                let mut row = vec![end.to_string(), precision.dynamics()];
-                row.extend(
-                    [point.tolerance, point.integration, point.total].map(|value| full(&value)),
-                );
-                let work = &point.cost.work;
-                let counts = [
-                    work.steps,
-                    work.evaluations,
-                    work.linearisations,
-                    work.factorisations,
-                ];
-                row.extend(counts.map(|count| count.to_string()));
-                row.push(full(&point.cost.seconds));
-                rows.push(row);
-            }
+    for (end, precision) in curves {
+        for point in &precision.points {
+            let mut row = vec![end.to_string(), precision.dynamics()];
+            row.extend([point.tolerance, point.integration, point.total].map(|value| full(&value)));
+            let work = &point.cost.work;
+            let counts = [
+                work.steps,
+                work.evaluations,
+                work.linearisations,
+                work.factorisations,
+            ];
+            row.extend(counts.map(|count| count.to_string()));
+            row.push(full(&point.cost.seconds));
+            rows.push(row);
         }
     }
     Spreadsheet::of(rows)

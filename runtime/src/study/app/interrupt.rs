@@ -1,0 +1,136 @@
+//! Ctrl-C: a long command ends with what is there, and says so.
+//!
+//! The first signal asks whoever computes to come to an end; who does not hear it in time is ended, between two rows of
+//! whatever is being written. The second signal ends the program at once.
+
+use std::fs::Metadata;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant, SystemTime};
+
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+
+use super::failure::{Failure, INTERRUPTED};
+use super::resume::ENDING;
+
+/// How long a computation has to come to an end by itself.
+const GRACE: Duration = Duration::from_secs(2);
+/// How often the signal is looked for.
+const GLANCE: Duration = Duration::from_millis(50);
+
+/// Whether an end is wanted.
+static ASKED: AtomicBool = AtomicBool::new(false);
+/// Since when something is being computed, if it is.
+static AT_WORK: Mutex<Option<SystemTime>> = Mutex::new(None);
+/// Whether it has asked if it shall go on: what has not has nothing yet to come to an end with.
+static LISTENS: AtomicBool = AtomicBool::new(false);
+/// Files that grow as results are found; held while one of them does.
+static GROWING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+/// The one who listens.
+static SENTRY: LazyLock<()> = LazyLock::new(listen);
+
+/// A computation that can be interrupted, until it is dropped.
+pub(super) struct Work(());
+
+impl Work {
+    /// It begins now, and should ask at each finding whether it shall go on: see [`verdict`].
+    pub(super) fn begin() -> Self {
+        LazyLock::force(&SENTRY);
+        LISTENS.store(false, Ordering::Relaxed);
+        *held(&AT_WORK) = Some(SystemTime::now());
+        Self(())
+    }
+}
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        *held(&AT_WORK) = None;
+    }
+}
+
+/// Whether a computation shall go on.
+pub(super) fn verdict() -> ControlFlow<()> {
+    LISTENS.store(true, Ordering::Relaxed);
+    if ASKED.load(Ordering::Relaxed) {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}
+
+/// The files that grow; the program does not end between the beginning and the end of a row while they are held.
+pub(super) fn growing() -> MutexGuard<'static, Vec<PathBuf>> {
+    held(&GROWING)
+}
+
+fn held<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Listens from now on. Where no signal can be heard, the system does with it what it always does.
+fn listen() {
+    for signal in [SIGINT, SIGTERM] {
+        // In this order the first signal finds the flag down, and only the second one ends the program.
+        let second = flag::register_conditional_shutdown(signal, INTERRUPTED.into(), &ASKED);
+        let _ = second.and_then(|_| flag::register(signal, &ASKED));
+    }
+    let sentry = std::thread::Builder::new().name("sentry".to_owned());
+    let _ = sentry.spawn(wait);
+}
+
+/// Ends the program if a computation does not end by itself.
+fn wait() {
+    while !ASKED.load(Ordering::Relaxed) {
+        std::thread::sleep(GLANCE);
+    }
+    let asked = Instant::now();
+    loop {
+        // Held to the end: what has come to its end is not ended any more.
+        let at_work = held(&AT_WORK);
+        if let Some(since) = *at_work
+            && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= GRACE)
+        {
+            let mut files = growing();
+            // What was there before is not what was found now.
+            files.retain(|path| path.metadata().is_ok_and(|file| is_new(&file, since)));
+            Failure::interrupted(&told(&files)).report();
+            std::process::exit(INTERRUPTED.into());
+        }
+        drop(at_work);
+        std::thread::sleep(GLANCE);
+    }
+}
+
+fn is_new(file: &Metadata, since: SystemTime) -> bool {
+    let coarse = since - Duration::from_secs(1);
+    file.modified().is_ok_and(|time| time >= coarse)
+}
+
+fn told(files: &[PathBuf]) -> String {
+    let tables = files.iter().filter(|path| !is_notes(path));
+    let names: Vec<String> = tables.map(|path| path.display().to_string()).collect();
+    match names.as_slice() {
+        [] => "nothing was found yet that could be kept".to_owned(),
+        names => format!(
+            "what was found is in {}{}",
+            names.join(", "),
+            way_out(files)
+        ),
+    }
+}
+
+/// How to go on from these files.
+pub(super) fn way_out(files: &[PathBuf]) -> &'static str {
+    if files.iter().any(|path| is_notes(path)) {
+        "; `--resume` goes on from there"
+    } else {
+        ""
+    }
+}
+
+fn is_notes(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == ENDING)
+}
