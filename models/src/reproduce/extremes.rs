@@ -7,7 +7,7 @@ mod ranges;
 
 use std::path::Path;
 
-use stickslip::study::report::{Report, ReportError};
+use stickslip::study::report::{Report, ReportError, Written};
 use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError};
 
 pub(super) use page::section;
@@ -57,13 +57,21 @@ const TIGHT: [f64; 3] = [1e-12, 1e-11, 1e-10];
 /// # Errors
 /// A file cannot be written.
 pub fn reproduce(out: &Path) -> Result<String, ReportError> {
+    let written = draw(&map(), out)?;
+    Ok(format!("open {} in a browser", written.page.display()))
+}
+
+/// Writes a map as a page to the folder `out`.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn draw(map: &[(Range, Vec<Cell>)], out: &Path) -> Result<Written, ReportError> {
     let report = Report {
         title: "At the extremes".to_owned(),
         subtitle: "How far answers keep their digits, and what stops them".to_owned(),
-        sections: vec![section()],
+        sections: vec![page::from(map)],
     };
-    let written = report.write(out)?;
-    Ok(format!("open {} in a browser", written.page.display()))
+    report.write(out)
 }
 
 /// Every cell of every range.
@@ -181,27 +189,5 @@ fn kind(error: &StudyError) -> &'static str {
         StudyError::Orbit(OrbitError::Newton(_)) => "newton",
         StudyError::Orbit(OrbitError::Flow(_)) | StudyError::Flow(_) => "flow",
         _ => "other",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use stickslip::study::parallel_on;
-
-    /// Bit for bit: also the digits that nobody would print.
-    #[test]
-    fn the_number_of_cores_changes_nothing() {
-        let ranges = ranges();
-        let some: Vec<(usize, f64)> = (ranges.iter().enumerate())
-            .flat_map(|(i, range)| {
-                let found = range.cells().into_iter();
-                let found = found.filter(|(_, expected)| matches!(expected, Expected::Digits(_)));
-                found.step_by(9).map(move |(value, _)| (i, value))
-            })
-            .collect();
-        let ask = |cores| parallel_on(Some(cores), &some, |&(i, value)| ranges[i].outcome(value));
-        let one = ask(1);
-        assert!(some.len() > 20 && one == ask(2) && one == ask(3));
     }
 }

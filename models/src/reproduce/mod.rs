@@ -101,15 +101,16 @@ pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
     write(out, quiet, true)
 }
 
-/// The same without the branches of the belt pair, which take most of the time.
+/// The same without what can be had alone, and takes most of the time: the branches of the belt pair ([`reproduce_atlas`])
+/// and the map of the extremes ([`extremes::reproduce`]).
 ///
 /// # Errors
 /// See [`reproduce`].
-pub fn reproduce_but_the_atlas(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
+pub fn reproduce_the_rest(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
     write(out, quiet, false)
 }
 
-fn write(out: &Path, quiet: bool, with_atlas: bool) -> Result<Summary, ReproduceError> {
+fn write(out: &Path, quiet: bool, whole: bool) -> Result<Summary, ReproduceError> {
     let clock = Instant::now();
     let say = |what: &str| {
         if !quiet {
@@ -133,7 +134,7 @@ fn write(out: &Path, quiet: bool, with_atlas: bool) -> Result<Summary, Reproduce
     edition.add(belt_oscillator::section(&mut costs)?)?;
     say("Two masses on a belt");
     edition.add(belt_pair::section()?)?;
-    if with_atlas {
+    if whole {
         say("The branches of two masses on a belt");
         let (atlas, followed) = atlas::section()?;
         edition.add(atlas)?;
@@ -143,8 +144,10 @@ fn write(out: &Path, quiet: bool, with_atlas: bool) -> Result<Summary, Reproduce
     edition.add(drill_string::section(&mut costs)?)?;
     say("What smoothing costs");
     edition.add(smoothing::section()?)?;
-    say("The extremes");
-    edition.add(extremes::section())?;
+    if whole {
+        say("The extremes");
+        edition.add(extremes::section())?;
+    }
     branches += costs.len();
     edition.add(cost::section(costs))?;
     let written = edition.written();

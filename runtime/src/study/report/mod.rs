@@ -3,6 +3,7 @@
 mod draw;
 mod edition;
 mod figure;
+pub mod numerals;
 mod page;
 mod table;
 mod text;
