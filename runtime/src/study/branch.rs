@@ -100,6 +100,17 @@ impl Ended {
         }
     }
 
+    /// A doubled orbit that cannot be told any more from the one from which it branches.
+    pub(super) fn falls_back(r: f64) -> Self {
+        Self {
+            word: "step-too-small",
+            located: false,
+            reason: format!(
+                "at {r} it falls back on the branch from which it doubles, however short the step"
+            ),
+        }
+    }
+
     /// A branch that has come round to where it began.
     pub(super) fn closed(r: f64) -> Self {
         Self {

@@ -3,7 +3,7 @@
 use super::branch::{ENDLESS, Ended, Watch};
 use super::case::Along;
 use super::orbit::{OrbitRecord, Sought};
-use crate::bifurcation::{Located, Unexplained, detect, explain, reach};
+use crate::bifurcation::{Located, Unexplained, Watched, detect, explain, reach};
 use crate::continuation::Ending;
 use crate::field::Work;
 use crate::flow::{Family, Flow};
@@ -157,6 +157,9 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
         let (Some(mut path), Some(before)) = (self.branch.path(), self.orbits.last()) else {
             return Verdict::GoOn;
         };
+        if orbit.asymmetry() <= SAME {
+            return self.undoubled(orbit, point.work);
+        }
         let accuracy = self.sought.search.accuracy;
         let mut findings = detect(&mut path, before, orbit, accuracy);
         for found in &mut findings.located {
@@ -194,6 +197,17 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
         round.map_or(Verdict::GoOn, |r| {
             Verdict::End(Ended::closed(self.along.value(r)))
         })
+    }
+
+    /// What was found is a shorter orbit, gone around twice: the step went past where the branch meets the one from which
+    /// it doubles.
+    fn undoubled(&mut self, orbit: &Orbit<N, Mode<F, N>>, work: Work) -> Verdict {
+        self.wasted += work;
+        if self.branch.retract() {
+            Verdict::Again
+        } else {
+            Verdict::End(Ended::falls_back(self.along.value(orbit.r)))
+        }
     }
 
     fn end(&mut self, reason: Located<Orbit<N, Mode<F, N>>>) -> Ended {
