@@ -157,6 +157,10 @@ impl<Q: Path> Hunt<'_, Q> {
         }
         let events = self.smooth(from, to);
         match events {
+            // Beyond a meeting the branch only runs back.
+            Ok(events) if events.iter().any(|event| event.meets) => {
+                self.found.located.extend(events);
+            }
             Ok(events) if accounts(&events, &from.point, &to.point) => {
                 self.found.located.extend(events);
             }
@@ -216,40 +220,46 @@ impl<Q: Path> Hunt<'_, Q> {
         let turns = changes(Q::Point::slope);
         let mut found = Vec::new();
         for (kind, test) in tests.into_iter().filter(|(_, test)| changes(*test)) {
-            let (kind, test) = match kind {
-                Kind::BranchPoint if turns => {
-                    (Kind::Fold, Q::Point::slope as TestFunction<Q::Point>)
-                }
-                _ => (kind, test),
-            };
+            if kind == Kind::BranchPoint && turns {
+                continue;
+            }
             let at = zero(self.path, [from, to], test, self.accuracy)?;
             if kind != Kind::Torus || is_torus(&at.point.floquet().multipliers) {
                 found.push(Located::between(kind, [from, to], at));
             }
         }
-        if turns && !found.iter().any(|event| event.kind == Kind::Fold) {
-            found.extend(self.meeting(from, to)?);
+        if turns {
+            let critical = changes(|p| fold(&p.floquet().multipliers));
+            found.extend(self.turn([from, to], critical)?);
         }
         Ok(found)
     }
 
-    /// Where a doubled orbit meets the one from which it branches: r turns there while no multiplier
-    /// passes through 1, and both halves of the orbit become one.
-    fn meeting(
+    /// Where r turns: at a fold if a multiplier passes through 1, or where a doubled orbit meets the one from which it
+    /// branches. There both halves of the orbit become one, and a multiplier only touches 1, as far as its digits tell.
+    fn turn(
         &mut self,
-        from: &Spot<Q::Point>,
-        to: &Spot<Q::Point>,
+        ends: [&Spot<Q::Point>; 2],
+        critical: bool,
     ) -> Result<Option<Located<Q::Point>>, Q::Error> {
-        let before = from.point.asymmetry().max(to.point.asymmetry());
-        if !before.is_finite() {
+        let [from, to] = ends.map(|spot| spot.point.asymmetry());
+        let before = from.max(to);
+        if !before.is_finite() && !critical {
             return Ok(None);
         }
-        let at = zero(self.path, [from, to], Q::Point::slope, self.accuracy)?;
-        let near = (MEETING * before).max(NO_ASYMMETRY);
-        Ok((at.point.asymmetry() <= near).then(|| Located {
-            meets: true,
-            ..Located::between(Kind::Flip, [from, to], at)
-        }))
+        let at = zero(self.path, ends, Q::Point::slope, self.accuracy)?;
+        let near = if critical {
+            NO_ASYMMETRY
+        } else {
+            (MEETING * before).max(NO_ASYMMETRY)
+        };
+        if before.is_finite() && at.point.asymmetry() <= near {
+            return Ok(Some(Located {
+                meets: true,
+                ..Located::between(Kind::Flip, ends, at)
+            }));
+        }
+        Ok(critical.then(|| Located::between(Kind::Fold, ends, at)))
     }
 
     fn give_up(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, reason: &str) {
