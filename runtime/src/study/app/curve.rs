@@ -67,19 +67,8 @@ pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), 
         )],
     )?;
     drawn?;
-    if curve.ended.is_interrupted() {
-        let count = curve.points.len();
-        return Err(output.interrupted(&format!("{count} points were found")));
-    }
-    let reason = format!(
-        "the curve ended, {}: {}",
-        curve.ended.word, curve.ended.reason
-    );
-    if !curve.ended.located {
-        return Err(Failure::failed(reason));
-    }
-    output.note(reason);
-    Ok(())
+    let found = format!("{} points were found", curve.points.len());
+    output.close("curve", &curve.ended, &found)
 }
 
 /// The case where the curve begins, and what is followed.

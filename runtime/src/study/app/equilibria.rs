@@ -83,19 +83,8 @@ fn follow(request: &Request<'_>) -> Result<(), Failure> {
     let drawn = output.draw([("equilibria", picture::equilibria(info, &branch))]);
     let delivered = output.deliver("equilibria", &text, &document, &[("equilibria", sheet)]);
     delivered.and(drawn)?;
-    if branch.ended.is_interrupted() {
-        let count = branch.points.len();
-        return Err(output.interrupted(&format!("{count} equilibria were found")));
-    }
-    let reason = format!(
-        "the branch ended, {}: {}",
-        branch.ended.word, branch.ended.reason
-    );
-    if !branch.ended.located {
-        return Err(Failure::failed(reason));
-    }
-    output.note(reason);
-    Ok(())
+    let found = format!("{} equilibria were found", branch.points.len());
+    output.close("branch", &branch.ended, &found)
 }
 
 fn describe(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> String {

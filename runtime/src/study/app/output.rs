@@ -12,7 +12,7 @@ use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::spreadsheet::Spreadsheet;
 use crate::study::report::Figure;
-use crate::study::whole;
+use crate::study::{Ended, whole};
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -94,6 +94,22 @@ impl Output {
         };
         let way_out = way_out(&growing());
         Failure::interrupted(&format!("{found}{place}{way_out}"))
+    }
+
+    /// Says why `what` ended, after the answer; `found` is said where that was an interruption.
+    ///
+    /// # Errors
+    /// It did not end for a reason of its own.
+    pub(super) fn close(&self, what: &str, ended: &Ended, found: &str) -> Result<(), Failure> {
+        if ended.is_interrupted() {
+            return Err(self.interrupted(found));
+        }
+        let reason = format!("the {what} ended, {}: {}", ended.word, ended.reason);
+        if !ended.located {
+            return Err(Failure::failed(reason));
+        }
+        self.note(reason);
+        Ok(())
     }
 
     /// Says something beside the answer.
