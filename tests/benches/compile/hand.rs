@@ -1,8 +1,8 @@
-//! Written by hand.
+// One model as `model!` would expand it, written by hand.
 
 use stickslip::DualSVec64;
 use stickslip::friction::{ContactRule, FrictionLaw, SlopeRule};
-use stickslip::model::{Bound, Bounds, Contact, Linear, Model, ModelInfo, ParamId, Parameter, State, Unit};
+use stickslip::model::{Bound, Bounds, Contact, Model, ModelInfo, ParamId, Parameter, Rates, State, Unit};
 use stickslip::scalar::Scalar;
 use stickslip_models::friction::Weakening;
 
@@ -99,19 +99,22 @@ impl Model<2> for Belt {
         [v, (force - k * x) / m]
     }
 
-    fn linearise(
+    fn entries(
         &[m, k, v_dr, limit, decay]: &[f64; 5],
         &[dm, dk, dv_dr, dlimit, ddecay]: &[f64; 5],
         [x, v]: [f64; 2],
         contacts: &mut impl SlopeRule,
-    ) -> Linear<2> {
+        mut entry: impl FnMut(usize, usize, f64),
+    ) -> Rates<2> {
         let along = Weakening { limit: dlimit, decay: ddecay };
         let slopes = contacts.force(0, &Weakening { limit, decay }, &along, v - v_dr);
         let rate = (slopes.force - k * x) / m;
         let by_design = slopes.along + slopes.by_design - slopes.by_speed * dv_dr;
-        Linear {
+        entry(0, 1, 1.0);
+        entry(1, 0, -k / m);
+        entry(1, 1, slopes.by_speed / m);
+        Rates {
             f: [v, rate],
-            jacobian: [[0.0, 1.0], [-k / m, slopes.by_speed / m]],
             design: [0.0, (by_design - dk * x - rate * dm) / m],
         }
     }

@@ -1,4 +1,4 @@
-//! Declared.
+// The same model, declared.
 
 use stickslip::model;
 use stickslip_models::friction::Weakening;
