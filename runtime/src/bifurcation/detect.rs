@@ -61,10 +61,37 @@ impl<P> Located<P> {
         }
     }
 
+    /// Where a doubled orbit has become the one from which it branches.
+    fn meeting(ends: [&Spot<P>; 2], at: Spot<P>) -> Self
+    where
+        P: Watched,
+    {
+        Self {
+            meets: true,
+            ..Self::between(Kind::Flip, ends, at)
+        }
+    }
+
     /// Which side of it a branch at `r` lies on: by how many multipliers the branch on which it was found
     /// is more unstable there than on the other side. `None` where that cannot be told.
     #[must_use]
     pub fn more_unstable_towards(&self, r: f64) -> Option<i64> {
+        let [here, there] = self.unstable_from(r)?;
+        let change = here as i64 - there as i64;
+        (change != 0).then_some(change)
+    }
+
+    /// How many unstable multipliers a branch that leaves here has at `r`, as long as nothing else happens on it: the two
+    /// branches exchange their stability, so that it has as many as the other one has across the crossing.
+    /// `None` where that cannot be told.
+    #[must_use]
+    pub fn unstable_beside(&self, r: f64) -> Option<usize> {
+        let [here, across] = self.unstable_from(r)?;
+        (here.abs_diff(across) == 1).then_some(across)
+    }
+
+    /// The numbers of unstable multipliers on the side of `r` and on the other.
+    fn unstable_from(&self, r: f64) -> Option<[usize; 2]> {
         let [from, to] = self.sides;
         let between = (from.0 - self.r) * (to.0 - self.r) < 0.0;
         let (here, there) = if (from.0 - self.r) * (r - self.r) > 0.0 {
@@ -72,8 +99,7 @@ impl<P> Located<P> {
         } else {
             (to, from)
         };
-        let change = here.1 as i64 - there.1 as i64;
-        (between && r != self.r && change != 0).then_some(change)
+        (between && r != self.r).then_some([here.1, there.1])
     }
 }
 
@@ -224,7 +250,12 @@ impl<Q: Path> Hunt<'_, Q> {
                 continue;
             }
             let at = zero(self.path, [from, to], test, self.accuracy)?;
-            if kind != Kind::Torus || is_torus(&at.point.floquet().multipliers) {
+            let halves = at.point.asymmetry();
+            let closing = halves <= NO_ASYMMETRY && halves < from.point.asymmetry();
+            if kind == Kind::BranchPoint && closing {
+                // So near a meeting a multiplier is 1 but for its digits.
+                found.push(Located::meeting([from, to], at));
+            } else if kind != Kind::Torus || is_torus(&at.point.floquet().multipliers) {
                 found.push(Located::between(kind, [from, to], at));
             }
         }
@@ -254,10 +285,7 @@ impl<Q: Path> Hunt<'_, Q> {
             (MEETING * before).max(NO_ASYMMETRY)
         };
         if before.is_finite() && at.point.asymmetry() <= near {
-            return Ok(Some(Located {
-                meets: true,
-                ..Located::between(Kind::Flip, ends, at)
-            }));
+            return Ok(Some(Located::meeting(ends, at)));
         }
         Ok(critical.then(|| Located::between(Kind::Fold, ends, at)))
     }

@@ -28,4 +28,4 @@ pub use orbit::{Heading, Orbit};
 pub use phase::Phase;
 pub use problem::{OrbitProblem, Shot};
 pub use search::{Search, closest};
-pub use switch::{SwitchError, Turn};
+pub use switch::SwitchError;

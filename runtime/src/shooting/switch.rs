@@ -6,6 +6,7 @@ use super::branch::OrbitBranch;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::search::Search;
+use crate::bifurcation::{Kind, Located, Stability};
 use crate::continuation::{Branch, Failure, Settings, ZeroProblem, across, tangent};
 use crate::flow::{Family, Flow, FlowError, Place};
 use crate::integrate::Tolerance;
@@ -37,31 +38,37 @@ pub enum SwitchError {
     Newton(#[from] Failure<FlowError>),
 }
 
+/// A special point at which another branch is sought.
+type Crossing<F, const N: usize> = Located<Orbit<N, Mode<F, N>>>;
+
 /// Which branch is wanted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
+#[derive(Clone, Copy)]
+struct Turn {
     /// How many times the orbit is gone around: 2 at a flip, 1 at a branch point.
-    pub times: u8,
+    times: u8,
     /// On which side of the crossing the branch sets out: at a flip both are the same.
-    pub forwards: bool,
+    forwards: bool,
 }
 
 impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
-    /// The branch that crosses the one of `orbit`, which was located at the crossing.
+    /// The branch that crosses the one on which `crossing` was located, on either side of it: at a flip, where orbits of
+    /// twice the period leave, both sides are the same.
     ///
     /// # Errors
     /// See [`SwitchError`].
     pub fn switch(
         family: &F,
-        orbit: &Orbit<N, Mode<F, N>>,
-        turn: Turn,
+        crossing: &Crossing<F, N>,
+        forwards: bool,
         search: &Search<N>,
         settings: Settings,
     ) -> Result<Self, SwitchError> {
+        let times = if crossing.kind == Kind::Flip { 2 } else { 1 };
+        let (turn, orbit) = (Turn { times, forwards }, &crossing.point);
         let along = orbit.heading.tangent.as_ref();
         let along = along.ok_or(SwitchError::NoHeading)?;
         let start = orbit.heading.start;
-        let mut last = match Self::leave(family, (orbit, start), along, turn, search, settings) {
+        let mut last = match Self::leave(family, (crossing, start), along, turn, search, settings) {
             Ok(branch) => return Ok(branch),
             Err(error) => error,
         };
@@ -78,7 +85,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
             let Ok(along) = heading(family, (orbit, start), once, search, settings) else {
                 continue;
             };
-            match Self::leave(family, (orbit, start), &along, turn, search, settings) {
+            match Self::leave(family, (crossing, start), &along, turn, search, settings) {
                 Ok(branch) => return Ok(branch),
                 Err(error) => last = error,
             }
@@ -88,13 +95,14 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
 
     fn leave(
         family: &F,
-        (orbit, start): (&Orbit<N, Mode<F, N>>, Start<F, N>),
+        (crossing, start): (&Crossing<F, N>, Start<F, N>),
         along: &DVector<f64>,
         turn: Turn,
         search: &Search<N>,
         settings: Settings,
     ) -> Result<Self, SwitchError> {
-        let problem = crossing(family, (orbit, start), turn, search)?;
+        let orbit = &crossing.point;
+        let problem = gone_around(family, (orbit, start), turn, search)?;
         let period = f64::from(turn.times) * orbit.period;
         let z = OrbitProblem::<F, N>::unknowns(&[start.state], period);
         let linearisation = problem.clone().evaluate(&z, orbit.r);
@@ -103,25 +111,49 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         let side = if turn.forwards { 1.0 } else { -1.0 };
         let direction = across(&linearisation, &scale, r_scale, along);
         let direction = direction.ok_or(SwitchError::NotFound)? * side;
-        let mut last = SwitchError::NotFound;
+        let set_out = |distance: f64| {
+            let moved = step((&z, orbit.r), &direction, distance, &scale, r_scale);
+            let started = Branch::set_out(problem.clone(), moved, &direction, settings)?;
+            let branch = Self::begin(started, search.accuracy);
+            let first = branch.first();
+            let leaves = first.is_some_and(|first| leaves(first, orbit, turn, distance, r_scale));
+            leaves.then_some(branch).ok_or(SwitchError::NotFound)
+        };
+        let mut found = Err(SwitchError::NotFound);
+        let mut nearest = f64::INFINITY;
         for distance in DISTANCES {
-            let at = (&z, orbit.r);
-            let moved = step(at, &direction, distance, &scale, r_scale);
-            match Branch::set_out(problem.clone(), moved, &direction, settings) {
-                Ok(started) => {
-                    let branch = Self::begin(started, search.accuracy);
-                    if branch
+            if distance > nearest {
+                continue;
+            }
+            match set_out(distance) {
+                Ok(branch) => {
+                    let passed = branch
                         .first()
-                        .is_some_and(|first| leaves(first, orbit, turn, distance, r_scale))
-                    {
-                        return Ok(branch);
+                        .is_some_and(|first| passed(first, crossing, turn));
+                    (found, nearest) = (Ok(branch), distance);
+                    if !passed {
+                        break;
                     }
                 }
-                Err(failure) => last = failure.into(),
+                Err(error) if found.is_err() => found = Err(error),
+                Err(_) => {}
             }
         }
-        Err(last)
+        found
     }
+}
+
+/// Whether a bifurcation lies between the crossing and the first orbit beside it, as far as its multipliers and its events
+/// tell: nobody would look for it there.
+fn passed<const N: usize, M: Copy + PartialEq>(
+    first: &Orbit<N, M>,
+    crossing: &Located<Orbit<N, M>>,
+    turn: Turn,
+) -> bool {
+    let expected = crossing.unstable_beside(first.r);
+    let certain = first.floquet.stability != Stability::Undecided;
+    let exchanged = !certain || expected.is_none_or(|count| count == first.floquet.unstable);
+    !exchanged || !first.has_word_of(&crossing.point, usize::from(turn.times))
 }
 
 /// The tangent of the branch of the orbit, beginning at another place.
@@ -132,7 +164,7 @@ fn heading<F: Family<N> + Clone, const N: usize>(
     search: &Search<N>,
     settings: Settings,
 ) -> Result<DVector<f64>, SwitchError> {
-    let mut problem = crossing(family, at, once, search)?;
+    let mut problem = gone_around(family, at, once, search)?;
     let z = OrbitProblem::<F, N>::unknowns(&[at.1.state], at.0.period);
     let linearisation = problem.evaluate(&z, at.0.r).map_err(Failure::Evaluation)?;
     let r_scale = (settings.to - settings.from).abs();
@@ -143,7 +175,7 @@ fn heading<F: Family<N> + Clone, const N: usize>(
 }
 
 /// The shooting problem of the orbit gone around as often as the turn wants.
-fn crossing<F: Family<N> + Clone, const N: usize>(
+fn gone_around<F: Family<N> + Clone, const N: usize>(
     family: &F,
     (orbit, start): (&Orbit<N, Mode<F, N>>, Start<F, N>),
     turn: Turn,

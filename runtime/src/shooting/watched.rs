@@ -23,9 +23,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
     }
 
     fn same_word(&self, other: &Self) -> bool {
-        let (a, b) = (stretches(self), stretches(other));
-        let turned = |by: usize| (0..a.len()).all(|i| a[i].0 == b[(i + by) % b.len()].0);
-        a.len() == b.len() && (0..a.len().max(1)).any(turned)
+        self.has_word_of(other, 1)
     }
 
     fn word_length(&self) -> usize {
@@ -82,6 +80,21 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
             .filter_map(graze)
             .chain(shortest)
             .collect()
+    }
+}
+
+impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
+    /// Whether its event word is that of `other`, gone around so many times.
+    pub(super) fn has_word_of(&self, other: &Self, times: usize) -> bool {
+        let (a, b) = (stretches(self), stretches(other));
+        // A motion without events is one stretch however long it is.
+        let length = if b.len() > 1 {
+            times * b.len()
+        } else {
+            b.len()
+        };
+        let turned = |by: usize| (0..a.len()).all(|i| a[i].0 == b[(i + by) % b.len()].0);
+        a.len() == length && (0..b.len().max(1)).any(turned)
     }
 }
 

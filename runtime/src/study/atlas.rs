@@ -10,7 +10,7 @@ use crate::bifurcation::{Kind, Located};
 use crate::continuation::Settings;
 use crate::field::Work;
 use crate::flow::{Family, Flow};
-use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError, Turn};
+use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
 
 type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 type Here<F, const N: usize> = Located<Orbit<N, Mode<F, N>>>;
@@ -198,10 +198,8 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
         event: &Here<F, N>,
         forwards: bool,
     ) -> Result<OrbitBranch<F, N>, SwitchError> {
-        let times = if event.kind == Kind::Flip { 2 } else { 1 };
         let Sought { family, search, .. } = self.sought;
-        let turn = Turn { times, forwards };
-        OrbitBranch::switch(*family, &event.point, turn, search, self.settings)
+        OrbitBranch::switch(*family, event, forwards, search, self.settings)
     }
 
     /// On which side of a flip the doubled orbit lies: with the unstable orbit, or with the stable one.

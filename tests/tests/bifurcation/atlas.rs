@@ -10,9 +10,20 @@ use stickslip_models::BeltPair;
 type Place = (f64, [f64; 4], Option<f64>);
 
 const OUT_OF_PHASE: Place = (0.35, [-0.02798, 0.0, 0.678, 0.3089], Some(4.211));
+const IN_PHASE: Place = (0.14, [-0.5976, 0.0, -0.4604, -0.1607], Some(16.14));
 const CLOSED: Place = (0.27, [-0.21967, 0.0, 0.68379, -0.02510], None);
 
-fn follow((v_dr, start, period): Place, range: [f64; 2], depth: usize) -> BranchRecord {
+fn follow(place: Place, range: [f64; 2], depth: usize) -> BranchRecord {
+    let accuracy = Case::declared(entry::<BeltPair, _>().info(), Dynamics::Exact).accuracy;
+    follow_to(accuracy, place, range, depth)
+}
+
+fn follow_to(
+    accuracy: f64,
+    (v_dr, start, period): Place,
+    range: [f64; 2],
+    depth: usize,
+) -> BranchRecord {
     let pair = entry::<BeltPair, _>();
     let mut case = Case::declared(pair.info(), Dynamics::Exact);
     case.along = Some(Along {
@@ -23,6 +34,7 @@ fn follow((v_dr, start, period): Place, range: [f64; 2], depth: usize) -> Branch
     case.beginning = Beginning::At(v_dr);
     case.start = Some(start.to_vec());
     case.period = period;
+    case.accuracy = accuracy;
     case.switch = Switch {
         flips: true,
         branch_points: false,
@@ -74,4 +86,30 @@ fn a_closed_branch_is_recognised() {
     assert_eq!(of_kind(&first, "fold").len(), 2);
     assert_eq!(of_kind(&first, "flip").len() % 2, 0);
     assert!(first.branches.is_empty());
+}
+
+/// Whatever the accuracy, the same points in the same order: those between a flip and the first doubled orbit beside it, too,
+/// which is set out at another distance each time.
+#[test]
+fn accuracy_loses_no_point_of_a_doubled_branch() {
+    let special = |accuracy: f64| -> Vec<(String, f64)> {
+        let first = follow_to(accuracy, IN_PHASE, [0.13, 0.175], 1);
+        assert!(first.unlocated().is_none(), "{:?}", first.unlocated());
+        let all = first.all().into_iter().flat_map(|branch| &branch.special);
+        all.map(|special| (special.label.clone(), special.r))
+            .collect()
+    };
+    let finest = special(1e-10);
+    assert!(finest.iter().any(|(label, _)| label == "VS2"), "{finest:?}");
+    for accuracy in [1e-8, 1e-9] {
+        let found = special(accuracy);
+        let labels = |special: &[(String, f64)]| -> Vec<String> {
+            special.iter().map(|(label, _)| label.clone()).collect()
+        };
+        assert_eq!(labels(&found), labels(&finest), "at {accuracy:e}");
+        for ((label, r), (_, fine)) in found.iter().zip(&finest) {
+            let error = (r / fine - 1.0).abs();
+            assert!(error < 100.0 * accuracy, "{label}: {r}, not {fine}");
+        }
+    }
 }
