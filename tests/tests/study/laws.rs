@@ -78,6 +78,10 @@ fn copies_converge(law: &str, place: u32) {
         place: f64::from(place),
         ..Belt::default()
     };
+    the_copies_converge(law, model);
+}
+
+fn the_copies_converge(law: &str, model: Belt) {
     let orbit = exact(law, &model);
     let trade = trade(&model, &orbit, &scope()).unwrap();
     let (accepted, refused): (Vec<_>, Vec<_>) = trade
@@ -89,6 +93,22 @@ fn copies_converge(law: &str, place: u32) {
         "{refused:?}"
     );
     accepted.into_iter().for_each(|curve| converges(law, curve));
+}
+
+/// Fed more, the mass overtakes the belt and is overtaken again without a stop: what a copy loses there is predicted, too.
+#[test]
+fn copies_converge_where_contacts_cross() {
+    for (law, place, feed) in [("DrillCurve", 10.0, 0.3), ("Weakening", 3.0, 0.25)] {
+        let (default, law) = (Belt::default(), format!("{law}, crossing"));
+        the_copies_converge(
+            &law,
+            Belt {
+                place,
+                feed,
+                ..default
+            },
+        );
+    }
 }
 
 /// Slip is no larger than stick at first and never negative, and every copy that is accepted has its forces in the limit.

@@ -4,7 +4,6 @@ use super::collect::{Prediction, ReleaseLoss};
 use super::history::History;
 use super::layer::edge;
 use crate::field::Kernel;
-use crate::flow::EventKind;
 use crate::model::Model;
 
 /// A layer that takes more than this share of the shorter of stick and slip is not small.
@@ -26,7 +25,7 @@ pub(super) fn doubts<M: Model<N>, const N: usize>(
 ) -> Vec<String> {
     let slow = |r: &&ReleaseLoss| r.layer > SLOW_LAYER * r.room;
     let layers = prediction.releases.iter().filter(slow).map(layer);
-    crossing(history)
+    crossings(history)
         .into_iter()
         .chain(layers)
         .chain(apart(prediction))
@@ -42,12 +41,29 @@ fn layer(release: &ReleaseLoss) -> String {
     )
 }
 
-fn crossing<M: Model<N>, const N: usize>(history: &History<M, N>) -> Option<String> {
-    let crosses = |kind| matches!(kind, EventKind::Crossing { .. });
-    let any = history.switches.iter().any(|s| crosses(s.event.kind));
-    any.then(|| {
-        "a contact crosses without sticking, and what the copy lacks there is left out".to_owned()
-    })
+/// Crossings that no copy makes, and those of which the layer is not small.
+fn crossings<M: Model<N>, const N: usize>(history: &History<M, N>) -> Vec<String> {
+    let crossings = history
+        .switches
+        .iter()
+        .filter_map(|s| s.crossing.map(|crossing| (crossing, s.passing)));
+    let doubt = crossings.filter_map(|(crossing, passing)| {
+        let contact = crossing.local.contact;
+        let Some(passing) = passing else {
+            return Some(format!(
+                "contact {contact} crosses without sticking, which a copy with a static peak is not made for"
+            ));
+        };
+        let room = crossing.room[0].min(crossing.room[1]);
+        (passing.layer > SLOW_LAYER * room).then(|| {
+            format!(
+                "the layer of contact {contact} takes {:.2e} as it crosses, which is not small against {room:.2e}, the time \
+                 from the switch before or to the next",
+                passing.layer
+            )
+        })
+    });
+    doubt.collect()
 }
 
 fn apart(prediction: &Prediction) -> Option<String> {

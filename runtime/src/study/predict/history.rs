@@ -1,6 +1,7 @@
 //! What an exact orbit does in one period, and its releases with what they cost a copy.
 
 use super::PredictError;
+use super::crossing::{Crossing, Passing};
 use super::release::{Loss, Release};
 use super::scalar::Local;
 use crate::field::Smoothing;
@@ -9,7 +10,7 @@ use crate::flow::exact::ExactFlow;
 use crate::flow::{Event, EventKind, Flow, Passage, Want};
 use crate::integrate::Tolerance;
 use crate::model::Model;
-use crate::scalar::Inline;
+use crate::scalar::{Inline, Lanes};
 use crate::shooting::Orbit;
 
 /// Tolerance of the exact motion.
@@ -35,6 +36,8 @@ pub(super) struct Switch<M: Model<N>, const N: usize> {
     pub(super) after: Modes<M, N>,
     pub(super) release: Option<Release<N>>,
     pub(super) loss: Option<Loss>,
+    pub(super) crossing: Option<Crossing<N>>,
+    pub(super) passing: Option<Passing>,
 }
 
 impl<M: Model<N>, const N: usize> History<M, N> {
@@ -62,24 +65,40 @@ impl<M: Model<N>, const N: usize> History<M, N> {
         let mut modes = self.modes;
         let events: Vec<Event<N>> = self.passage.events.clone();
         let switches: Vec<&Event<N>> = events.iter().filter(|event| event.is_switch()).collect();
-        for (place, event) in switches.iter().enumerate() {
+        for event in &switches {
             let before = modes;
             modes.set(event.contact, event.mode);
-            let release = match event.kind {
-                EventKind::Release { .. } => {
-                    Some(self.release(event, &before, &modes, (&switches, place))?)
-                }
-                _ => None,
-            };
-            self.switches.push(Switch {
+            let room = self.room(event, &switches);
+            let mut switch = Switch {
                 event: **event,
                 before,
                 after: modes,
-                release,
+                release: None,
                 loss: None,
-            });
+                crossing: None,
+                passing: None,
+            };
+            match event.kind {
+                EventKind::Release { .. } => {
+                    switch.release = Some(self.release(event, &before, &modes, room)?);
+                }
+                EventKind::Crossing { .. } => {
+                    switch.crossing = self.crossing(event, &before, &modes, room)?;
+                }
+                _ => {}
+            }
+            self.switches.push(switch);
         }
         Ok(())
+    }
+
+    /// The times from the last switch of the same contact and to its next one.
+    fn room(&self, event: &Event<N>, switches: &[&Event<N>]) -> [f64; 2] {
+        [-1.0, 1.0].map(|way: f64| {
+            let times = switches.iter().filter(|s| s.contact == event.contact);
+            let share = times.map(|s| (way * (s.time - event.time) / self.period).rem_euclid(1.0));
+            share.filter(|&t| t > 0.0).fold(1.0, f64::min) * self.period
+        })
     }
 
     fn release(
@@ -87,24 +106,17 @@ impl<M: Model<N>, const N: usize> History<M, N> {
         event: &Event<N>,
         before: &Modes<M, N>,
         after: &Modes<M, N>,
-        (switches, place): (&[&Event<N>], usize),
+        [stuck, slides]: [f64; 2],
     ) -> Result<Release<N>, PredictError> {
         let (i, state) = (event.contact, event.state);
         let moving = self.system.moving(&state, before)?;
         let affine = self.system.affine(&state, before);
         let unit = Inline::from_fn(|j| f64::from(i == j));
-        let stuck = |j: usize| before.as_slice()[j] == Mode::Stick;
-        let response = solve::<M, f64, N>(affine.compliance, unit, stuck);
+        let held = |j: usize| before.as_slice()[j] == Mode::Stick;
+        let response = solve::<M, f64, N>(affine.compliance, unit, held);
         let response = response.map_or(f64::NAN, |u| u.as_ref()[i]);
         let compliance = 1.0 / response;
         let load_rate = moving.force.as_ref()[i].eps.abs();
-        let around = |later: bool| {
-            let times = switches.iter().filter(|other| other.contact == i);
-            let times = times.map(|other| (other.time - event.time) / self.period);
-            let share = times.map(|t| if later { t } else { -t }.rem_euclid(1.0));
-            share.filter(|&t| t > 0.0).fold(1.0, f64::min) * self.period
-        };
-        debug_assert_eq!(switches[place].contact, i);
         Ok(Release {
             local: Local {
                 state,
@@ -117,12 +129,48 @@ impl<M: Model<N>, const N: usize> History<M, N> {
             time: event.time,
             load_rate,
             slip: self.system.limits_at_rest(&state).as_ref()[i].1,
-            stuck: around(false),
-            slides: around(true),
+            stuck,
+            slides,
         })
     }
 
-    /// Finds what each release costs a copy, numerically or by its leading term.
+    /// `None` where no friction force jumps.
+    fn crossing(
+        &self,
+        event: &Event<N>,
+        before: &Modes<M, N>,
+        after: &Modes<M, N>,
+        room: [f64; 2],
+    ) -> Result<Option<Crossing<N>>, PredictError> {
+        let (i, state) = (event.contact, event.state);
+        let way = after.as_slice()[i].sign();
+        let (gradient, _): ([f64; N], f64) = self.system.linear_speeds(&state).as_ref()[i].slopes();
+        let mut rates = [0.0; 2];
+        for (rate, modes) in rates.iter_mut().zip([before, after]) {
+            let field = self.system.snapshot(&state, modes)?.field;
+            let along = gradient.iter().zip(&field).map(|(g, f)| g * f);
+            *rate = way * along.sum::<f64>();
+        }
+        let slip = self.system.limits_at_rest(&state).as_ref()[i].1;
+        let compliance = (rates[0] - rates[1]) / (2.0 * slip);
+        let crossing = Crossing {
+            local: Local {
+                state,
+                contact: i,
+                way,
+                acceleration: 0.0,
+                compliance,
+                stick: (rates[0] + rates[1]) / (2.0 * compliance),
+            },
+            time: event.time,
+            rates,
+            room,
+        };
+        let jumps = compliance.is_finite() && compliance > 0.0 && rates[1] > 0.0;
+        Ok(jumps.then_some(crossing))
+    }
+
+    /// Finds what each release costs a copy, numerically or by its leading term, and what each crossing does in the end.
     pub(super) fn lose(
         &mut self,
         model: &M,
@@ -130,6 +178,12 @@ impl<M: Model<N>, const N: usize> History<M, N> {
         leading: bool,
     ) -> Result<(), PredictError> {
         for switch in &mut self.switches {
+            // A bump is made for one direction of sliding: its copy does not cross.
+            let crossing = switch
+                .crossing
+                .filter(|_| !leading && !smoothing.kernel.is_bump());
+            let passing = crossing.map(|crossing| crossing.solve(model, smoothing));
+            switch.passing = passing.transpose()?;
             let Some(release) = &switch.release else {
                 continue;
             };
@@ -162,24 +216,32 @@ impl<M: Model<N>, const N: usize> History<M, N> {
         })
     }
 
-    /// Whether what a contact still lacks at `time` is not yet accounted for by its last release.
+    /// Whether what a contact still lacks at `time` is not yet accounted for by its last release or by a crossing.
     pub(super) fn tails(&self, time: f64) -> M::PerContact<bool> {
+        let since = |s: &Switch<M, N>| (time - s.event.time).rem_euclid(self.period);
+        let released = |s: &Switch<M, N>| {
+            let accounted = s.loss.map(|loss| loss.accounted.unwrap_or(f64::INFINITY));
+            accounted.is_some_and(|accounted| since(s) < accounted)
+        };
+        let crosses = |s: &Switch<M, N>| {
+            let window = s.passing.map(|passing| passing.window);
+            window
+                .is_some_and(|[before, after]| since(s) < after || self.period - since(s) < before)
+        };
         Inline::from_fn(|i| {
-            self.switches.iter().all(|s| match s.loss {
-                Some(loss) if s.event.contact == i => {
-                    let since = (time - s.event.time).rem_euclid(self.period);
-                    loss.accounted.is_some_and(|accounted| since >= accounted)
-                }
-                _ => true,
-            })
+            let mut own = self.switches.iter().filter(|s| s.event.contact == i);
+            !own.any(|s| released(s) || crosses(s))
         })
     }
 
     /// Times at which something changes within (0, T), in order: switches, ends of releases, and `also`.
     pub(super) fn instants(&self, also: &[f64]) -> Vec<f64> {
-        let ends = self.switches.iter().filter_map(|s| {
-            let end = s.event.time + s.loss?.accounted?;
-            Some(end.rem_euclid(self.period))
+        let ends = self.switches.iter().flat_map(|s| {
+            let released = s.loss.and_then(|loss| loss.accounted);
+            let window = s.passing.map(|passing| passing.window);
+            let around = window.map(|[before, after]| [-before, after]);
+            let ends = released.into_iter().chain(around.into_iter().flatten());
+            ends.map(|end| (s.event.time + end).rem_euclid(self.period))
         });
         let switches = self.switches.iter().map(|s| s.event.time);
         let mut times: Vec<f64> = switches.chain(ends).chain(also.iter().copied()).collect();

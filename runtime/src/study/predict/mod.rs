@@ -1,10 +1,12 @@
 //! The error that a smoothing makes, predicted from the exact orbit alone (theory 7.2).
 //!
-//! A copy differs from the exact system in three ways: it creeps where a contact sticks, it loses time or gains speed
-//! at each release, and its sliding friction is not yet quite the exact one. Each is a perturbation of the exact
+//! A copy differs from the exact system in four ways: it creeps where a contact sticks, it loses time or gains speed
+//! at each release, it takes time to cross from one direction of sliding to the other, and its sliding friction is not yet
+//! quite the exact one. Each is a perturbation of the exact
 //! orbit, carried to its section by the orbit's own sensitivities; no smoothed motion is integrated.
 
 mod collect;
+mod crossing;
 mod doubt;
 mod history;
 mod layer;

@@ -176,13 +176,25 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
                 time: switch.event.time,
                 rate,
             })?;
+        let late = self.late(switch, &saltation);
         self.modes = switch.after;
-        let deviation = self.motion.design;
+        let deviation = std::array::from_fn(|j| self.motion.design[j] + late[j]);
         self.settle(deviation)?;
         let mut tangent = self.motion.tangent;
         self.project_columns(&mut tangent)?;
         self.motion.tangent = tangent;
         Ok(())
+    }
+
+    /// What a copy lags behind that takes longer to cross: it moves on with the later field where the exact one had begun to.
+    /// With q = −b ∫ (F_copy − F) dt, ∇w b ∫ (F_copy − F) dt = u̇⁺ Δt and f⁺ − f⁻ = −2 slip b, that is (f⁺ − f⁻) u̇⁺ Δt / (u̇⁻ − u̇⁺).
+    fn late(&self, switch: &Switch<M, N>, saltation: &Saltation<N>) -> [f64; N] {
+        let share = switch.crossing.zip(switch.passing);
+        let share = share.map_or(0.0, |(crossing, passing)| {
+            let [before, after] = crossing.rates;
+            after * passing.delay / (before - after)
+        });
+        std::array::from_fn(|j| share * (saltation.after[j] - saltation.before[j]))
     }
 
     fn saltation(&self, switch: &Switch<M, N>) -> Result<Saltation<N>, PredictError> {

@@ -1,4 +1,4 @@
-//! The scalar problem of one release: how its speed grows with the exact law and with a smooth copy of it.
+//! The scalar problem of one release, or of one crossing: how its speed grows with the exact law and with a smooth copy of it.
 
 use std::ops::ControlFlow;
 
@@ -40,7 +40,7 @@ pub(super) struct Scalar<M: Model<N>, const N: usize> {
     kinks: &'static [f64],
 }
 
-/// One release of the exact orbit.
+/// One release of the exact orbit, or one crossing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Local<const N: usize> {
     pub(super) state: [f64; N],
@@ -95,6 +95,12 @@ impl<M: Model<N>, const N: usize> Scalar<M, N> {
 
     fn rate(&self, s: f64, force: f64) -> f64 {
         self.sharpness * (self.acceleration * s + self.compliance * (self.stick - force))
+    }
+
+    /// ż at s = 0, and its derivative by z.
+    pub(super) fn speeding(&self, z: f64) -> (f64, f64) {
+        let force = self.resistance(z);
+        (self.rate(0.0, force.re), -self.compliance * force.eps)
     }
 
     /// z at s = `until`, from z at s = `from`; ends earlier where `stop` says so. Returns (s, z).
