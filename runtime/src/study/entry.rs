@@ -16,7 +16,7 @@ use super::trade::{Finding, Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::continuation::Failure;
 use crate::equilibrium::{Proof, Unproven};
-use crate::flow::FlowError;
+use crate::flow::{FlowError, Tape};
 use crate::model::{Model, ModelInfo};
 use crate::poincare::Section;
 use crate::shooting::{OrbitError, SwitchError};
@@ -85,19 +85,21 @@ pub trait Entry: Send + Sync {
         watch: &mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>,
     ) -> Result<EquilibriaRecord, StudyError>;
 
-    /// The branch of orbits along the design variable of the case; `watch` sees each point as it is found, and may end
-    /// the branch there.
+    /// The branch of orbits along the design variable of the case; what is on the tape of the same question is not
+    /// computed again, and `watch` sees each point as it is found, and may end the branch there.
     ///
     /// # Errors
     /// There is no orbit to begin with.
     fn branch(
         &self,
         case: &Case,
+        tape: &Tape<'_>,
         watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, StudyError>;
 
-    /// A special point of that branch, followed in the design variable of the case and another one; `watch` sees each
-    /// point as it is found, and may end the curve there.
+    /// A special point of that branch, followed in the design variable of the case and another one; what is on the tape
+    /// of the same question is not computed again, and `watch` sees each point as it is found, and may end the curve
+    /// there.
     ///
     /// # Errors
     /// There is no orbit to begin with, or no such point on its branch.
@@ -105,6 +107,7 @@ pub trait Entry: Send + Sync {
         &self,
         case: &Case,
         scope: &CurveScope,
+        tape: &Tape<'_>,
         watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError>;
 

@@ -9,8 +9,10 @@ use super::curve;
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, request, text};
+use super::passages::Passages;
 use super::picture;
 use super::progress::Progress;
+use super::resume::Question;
 use super::spreadsheet::Spreadsheet;
 use super::text::{digits, followed, label, number as significant, parameters, table, timed};
 use super::words::{number, unknown};
@@ -23,7 +25,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(message));
     }
     if curve::wanted(options)? {
-        return curve::perform(request(app, options)?, options);
+        return curve::perform(app, request(app, options)?, options);
     }
     let Request {
         entry,
@@ -36,6 +38,8 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     if let Beginning::At(value) = case.beginning {
         case = case.at(value);
     }
+    let question = Question::new(app.version, info, &case);
+    let mut passages = Passages::open(&output, options, "branch", &question)?;
     let progress = Progress::along(&output);
     let mut journal = output.journal("branch");
     let mut watch = |point: &OrbitRecord| {
@@ -47,9 +51,8 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         let message = format!("{} = {}", along.name(info), significant(r, 6));
         progress.reach(along.share(r), message)
     };
-    let branch = entry
-        .branch(&case, &mut watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let branch = passages.through(|tape| entry.branch(&case, tape, &mut watch));
+    let branch = branch.map_err(|error| Failure::of(&error, info))?;
     drop(progress);
     let name = followed(info, &branch.along);
     let sheets: Vec<(String, Spreadsheet)> = branch
@@ -75,6 +78,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
         return Err(output.interrupted(&format!("{count} orbits were found")));
     }
+    passages.discard();
     let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word, ended.reason);
     if let Some(ended) = branch.unlocated() {
         return Err(Failure::failed(reason(ended)));

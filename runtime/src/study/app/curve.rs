@@ -2,12 +2,15 @@
 
 use clap::ArgMatches;
 
+use super::App;
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, range, text};
 use super::orbit::work;
+use super::passages::Passages;
 use super::picture;
 use super::progress::Progress;
+use super::resume::Question;
 use super::spreadsheet::{Spreadsheet, full, optional};
 use super::text::{followed, label, number, parameters, table, timed};
 use super::words::{assignment, number as numeral};
@@ -36,14 +39,22 @@ pub(super) fn wanted(options: &ArgMatches) -> Result<bool, Failure> {
 }
 
 /// Follows the curve and answers.
-pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn perform(
+    app: &App,
+    request: Request<'_>,
+    options: &ArgMatches,
+) -> Result<(), Failure> {
     let Request {
         entry,
         case,
         output,
     } = request;
     let info = entry.info();
-    let (case, scope) = question(info, options, case)?;
+    let (case, scope) = asked(info, options, case)?;
+    let question = Question::new(app.version, info, &case)
+        .exactly("`--and`", &scope.and)
+        .exactly("`--of`", &scope.of);
+    let mut passages = Passages::open(&output, options, "curve", &question)?;
     let progress = Progress::along(&output);
     let mut journal = output.journal("curve");
     let ranges = [case.along.unwrap_or(scope.and), scope.and];
@@ -52,9 +63,8 @@ pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), 
         let message = format!("{} = {}", scope.and.name(info), number(point.q, 6));
         progress.reach(scope.and.share(point.q), message)
     };
-    let curve = entry
-        .curve(&case, &scope, &mut watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let curve = passages.through(|tape| entry.curve(&case, &scope, tape, &mut watch));
+    let curve = curve.map_err(|error| Failure::of(&error, info))?;
     drop(progress);
     let drawn = output.draw([("curve", picture::curve(info, &curve))]);
     output.deliver(
@@ -67,12 +77,15 @@ pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), 
         )],
     )?;
     drawn?;
+    if !curve.ended.is_interrupted() {
+        passages.discard();
+    }
     let found = format!("{} points were found", curve.points.len());
     output.close("curve", &curve.ended, &found)
 }
 
 /// The case where the curve begins, and what is followed.
-fn question(
+fn asked(
     info: &ModelInfo,
     options: &ArgMatches,
     mut case: Case,
