@@ -19,6 +19,10 @@ const DIAGRAM: &str =
 /// Both ways, and onto the branches that leave it.
 const BRANCH: &str = "branch belt-pair --along v_dr=0.0826..0.088 --from 0.086 --switch flips --depth 2 --accuracy 1e-6";
 
+/// The flip of the orbit in phase.
+const CURVE: &str =
+    "branch belt-pair --along v_dr=0.142..0.147 --and gamma=3..3.02 --accuracy 1e-6";
+
 /// A folder in which nothing is left of an earlier test.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -114,6 +118,18 @@ fn a_branch_ends_with_what_is_there() {
     assert!(points >= 3 && answer.stderr.contains(&format!("{points} orbits")));
     assert_eq!(lines(&out.join("branch.csv")), 1 + points);
     assert_eq!(files(&out)["branch.json"], answer.stdout);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_way_to_a_curve_ends_with_what_is_there() {
+    let line = format!("{CURVE} --json --quiet");
+    let partial = goes_on("curve", &line, ("branch.csv", 3), "curve.resume", "");
+    assert!(!partial.contains_key("curve.csv"));
+    let branch: Value = serde_json::from_str(&partial["branch.json"]).unwrap();
+    assert_eq!(branch["ended"], "interrupted");
+    let points = branch["points"].as_array().unwrap().len();
+    assert_eq!(partial["branch.csv"].lines().count(), 1 + points);
 }
 
 #[cfg(unix)]

@@ -7,7 +7,7 @@ use super::atlas::Hopf;
 use super::branch::BranchRecord;
 use super::case::{Along, Beginning, Case, Dynamics};
 use super::characteristic::{Characteristic, Laws};
-use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
+use super::curve::{CurveFinding, CurveRecord, CurveScope};
 use super::diagram::{Diagram, DiagramRecord, Known, Watcher};
 use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
@@ -355,7 +355,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         case: &Case,
         scope: &CurveScope,
         tape: &Tape<'_>,
-        watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
+        watch: &mut dyn FnMut(CurveFinding<'_>) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;

@@ -3,6 +3,7 @@
 use clap::ArgMatches;
 
 use super::App;
+use super::branch::{self, Rows};
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, range, text};
@@ -16,7 +17,9 @@ use super::text::{followed, label, number, parameters, table, timed};
 use super::words::{assignment, number as numeral};
 use crate::field::Design;
 use crate::model::ModelInfo;
-use crate::study::{Along, Case, CurvePointRecord, CurveRecord, CurveScope};
+use crate::study::{
+    Along, Case, CurveFinding, CurvePointRecord, CurveRecord, CurveScope, StudyError,
+};
 
 const DIGITS: usize = 10;
 
@@ -58,14 +61,26 @@ pub(super) fn perform(
     let progress = Progress::along(&output);
     let mut journal = output.journal("curve");
     let ranges = [case.along.unwrap_or(scope.and), scope.and];
-    let mut watch = |point: &CurvePointRecord| {
-        journal.add(|| sheet(info, &ranges, std::slice::from_ref(point)));
-        let message = format!("{} = {}", scope.and.name(info), number(point.q, 6));
-        progress.reach(scope.and.share(point.q), message)
+    let mut rows = Rows::new(&output, info, &case);
+    let mut watch = |finding: CurveFinding<'_>| match finding {
+        CurveFinding::Orbit(orbit) => rows.add(orbit, &progress),
+        CurveFinding::Point(point) => {
+            journal.add(|| sheet(info, &ranges, std::slice::from_ref(point)));
+            let message = format!("{} = {}", scope.and.name(info), number(point.q, 6));
+            progress.reach(scope.and.share(point.q), message)
+        }
     };
     let curve = passages.through(|tape| entry.curve(&case, &scope, tape, &mut watch));
-    let curve = curve.map_err(|error| Failure::of(&error, info))?;
+    let curve = match curve {
+        Ok(curve) => curve,
+        Err(StudyError::Interrupted(branch)) => {
+            drop(progress);
+            return branch::deliver(&output, info, &case, &branch);
+        }
+        Err(error) => return Err(Failure::of(&error, info)),
+    };
     drop(progress);
+    let kept = branch::keep(&output, info, &case, &curve.branch);
     let drawn = output.draw([("curve", picture::curve(info, &curve))]);
     output.deliver(
         "curve",
@@ -76,7 +91,7 @@ pub(super) fn perform(
             sheet(info, &[curve.along, curve.and], &curve.points),
         )],
     )?;
-    drawn?;
+    drawn.and(kept)?;
     if !curve.ended.is_interrupted() {
         passages.discard();
     }
