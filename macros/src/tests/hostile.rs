@@ -3,111 +3,172 @@
 use std::time::{Duration, Instant};
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 use super::{BELT, of_model};
 use crate::expand;
 
 /// How many inputs each of the tests makes: the same ones on every machine.
-const INPUTS: usize = 4000;
+const INPUTS: u32 = 1500;
 
 const LAW: &str = "pub struct Law { param limit: N where limit >= 0.0; param decay: s/m = 1.0; stick = limit; \
                    slip(s) = limit / (1.0 + decay * s) - powi(s, 2) * exp(-s); }";
 
-/// SplitMix64.
-struct Dice(u64);
+const WORDS: [&str; 24] = [
+    "state", "param", "friction", "opposing", "let", "der", "where", "struct", "pub", "x", "v",
+    "s", "F", "m", "N", "stick", "slip", "powi", "exp", "D", "self", "r#fn", "Law", "default",
+];
+const SIGNS: &str = "+-*/=<>;:,.^!&|#@?$%~'";
+const DELIMITERS: [Delimiter; 4] = [
+    Delimiter::Parenthesis,
+    Delimiter::Brace,
+    Delimiter::Bracket,
+    Delimiter::None,
+];
 
-impl Dice {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        (z ^ (z >> 31)) as usize % limit.max(1)
-    }
+/// A token of which a group can still be changed.
+#[derive(Debug, Clone)]
+enum Token {
+    Leaf(TokenTree),
+    Group(Delimiter, Vec<Token>),
+}
 
-    fn token(&mut self, depth: usize) -> TokenTree {
-        const WORDS: [&str; 24] = [
-            "state", "param", "friction", "opposing", "let", "der", "where", "struct", "pub", "x",
-            "v", "s", "F", "m", "N", "stick", "slip", "powi", "exp", "D", "self", "r#fn", "Law",
-            "default",
-        ];
-        const SIGNS: &str = "+-*/=<>;:,.^!&|#@?$%~'";
-        match self.below(10) {
-            0..=3 => {
-                let word = WORDS[self.below(WORDS.len())];
-                let ident = word.strip_prefix("r#").map_or_else(
-                    || Ident::new(word, Span::call_site()),
-                    |raw| Ident::new_raw(raw, Span::call_site()),
-                );
-                ident.into()
-            }
-            4..=6 => {
-                let sign = SIGNS.as_bytes()[self.below(SIGNS.len())] as char;
-                let spacing = if self.below(2) == 0 {
-                    Spacing::Alone
-                } else {
-                    Spacing::Joint
-                };
-                Punct::new(sign, spacing).into()
-            }
-            7 => self.literal(),
-            _ if depth > 3 => self.literal(),
-            _ => {
-                let around = [
-                    Delimiter::Parenthesis,
-                    Delimiter::Brace,
-                    Delimiter::Bracket,
-                    Delimiter::None,
-                ];
-                let length = self.below(6);
-                let inside = (0..length).map(|_| self.token(depth + 1)).collect();
-                Group::new(around[self.below(around.len())], inside).into()
-            }
+impl From<TokenTree> for Token {
+    fn from(tree: TokenTree) -> Self {
+        match tree {
+            TokenTree::Group(group) => Self::Group(group.delimiter(), tokens(group.stream())),
+            leaf => Self::Leaf(leaf),
         }
     }
+}
 
-    fn literal(&mut self) -> TokenTree {
-        match self.below(9) {
-            0 => Literal::f64_unsuffixed(1e308),
-            1 => Literal::f64_unsuffixed(0.0),
-            2 => Literal::u64_unsuffixed(u64::MAX),
-            3 => Literal::string("text"),
-            4 => Literal::f32_suffixed(1.5),
-            5 => Literal::character('x'),
-            6 => Literal::byte_string(b"bytes"),
-            7 => "1e999".parse().expect("a literal"),
-            _ => Literal::i32_unsuffixed(3),
+impl From<Token> for TokenTree {
+    fn from(token: Token) -> Self {
+        match token {
+            Token::Leaf(leaf) => leaf,
+            Token::Group(around, inside) => Group::new(around, stream(inside)).into(),
         }
-        .into()
     }
+}
 
-    /// The tokens of a declaration with some of them dropped, doubled, swapped or replaced, at any depth.
-    fn mutated(&mut self, tokens: TokenStream, depth: usize) -> TokenStream {
-        let mut all: Vec<TokenTree> = Vec::new();
-        for token in tokens {
-            match token {
-                TokenTree::Group(group) => {
-                    let inside = self.mutated(group.stream(), depth + 1);
-                    all.push(Group::new(group.delimiter(), inside).into());
-                }
-                other => all.push(other),
-            }
-        }
-        for _ in 0..self.below(3) {
-            let (i, j) = (self.below(all.len()), self.below(all.len()));
-            if all.is_empty() {
-                break;
-            }
-            match self.below(5) {
-                0 => drop(all.remove(i)),
-                1 => all.insert(i, all[j].clone()),
-                2 => all.swap(i, j),
-                3 => all[i] = self.token(depth),
-                _ => all.insert(i, self.token(depth)),
-            }
-        }
-        all.into_iter().collect()
+fn tokens(stream: TokenStream) -> Vec<Token> {
+    stream.into_iter().map(Token::from).collect()
+}
+
+fn stream(tokens: Vec<Token>) -> TokenStream {
+    tokens.into_iter().map(TokenTree::from).collect()
+}
+
+fn word(word: &str) -> TokenTree {
+    let ident = word.strip_prefix("r#").map_or_else(
+        || Ident::new(word, Span::call_site()),
+        |raw| Ident::new_raw(raw, Span::call_site()),
+    );
+    ident.into()
+}
+
+fn literals() -> Vec<TokenTree> {
+    [
+        Literal::i32_unsuffixed(3),
+        Literal::f64_unsuffixed(0.0),
+        Literal::f64_unsuffixed(1e308),
+        Literal::u64_unsuffixed(u64::MAX),
+        Literal::f32_suffixed(1.5),
+        Literal::string("text"),
+        Literal::character('x'),
+        Literal::byte_string(b"bytes"),
+        "1e999".parse().expect("a literal"),
+    ]
+    .map(TokenTree::from)
+    .to_vec()
+}
+
+fn any_token() -> impl Strategy<Value = Token> {
+    let sign = (select(SIGNS.as_bytes()), any::<bool>()).prop_map(|(sign, joint)| {
+        let spacing = if joint {
+            Spacing::Joint
+        } else {
+            Spacing::Alone
+        };
+        TokenTree::from(Punct::new(sign as char, spacing))
+    });
+    let leaf = prop_oneof![
+        5 => select(&WORDS[..]).prop_map(word),
+        4 => sign,
+        1 => select(literals()),
+    ];
+    leaf.prop_map(Token::Leaf)
+        .prop_recursive(4, 24, 6, |inner| {
+            let group = (select(&DELIMITERS[..]), vec(inner, 0..6));
+            group.prop_map(|(around, inside)| Token::Group(around, inside))
+        })
+}
+
+/// What is done to the tokens of a declaration.
+#[derive(Debug, Clone)]
+enum Change {
+    Drop,
+    Double,
+    Swap,
+    Replace(Token),
+    Insert(Token),
+}
+
+/// A change, with the list of tokens, the token and the other token that it concerns.
+type Edit = (Index, [Index; 2], Change);
+
+fn any_edit() -> impl Strategy<Value = Edit> {
+    let change = prop_oneof![
+        Just(Change::Drop),
+        Just(Change::Double),
+        Just(Change::Swap),
+        any_token().prop_map(Change::Replace),
+        any_token().prop_map(Change::Insert),
+    ];
+    (any::<Index>(), any::<[Index; 2]>(), change)
+}
+
+/// Changes one of the lists of tokens, at whatever depth it is.
+fn edit(tokens: &mut Vec<Token>, (list, places, change): Edit) {
+    let list = list.index(lists(tokens));
+    let Some(tokens) = nth(tokens, &mut { list }) else {
+        return;
+    };
+    if tokens.is_empty() {
+        return;
     }
+    let [i, j] = places.map(|place| place.index(tokens.len()));
+    match change {
+        Change::Drop => drop(tokens.remove(i)),
+        Change::Double => tokens.insert(i, tokens[j].clone()),
+        Change::Swap => tokens.swap(i, j),
+        Change::Replace(token) => tokens[i] = token,
+        Change::Insert(token) => tokens.insert(i, token),
+    }
+}
+
+/// How many lists of tokens there are: this one, and those of its groups.
+fn lists(tokens: &[Token]) -> usize {
+    let inside = tokens.iter().map(|token| match token {
+        Token::Group(_, inside) => lists(inside),
+        Token::Leaf(_) => 0,
+    });
+    1 + inside.sum::<usize>()
+}
+
+/// The list of this number, counted from the outermost.
+fn nth<'a>(tokens: &'a mut Vec<Token>, number: &mut usize) -> Option<&'a mut Vec<Token>> {
+    if *number == 0 {
+        return Some(tokens);
+    }
+    *number -= 1;
+    tokens.iter_mut().find_map(|token| match token {
+        Token::Group(_, inside) => nth(inside, number),
+        Token::Leaf(_) => None,
+    })
 }
 
 /// Both macros on the same tokens: something must come out, be it errors, and be it soon.
@@ -123,18 +184,25 @@ fn answered(tokens: &TokenStream) {
     );
 }
 
-fn for_many(mut one: impl FnMut(&mut Dice)) {
-    let mut dice = Dice(20);
-    for _ in 0..INPUTS {
-        one(&mut dice);
-    }
+/// Tries many inputs, and of one that fails the simplest that does.
+fn for_many<S: Strategy>(inputs: &S, judge: impl Fn(S::Value)) {
+    let config = Config {
+        cases: INPUTS,
+        rng_seed: RngSeed::Fixed(20),
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let outcome = TestRunner::new(config).run(inputs, |input| {
+        judge(input);
+        Ok(())
+    });
+    outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }
 
 #[test]
 fn random_tokens() {
-    for_many(|dice| {
-        let length = dice.below(40);
-        let body = (0..length).map(|_| dice.token(0)).collect::<TokenStream>();
+    for_many(&vec(any_token(), 0..40), |body| {
+        let body = stream(body);
         answered(&body);
         let whole: TokenStream = "pub struct M".parse().expect("tokens");
         let whole = whole
@@ -146,17 +214,15 @@ fn random_tokens() {
 
 #[test]
 fn mutated_declarations() {
-    let model: TokenStream = format!("pub struct M {{ {BELT} }}")
-        .parse()
-        .expect("tokens");
-    let law: TokenStream = LAW.parse().expect("tokens");
-    for_many(|dice| {
-        let from = if dice.below(3) == 0 { &law } else { &model };
-        let mut tokens = from.clone();
-        for _ in 0..=dice.below(3) {
-            tokens = dice.mutated(tokens, 0);
+    let model = format!("pub struct M {{ {BELT} }}");
+    let declarations =
+        [model.as_str(), &model, LAW].map(|text| tokens(text.parse().expect("tokens")));
+    let inputs = (select(declarations.to_vec()), vec(any_edit(), 1..25));
+    for_many(&inputs, |(mut tokens, edits)| {
+        for one in edits {
+            edit(&mut tokens, one);
         }
-        answered(&tokens);
+        answered(&stream(tokens));
     });
 }
 

@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use stickslip::field::{Design, Kernel, Smoothing, Work};
+use stickslip::flow::Tape;
 use stickslip::study::report::{Column, Section, Table};
 use stickslip::study::{
     Along, Beginning, BranchRecord, Case, Dynamics, Entry, StudyError, Switch, entry,
@@ -129,7 +130,9 @@ fn branches(family: &Family, dynamics: Dynamics) -> Result<BranchRecord, StudyEr
         branch_points: false,
         depth: family.depth,
     };
-    pair.branch(&case.at(family.v_dr), &mut |_| ControlFlow::Continue(()))
+    pair.branch(&case.at(family.v_dr), &Tape::blank(), &mut |_| {
+        ControlFlow::Continue(())
+    })
 }
 
 fn pair() -> Box<dyn Entry> {

@@ -3,128 +3,130 @@
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// How long lines are tried.
-const TIME: Duration = Duration::from_secs(12);
+use proptest::collection::vec;
+use proptest::option::weighted;
+use proptest::prelude::*;
+use proptest::sample::select;
+use proptest::test_runner::{Config, RngSeed, TestRunner};
+
+/// How many lines are tried: the same ones on every machine.
+const LINES: u32 = 200;
+/// How many simpler lines are tried if one fails.
+const SIMPLER: u32 = 100;
 /// How long one of them may take, without optimisation and on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 const NUMBERS: [&str; 26] = [
-    "NaN", "inf", "-inf", "1e308", "-1e308", "5e-324", "1e-310", "-0.0", "0", "1e16", "-1",
-    "1e-99", "1e99", "", "x", "1e999", "0x10", "1e-8", "1e8", "1", "0.5", "1e-16", "-1e-20", "3",
-    "1e5", "-5",
+    "1", "0", "3", "0.5", "-1", "-5", "-0.0", "1e-8", "1e8", "1e5", "1e16", "1e-16", "-1e-20",
+    "1e-99", "1e99", "1e308", "-1e308", "5e-324", "1e-310", "NaN", "inf", "-inf", "1e999", "", "x",
+    "0x10",
+];
+const KERNELS: [&str; 7] = [
+    "arctan",
+    "tanh",
+    "algebraic",
+    "cubic",
+    "quintic",
+    "quartic",
+    "x",
+];
+/// Without `trade`: where it makes sense, it takes minutes.
+const COMMANDS: [&str; 7] = [
+    "orbit",
+    "orbit",
+    "orbit",
+    "simulate",
+    "equilibria",
+    "branch",
+    "models",
 ];
 
-struct Dice(u64);
+/// A model by name, its parameters and its states.
+type System = (
+    &'static str,
+    &'static [&'static str],
+    &'static [&'static str],
+);
 
-impl Dice {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        (z ^ (z >> 31)) as usize % limit.max(1)
-    }
+const SYSTEMS: [System; 4] = [
+    ("van-der-pol", &["nu"], &["x", "v"]),
+    (
+        "belt-oscillator",
+        &["m", "k", "v_dr", "F_s", "delta"],
+        &["x", "v"],
+    ),
+    (
+        "belt-pair",
+        &["alpha", "beta", "gamma", "v_dr"],
+        &["x1", "v1", "x2", "v2"],
+    ),
+    (
+        "drill-string",
+        &["eta", "theta", "kinetic", "zeta"],
+        &["psi", "omega"],
+    ),
+];
 
-    fn one<'a>(&mut self, of: &[&'a str]) -> &'a str {
-        of[self.below(of.len())]
-    }
+/// Numbers that hurt, and any others.
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        4 => select(&NUMBERS[..]).prop_map(str::to_owned),
+        1 => proptest::num::f64::ANY.prop_map(|number| format!("{number:e}")),
+    ]
+}
 
-    fn number(&mut self) -> &'static str {
-        self.one(&NUMBERS)
-    }
+fn assignment(names: &'static [&'static str]) -> impl Strategy<Value = String> {
+    (select(names), number()).prop_map(|(name, number)| format!("{name}={number}"))
+}
 
-    /// A line that may or may not make sense.
-    fn line(&mut self) -> Vec<String> {
-        type System = (
-            &'static str,
-            &'static [&'static str],
-            &'static [&'static str],
-        );
-        const SYSTEMS: [System; 4] = [
-            ("van-der-pol", &["nu"], &["x", "v"]),
-            (
-                "belt-oscillator",
-                &["m", "k", "v_dr", "F_s", "delta"],
-                &["x", "v"],
-            ),
-            (
-                "belt-pair",
-                &["alpha", "beta", "gamma", "v_dr"],
-                &["x1", "v1", "x2", "v2"],
-            ),
-            (
-                "drill-string",
-                &["eta", "theta", "kinetic", "zeta"],
-                &["psi", "omega"],
-            ),
-        ];
-        const COMMANDS: [&str; 8] = [
-            "orbit",
-            "orbit",
-            "orbit",
-            "simulate",
-            "equilibria",
-            "branch",
-            "models",
-            "trade",
-        ];
-        const KERNELS: [&str; 7] = [
-            "arctan",
-            "tanh",
-            "algebraic",
-            "cubic",
-            "quintic",
-            "quartic",
-            "x",
-        ];
-        let (model, parameters, states) = SYSTEMS[self.below(SYSTEMS.len())];
-        let command = self.one(&COMMANDS);
-        let mut line = vec![command.to_owned(), model.to_owned(), "--quiet".to_owned()];
-        for _ in 0..self.below(3) {
-            line.extend([
-                "--set".to_owned(),
-                format!("{}={}", self.one(parameters), self.number()),
-            ]);
-        }
-        if self.below(3) == 0 {
-            line.extend([
-                "--smooth".to_owned(),
-                format!("{}:{}", self.one(&KERNELS), self.number()),
-            ]);
-        }
-        if self.below(3) == 0 {
-            let start = format!(
-                "{}={},{}={}",
-                self.one(states),
-                self.number(),
-                self.one(states),
-                self.number()
+/// A line that may or may not make sense.
+fn line() -> impl Strategy<Value = Vec<String>> {
+    (select(&SYSTEMS[..]), select(&COMMANDS[..])).prop_flat_map(
+        |((model, parameters, states), command)| {
+            let set = vec(
+                assignment(parameters).prop_map(|one| ["--set".to_owned(), one]),
+                0..3,
             );
-            line.extend(["--start".to_owned(), start]);
-        }
-        if self.below(6) == 0 {
-            line.extend(["--period".to_owned(), self.number().to_owned()]);
-        }
-        if command == "simulate" {
-            line.extend(["--time".to_owned(), self.number().to_owned()]);
-        }
-        if command == "branch" || self.below(6) == 0 {
-            let range = format!(
-                "{}={}..{}",
-                self.one(parameters),
-                self.number(),
-                self.number()
+            let copy = (select(&KERNELS[..]), number());
+            let copy = copy.prop_map(|(kernel, size)| format!("{kernel}:{size}"));
+            let range = (assignment(parameters), number());
+            let range = range.prop_map(|(from, to)| format!("{from}..{to}"));
+            let accuracy = select(&["1e-3", "1e-12", "NaN", "0", "0.05"][..]);
+            let given = |often: bool, chance, name: &'static str, value: BoxedStrategy<String>| {
+                let option = value.prop_map(move |value| [format!("--{name}"), value]);
+                if often {
+                    option.prop_map(Some).boxed()
+                } else {
+                    weighted(chance, option).boxed()
+                }
+            };
+            let (follows, moves) = (command == "branch", command == "simulate");
+            let options = (
+                given(false, 0.33, "smooth", copy.boxed()),
+                given(false, 0.33, "start", start(states).boxed()),
+                given(false, 0.16, "period", number().boxed()),
+                given(moves, 0.02, "time", number().boxed()),
+                given(follows, 0.16, "along", range.boxed()),
+                given(
+                    false,
+                    0.25,
+                    "accuracy",
+                    accuracy.prop_map(str::to_owned).boxed(),
+                ),
             );
-            line.extend(["--along".to_owned(), range]);
-        }
-        if self.below(4) == 0 {
-            line.extend([
-                "--accuracy".to_owned(),
-                self.one(&["1e-3", "1e-12", "NaN", "0", "0.05"]).to_owned(),
-            ]);
-        }
-        line
-    }
+            (set, options).prop_map(move |(set, (a, b, c, d, e, f))| {
+                let words = [command, model, "--quiet"].map(str::to_owned);
+                let options = set
+                    .into_iter()
+                    .chain([a, b, c, d, e, f].into_iter().flatten());
+                words.into_iter().chain(options.flatten()).collect()
+            })
+        },
+    )
+}
+
+fn start(states: &'static [&'static str]) -> impl Strategy<Value = String> {
+    vec(assignment(states), 1..3).prop_map(|all| all.join(","))
 }
 
 /// Waits for a process for `PATIENCE`; ends it and tells if that was not enough.
@@ -139,27 +141,35 @@ fn wait(child: &mut Child, line: &[String]) {
     }
 }
 
+/// Asks the program, and judges how it ends.
+fn judge(line: &[String]) -> Result<(), TestCaseError> {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stickslip"))
+        .args(line)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    wait(&mut child, line);
+    let done = child.wait_with_output().unwrap();
+    let (code, message) = (done.status.code(), String::from_utf8_lossy(&done.stderr));
+    prop_assert!(matches!(code, Some(0..=2)), "{code:?}: {message}");
+    prop_assert!(!message.contains("panicked"), "{message}");
+    prop_assert!(
+        code == Some(0) || message.starts_with("error: "),
+        "{message}"
+    );
+    Ok(())
+}
+
 #[test]
 fn any_line_gets_an_answer_or_a_message() {
-    let clock = Instant::now();
-    let mut dice = Dice(3);
-    while clock.elapsed() < TIME {
-        let line = dice.line();
-        let mut child = Command::new(env!("CARGO_BIN_EXE_stickslip"))
-            .args(&line)
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        wait(&mut child, &line);
-        let done = child.wait_with_output().unwrap();
-        let (code, message) = (done.status.code(), String::from_utf8_lossy(&done.stderr));
-        let line = line.join(" ");
-        assert!(matches!(code, Some(0..=2)), "{code:?} {line}: {message}");
-        assert!(!message.contains("panicked"), "{line}: {message}");
-        assert!(
-            code == Some(0) || message.starts_with("error: "),
-            "{line}: {message}"
-        );
-    }
+    let config = Config {
+        cases: LINES,
+        rng_seed: RngSeed::Fixed(5),
+        failure_persistence: None,
+        max_shrink_iters: SIMPLER,
+        ..Config::default()
+    };
+    let outcome = TestRunner::new(config).run(&line(), |line| judge(&line));
+    outcome.unwrap_or_else(|failure| panic!("{failure}"));
 }

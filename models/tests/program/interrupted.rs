@@ -16,6 +16,13 @@ const PATIENCE: Duration = Duration::from_secs(100);
 const DIAGRAM: &str =
     "diagram belt-pair --along v_dr=0.1..0.3 --values 5 --settle 60 --points 12 --lyapunov 4";
 
+/// Both ways, and onto the branches that leave it.
+const BRANCH: &str = "branch belt-pair --along v_dr=0.0826..0.088 --from 0.086 --switch flips --depth 2 --accuracy 1e-6";
+
+/// The flip of the orbit in phase.
+const CURVE: &str =
+    "branch belt-pair --along v_dr=0.142..0.147 --and gamma=3..3.02 --accuracy 1e-6";
+
 /// A folder in which nothing is left of an earlier test.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -115,6 +122,18 @@ fn a_branch_ends_with_what_is_there() {
 
 #[cfg(unix)]
 #[test]
+fn the_way_to_a_curve_ends_with_what_is_there() {
+    let line = format!("{CURVE} --json --quiet");
+    let partial = goes_on("curve", &line, ("branch.csv", 3), "curve.resume", "");
+    assert!(!partial.contains_key("curve.csv"));
+    let branch: Value = serde_json::from_str(&partial["branch.json"]).unwrap();
+    assert_eq!(branch["ended"], "interrupted");
+    let points = branch["points"].as_array().unwrap().len();
+    assert_eq!(partial["branch.csv"].lines().count(), 1 + points);
+}
+
+#[cfg(unix)]
+#[test]
 fn a_trade_ends_with_what_is_there() {
     let out = folder("interrupted-trade");
     let line = "trade belt-oscillator --json --quiet";
@@ -163,66 +182,113 @@ fn a_report_keeps_its_finished_sections() {
     assert!(page.contains("id=\"section-2\"") && !page.contains("id=\"section-9\""));
 }
 
+/// Interrupts a command as soon as a file has so many lines, ends it later without warning and in the middle of a line,
+/// and lets it come to its end: in all, what a run leaves that was never interrupted. Gives what the first interruption
+/// left.
+#[cfg(unix)]
+fn goes_on(
+    name: &str,
+    line: &str,
+    ready: (&str, usize),
+    notes: &str,
+    threads: &str,
+) -> BTreeMap<String, String> {
+    let whole = folder(&format!("whole-{name}"));
+    let answer = end(start(line, &whole));
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+
+    let out = folder(&format!("resumed-{name}"));
+    let first = interrupted(line, &out, ready, "-INT");
+    assert!(first.stderr.contains("--resume"), "{}", first.stderr);
+    let partial = files(&out);
+    let resumed = format!("{line} --resume");
+    let mut child = start(&resumed, &out);
+    let count = lines(&out.join(notes)) + 1;
+    wait_for(&mut child, &out.join(notes), count);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let mut torn = files(&out)[notes].clone();
+    assert!(torn.starts_with(&partial[notes]), "{name}: begun anew");
+    torn.truncate(torn.len() - 5);
+    fs::write(out.join(notes), torn).unwrap();
+
+    let last = end(start(&format!("{resumed}{threads}"), &out));
+    assert_eq!(last.code, Some(0), "{}", last.stderr);
+    assert_eq!(files(&out), files(&whole), "{name}");
+    let [out, whole] = [&out, &whole].map(|path| path.display().to_string());
+    assert_eq!(last.stdout.replace(&out, &whole), answer.stdout);
+    partial
+}
+
 #[cfg(unix)]
 #[test]
 fn a_diagram_goes_on_to_the_same_bytes() {
-    for (name, sweep) in [("both", "both"), ("fresh", "fresh")] {
+    for sweep in ["both", "fresh"] {
         let line = format!("{DIAGRAM} --sweep {sweep} --quiet");
-        let whole = folder(&format!("whole-{name}"));
-        let answer = end(start(&line, &whole));
-        assert_eq!(answer.code, Some(0), "{}", answer.stderr);
-
-        let out = folder(&format!("resumed-{name}"));
         let notes = "diagram.resume";
-        let first = interrupted(&line, &out, (notes, 2), "-INT");
-        assert!(first.stderr.contains("--resume"), "{}", first.stderr);
-        let partial: Value = serde_json::from_str(&files(&out)["diagram.json"]).unwrap();
+        let partial = goes_on(sweep, &line, (notes, 2), notes, " --threads 1");
+        let partial: Value = serde_json::from_str(&partial["diagram.json"]).unwrap();
         assert!(partial["interrupted"]["missing"].as_u64().unwrap() > 0);
-        // Ended without warning, in the middle of a line.
-        let resumed = format!("{line} --resume");
-        let mut child = start(&resumed, &out);
-        let count = lines(&out.join(notes)) + 1;
-        wait_for(&mut child, &out.join(notes), count);
-        child.kill().unwrap();
-        child.wait().unwrap();
-        let mut torn = files(&out)[notes].clone();
-        torn.truncate(torn.len() - 5);
-        fs::write(out.join(notes), torn).unwrap();
-
-        let resumed = format!("{resumed} --threads 1");
-        let last = end(start(&resumed, &out));
-        assert_eq!(last.code, Some(0), "{}", last.stderr);
-        assert_eq!(files(&out), files(&whole), "{sweep}");
-        let [out, whole] = [&out, &whole].map(|path| path.display().to_string());
-        assert_eq!(last.stdout.replace(&out, &whole), answer.stdout);
     }
 }
 
 #[cfg(unix)]
 #[test]
-fn another_question_is_not_resumed() {
-    let out = folder("another");
-    interrupted(DIAGRAM, &out, ("diagram.resume", 2), "-INT");
+fn a_branch_goes_on_to_the_same_bytes() {
+    let smoothed = "branch belt-pair --along v_dr=0.15..0.13 --smooth arctan:1e2 --accuracy 1e-4";
+    for (name, line) in [("exact", BRANCH), ("smoothed", smoothed)] {
+        let line = format!("{line} --quiet");
+        let partial = goes_on(name, &line, ("branch.csv", 3), "branch.resume", "");
+        let partial: Value = serde_json::from_str(&partial["branch.json"]).unwrap();
+        assert_eq!(partial["ended"], "interrupted");
+    }
+}
+
+/// What is left of a command does not go on with another question, and stays as it is.
+#[cfg(unix)]
+fn refuses(line: &str, notes: &str, changes: &[(&str, &str)]) {
+    let out = folder(&format!("another-{notes}"));
+    interrupted(line, &out, (notes, 2), "-INT");
     let before = files(&out);
-    for (change, part) in [
-        ("--set gamma=3.5", "gamma was 3.0 and is 3.5"),
-        ("--accuracy 1e-8", "`--accuracy` was 1e-9 and is 1e-8"),
-        ("--sweep up", "`--sweep` was both and is up"),
-        ("--smooth arctan:1e5", "the dynamics was exact"),
-        ("--start x1=0.1", "`--start` was None"),
-    ] {
-        let answer = end(start(&format!("{DIAGRAM} {change} --resume"), &out));
+    let refused = |change: &str, part: &str| {
+        let answer = end(start(&format!("{line} {change} --resume"), &out));
         assert_eq!(answer.code, Some(2), "{change}: {}", answer.stderr);
         assert!(answer.stderr.contains(part), "{change}: {}", answer.stderr);
+    };
+    for (change, part) in changes {
+        refused(change, part);
         assert_eq!(files(&out), before, "{change}");
     }
-    fs::write(out.join("diagram.resume"), "not notes\n").unwrap();
-    let answer = end(start(&format!("{DIAGRAM} --resume"), &out));
-    assert_eq!(answer.code, Some(2));
-    assert!(
-        answer.stderr.contains("cannot be read"),
-        "{}",
-        answer.stderr
+    let (here, there) = (env!("CARGO_PKG_VERSION"), "0.0.1-other");
+    fs::write(out.join(notes), before[notes].replacen(here, there, 1)).unwrap();
+    refused("", &format!("the program was {there}"));
+    fs::write(out.join(notes), "not notes\n").unwrap();
+    refused("", "cannot be read");
+}
+
+#[cfg(unix)]
+#[test]
+fn another_question_is_not_resumed() {
+    refuses(
+        DIAGRAM,
+        "diagram.resume",
+        &[
+            ("--set gamma=3.5", "gamma was 3.0 and is 3.5"),
+            ("--accuracy 1e-8", "`--accuracy` was 1e-9 and is 1e-8"),
+            ("--sweep up", "`--sweep` was both and is up"),
+            ("--smooth arctan:1e5", "the dynamics was exact"),
+            ("--start x1=0.1", "`--start` was None"),
+        ],
+    );
+    refuses(
+        "branch belt-pair --along v_dr=0.14..0.05 --switch flips",
+        "branch.resume",
+        &[
+            ("--set gamma=3.5", "gamma was 3.0 and is 3.5"),
+            ("--depth 2", "`--switch` was"),
+            ("--from 0.1", "v_dr was 0.14 and is 0.1"),
+            ("--smooth arctan:1e5", "the dynamics was exact"),
+        ],
     );
 }
 
@@ -232,11 +298,15 @@ fn what_cannot_be_resumed_says_so() {
         (format!("{DIAGRAM} --resume"), "--out DIR"),
         (
             "branch van-der-pol --along nu=1..0.5 --resume".to_owned(),
-            "`diagram` only",
+            "--out DIR",
+        ),
+        (
+            "equilibria drill-string --along eta=4..6 --resume".to_owned(),
+            "`diagram` or a `branch` only",
         ),
         (
             "trade belt-oscillator --resume".to_owned(),
-            "`diagram` only",
+            "`diagram` or a `branch` only",
         ),
     ] {
         let answer = stickslip(&words(&line));

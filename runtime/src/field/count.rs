@@ -2,8 +2,10 @@
 
 use std::ops::AddAssign;
 
+use borsh::{BorshDeserialize, BorshSerialize};
+
 /// What a computation cost, in counts that do not depend on the machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, BorshSerialize, BorshDeserialize)]
 pub struct Work {
     /// Accepted integration steps.
     pub steps: u64,

@@ -1,9 +1,11 @@
 //! What happens at the contacts of an exact system.
 
+use borsh::{BorshDeserialize, BorshSerialize};
+
 use crate::field::exact::Mode;
 
 /// Something that happened at a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Event<const N: usize> {
     /// What.
     pub kind: EventKind,
@@ -28,7 +30,7 @@ impl<const N: usize> Event<N> {
 }
 
 /// What can happen at a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub enum EventKind {
     /// It came to rest and sticks.
     Landing {

@@ -8,6 +8,7 @@ mod family;
 pub(crate) mod saltation;
 mod smooth;
 mod steered;
+mod tape;
 mod word;
 
 pub(crate) use drive::{standing, strobes, wrapped};
@@ -15,7 +16,10 @@ pub use event::{Event, EventKind};
 pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
 pub use steered::Steered;
+pub use tape::{Tape, Taped, TapedFlow};
 pub use word::word;
+
+use borsh::{BorshDeserialize, BorshSerialize};
 
 use crate::field::SmoothingError;
 use crate::field::Work;
@@ -63,7 +67,7 @@ pub trait Flow<const N: usize> {
 }
 
 /// A point of phase space from which a motion continues in one way only.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Place<const N: usize, Mode> {
     /// The state.
     pub state: [f64; N],
@@ -83,7 +87,7 @@ pub struct Velocity<const N: usize> {
 }
 
 /// What a passage shall report beyond its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, BorshSerialize, BorshDeserialize)]
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
@@ -96,7 +100,7 @@ pub struct Want {
 }
 
 /// One motion from a place to another.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Passage<const N: usize, Mode> {
     /// Where it ended.
     pub end: Place<N, Mode>,
@@ -120,7 +124,7 @@ pub struct Passage<const N: usize, Mode> {
 ///
 /// Next to a short step something is about to happen, or has just happened: a start there would
 /// soon fall before it or behind it as the design variable changes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Calm<const N: usize, Mode> {
     /// When, from the beginning of the passage.
     pub time: f64,
@@ -166,7 +170,7 @@ impl<const N: usize, Mode: Copy> Calm<N, Mode> {
 }
 
 /// How the end of a passage depends on its beginning, on the design variable and on its duration.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Derivatives<const N: usize> {
     /// Φ = ∂φ/∂y.
     pub state: [[f64; N]; N],
@@ -181,7 +185,7 @@ pub struct Derivatives<const N: usize> {
 }
 
 /// A factor of Φ over one stretch of a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Factor<const N: usize> {
     /// ∂(end)/∂(beginning) of the stretch.
     pub state: [[f64; N]; N],
@@ -190,7 +194,7 @@ pub struct Factor<const N: usize> {
 }
 
 /// A local extremum of one state along a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Extremum<const N: usize> {
     /// Which state.
     pub index: usize,
@@ -203,7 +207,7 @@ pub struct Extremum<const N: usize> {
 }
 
 /// A stretch of a motion in constant mode.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Segment<Mode> {
     /// The modes of the contacts during it.
     pub mode: Mode,
@@ -212,7 +216,7 @@ pub struct Segment<Mode> {
 }
 
 /// A state on a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Sample<const N: usize> {
     /// Time from the beginning of the passage.
     pub time: f64,

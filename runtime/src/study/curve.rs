@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 
 use nalgebra::Complex;
 
-use super::branch::Ended;
+use super::branch::{BranchRecord, Ended};
 use super::case::Along;
 use super::entry::StudyError;
 use super::follow::follow as follow_branch;
-use super::orbit::Sought;
+use super::orbit::{OrbitRecord, Sought};
 use super::special::numbered;
 use crate::bifurcation::Kind;
 use crate::continuation::Settings;
@@ -35,6 +35,8 @@ pub struct CurveScope {
 /// A curve as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveRecord {
+    /// The branch from which it starts.
+    pub branch: BranchRecord,
     /// The first design variable and its range.
     pub along: Along,
     /// The second.
@@ -83,8 +85,17 @@ pub struct SpecialCurvePoint {
     pub point: CurvePointRecord,
 }
 
-/// Told of each point of a curve; a break ends it there.
-pub(super) type Watch<'a> = &'a mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>;
+/// What is found on the way to a curve, and along it.
+#[derive(Debug, Clone, Copy)]
+pub enum CurveFinding<'a> {
+    /// An orbit of the branch from which it starts.
+    Orbit(&'a OrbitRecord),
+    /// A point of the curve.
+    Point(&'a CurvePointRecord),
+}
+
+/// Told of each finding; a break ends the branch or the curve there.
+pub(super) type Watch<'a> = &'a mut dyn FnMut(CurveFinding<'_>) -> ControlFlow<()>;
 
 impl<F: Steered<N>, const N: usize> Sought<'_, F, N>
 where
@@ -103,17 +114,26 @@ where
         let settings = Settings::new(from, to, accuracy);
         let branch = OrbitBranch::start(self.family, &first, &self.search, settings)
             .map_err(OrbitError::Newton)?;
-        let stretch = follow_branch(self, along, branch, first.work, &mut |_| {
-            ControlFlow::Continue(())
+        let stretch = follow_branch(self, along, branch, first.work, &mut |orbit| {
+            watch(CurveFinding::Orbit(orbit))
         });
-        let labels = numbered(&along, &stretch.located, &stretch.after);
-        let all: Vec<(&str, Kind)> = labels
-            .iter()
-            .map(|special| special.label.as_str())
-            .zip(stretch.located.iter().map(|located| located.kind))
-            .collect();
+        let located = stretch.located;
+        let branch = BranchRecord {
+            along,
+            from: None,
+            points: stretch.points,
+            special: numbered(&along, &located, &stretch.after),
+            ended: stretch.ended,
+            began: stretch.began,
+            branches: Vec::new(),
+        };
+        if branch.is_interrupted() {
+            return Err(StudyError::Interrupted(Box::new(branch)));
+        }
+        let labels = branch.special.iter().map(|special| special.label.clone());
+        let all: Vec<(String, Kind)> = labels.zip(located.iter().map(|one| one.kind)).collect();
         let place = choose(&all, scope.of.as_deref())?;
-        let (label, kind) = all[place];
+        let (label, kind) = (&all[place].0, all[place].1);
         let (and_from, and_to) = scope.and.span();
         let plane = Plane {
             family: self
@@ -130,16 +150,17 @@ where
             and: scope.and,
         };
         if kind == Kind::GrazingSliding {
-            let located = &stretch.located[place];
-            let mut seen = |point: &GrazingPoint<N>| watch(&read.graze(point));
+            let located = &located[place];
+            let mut seen = |point: &GrazingPoint<N>| watch(CurveFinding::Point(&read.graze(point)));
             let (orbit, r) = (&located.point, located.r);
             let found = follow_graze(&plane, orbit, r, [from, to], settings, &mut seen)
                 .map_err(StudyError::Curve)?
                 .ok_or_else(|| not_followed(label, kind))?;
             return Ok(CurveRecord {
+                branch,
                 along,
                 and: scope.and,
-                of: label.to_owned(),
+                of: label.clone(),
                 kind: kind.name(),
                 points: found.points.iter().map(|one| read.graze(one)).collect(),
                 special: Vec::new(),
@@ -147,32 +168,33 @@ where
                 work: found.work,
             });
         }
-        let mut seen =
-            |point: &CurvePoint<N, <F::Flow as Flow<N>>::Mode>| watch(&read.point(point));
-        let orbit = &stretch.located[place].point;
+        let mut seen = |point: &CurvePoint<N, <F::Flow as Flow<N>>::Mode>| {
+            watch(CurveFinding::Point(&read.point(point)))
+        };
+        let orbit = &located[place].point;
         let found = follow(&plane, kind, orbit, [from, to], settings, &mut seen)
             .map_err(StudyError::Curve)?
             .ok_or_else(|| not_followed(label, kind))?;
-        Ok(read.record(label.to_owned(), found))
+        Ok(read.record(branch, label.clone(), found))
     }
 }
 
 /// The number of the special point that is asked for.
-fn choose(all: &[(&str, Kind)], wanted: Option<&str>) -> Result<usize, StudyError> {
+fn choose(all: &[(String, Kind)], wanted: Option<&str>) -> Result<usize, StudyError> {
     let known = |kind: Kind| kind == Kind::GrazingSliding || curve::Condition::of(kind).is_some();
     let found = all.iter().position(|(label, kind)| match wanted {
-        Some(wanted) => *label == wanted,
+        Some(wanted) => label == wanted,
         None => known(*kind),
     });
     let place = found.ok_or_else(|| StudyError::NoSpecial {
         wanted: wanted.map(str::to_owned),
-        labels: all.iter().map(|(label, _)| (*label).to_owned()).collect(),
+        labels: all.iter().map(|(label, _)| label.clone()).collect(),
     })?;
-    let (label, kind) = all[place];
-    if known(kind) {
+    let (label, kind) = &all[place];
+    if known(*kind) {
         Ok(place)
     } else {
-        Err(not_followed(label, kind))
+        Err(not_followed(label, *kind))
     }
 }
 
@@ -219,6 +241,7 @@ impl Reader {
 
     fn record<const N: usize, Mode: Copy>(
         &self,
+        branch: BranchRecord,
         of: String,
         found: curve::Curve<N, Mode>,
     ) -> CurveRecord {
@@ -233,6 +256,7 @@ impl Reader {
             }
         });
         CurveRecord {
+            branch,
             along: self.along,
             and: self.and,
             of,

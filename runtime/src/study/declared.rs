@@ -7,7 +7,7 @@ use super::atlas::Hopf;
 use super::branch::BranchRecord;
 use super::case::{Along, Beginning, Case, Dynamics};
 use super::characteristic::{Characteristic, Laws};
-use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
+use super::curve::{CurveFinding, CurveRecord, CurveScope};
 use super::diagram::{Diagram, DiagramRecord, Known, Watcher};
 use super::ends::{End, TradeRecord};
 use super::entry::{Entry, StudyError};
@@ -20,7 +20,7 @@ use super::trade::{Finding, Scope, TradeError, tradable, watched};
 use super::trajectory::{ExactReadout, Trajectory, trajectory};
 use crate::equilibrium::{Proof, Unproven, find};
 use crate::field::Design;
-use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, word};
+use crate::flow::{ExactFamily, Family, FlowError, SmoothFamily, Tape, Taped, word};
 use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
 use crate::poincare::Section;
@@ -86,7 +86,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
     }
 
     /// Where orbits are looked for, first places first.
-    fn seeds(case: &Case) -> Vec<Seed<N>> {
+    fn seeds(case: &Case, tape: &Tape<'_>) -> Vec<Seed<N>> {
         let start = Self::start(case);
         let declared = Seed::at(start);
         match (&case.start, case.period) {
@@ -100,7 +100,7 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         let mut seeds = match case.dynamics {
             Dynamics::Exact if const { Self::RUBS } => on_the_belt(&Self::model(case), start),
             Dynamics::Smoothed(_) if const { Self::RUBS } => {
-                Self::exact_orbit(case).map_or_else(Vec::new, |seed| {
+                Self::exact_orbit(case, tape).map_or_else(Vec::new, |seed| {
                     // A copy may be out of reach of Newton and yet settle from there.
                     vec![seed, Seed::at(seed.start)]
                 })
@@ -112,13 +112,13 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
     }
 
     /// The orbit of the exact system as a seed for its smooth copies.
-    fn exact_orbit(case: &Case) -> Option<Seed<N>> {
+    fn exact_orbit(case: &Case, tape: &Tape<'_>) -> Option<Seed<N>> {
         let exact = Case {
             dynamics: Dynamics::Exact,
             along: None,
             ..case.clone()
         };
-        let family = Self::exact(&exact);
+        let family = tape.record(Self::exact(&exact));
         let orbit = Self::sought_exactly(&exact, &family).orbit(0.0).ok()?;
         Some(Seed {
             start: orbit.place.state,
@@ -201,12 +201,12 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
 
     fn sought_exactly<'a>(
         case: &'a Case,
-        family: &'a ExactFamily<M, N>,
-    ) -> Sought<'a, ExactFamily<M, N>, N> {
+        family: &'a Taped<'a, ExactFamily<M, N>>,
+    ) -> Sought<'a, Taped<'a, ExactFamily<M, N>>, N> {
         Sought {
             family,
             case,
-            seeds: Self::seeds(case),
+            seeds: Self::seeds(case, family.tape()),
             search: Self::search(case),
             spelling: |segments| Some(word::<M, N>(segments)),
         }
@@ -214,12 +214,12 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
 
     fn sought_smoothly<'a>(
         case: &'a Case,
-        family: &'a SmoothFamily<M, N>,
-    ) -> Sought<'a, SmoothFamily<M, N>, N> {
+        family: &'a Taped<'a, SmoothFamily<M, N>>,
+    ) -> Sought<'a, Taped<'a, SmoothFamily<M, N>>, N> {
         Sought {
             family,
             case,
-            seeds: Self::seeds(case),
+            seeds: Self::seeds(case, family.tape()),
             search: Self::search(case),
             spelling: |_| None,
         }
@@ -289,23 +289,23 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     }
 
     fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
-        let r = Self::beginning(case);
+        let (r, tape) = (Self::beginning(case), Tape::blank());
         let found = match case.dynamics {
             Dynamics::Exact if const { Self::RUBS } => {
-                Self::sought_exactly(case, &Self::exact(case)).found(r)
+                Self::sought_exactly(case, &tape.record(Self::exact(case))).found(r)
             }
-            _ => Self::sought_smoothly(case, &Self::smooth(case)).found(r),
+            _ => Self::sought_smoothly(case, &tape.record(Self::smooth(case))).found(r),
         };
         Ok(found.map_err(|error| Self::sharpened(case, error))?)
     }
 
     fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
-        let r = Self::beginning(case);
+        let (r, tape) = (Self::beginning(case), Tape::blank());
         let found = match case.dynamics {
             Dynamics::Exact if const { Self::RUBS } => {
-                Self::sought_exactly(case, &Self::exact(case)).certified(r)
+                Self::sought_exactly(case, &tape.record(Self::exact(case))).certified(r)
             }
-            _ => Self::sought_smoothly(case, &Self::smooth(case)).certified(r),
+            _ => Self::sought_smoothly(case, &tape.record(Self::smooth(case))).certified(r),
         };
         Ok(found.map_err(|error| Self::sharpened(case, error))?)
     }
@@ -334,6 +334,7 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
     fn branch(
         &self,
         case: &Case,
+        tape: &Tape<'_>,
         watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, StudyError> {
         self.check(case)?;
@@ -341,9 +342,11 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         let hopf = Self::hopf(case, along)?;
         match case.dynamics {
             Dynamics::Exact if const { Self::RUBS } => {
-                Self::sought_exactly(case, &Self::exact(case)).branch(along, hopf, watch)
+                Self::sought_exactly(case, &tape.record(Self::exact(case)))
+                    .branch(along, hopf, watch)
             }
-            _ => Self::sought_smoothly(case, &Self::smooth(case)).branch(along, hopf, watch),
+            _ => Self::sought_smoothly(case, &tape.record(Self::smooth(case)))
+                .branch(along, hopf, watch),
         }
     }
 
@@ -351,7 +354,8 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         &self,
         case: &Case,
         scope: &CurveScope,
-        watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
+        tape: &Tape<'_>,
+        watch: &mut dyn FnMut(CurveFinding<'_>) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
@@ -364,9 +368,11 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         }
         match case.dynamics {
             Dynamics::Exact if const { Self::RUBS } => {
-                Self::sought_exactly(case, &Self::exact(case)).curve(along, scope, watch)
+                Self::sought_exactly(case, &tape.record(Self::exact(case)))
+                    .curve(along, scope, watch)
             }
-            _ => Self::sought_smoothly(case, &Self::smooth(case)).curve(along, scope, watch),
+            _ => Self::sought_smoothly(case, &tape.record(Self::smooth(case)))
+                .curve(along, scope, watch),
         }
     }
 
@@ -397,7 +403,9 @@ impl<M: Model<N>, const N: usize> Entry for Declared<M, N> {
         tradable(M::INFO)?;
         if const { Self::RUBS } {
             TradeRecord::gather(case, |case: Case, end: usize| {
-                let exact = Self::sought_exactly(&case, &Self::exact(&case)).orbit(0.0)?;
+                let tape = Tape::blank();
+                let family = tape.record(Self::exact(&case));
+                let exact = Self::sought_exactly(&case, &family).orbit(0.0)?;
                 let mut here = |finding: Finding<'_>| watch(end, finding);
                 let trade = watched(&Self::model(&case), &exact, scope, &mut here)?;
                 Ok(End {

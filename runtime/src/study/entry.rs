@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::branch::BranchRecord;
 use super::case::Case;
 use super::characteristic::Characteristic;
-use super::curve::{CurvePointRecord, CurveRecord, CurveScope};
+use super::curve::{CurveFinding, CurveRecord, CurveScope};
 use super::declared::Declared;
 use super::diagram::{Diagram, DiagramRecord, Known, Watcher};
 use super::ends::TradeRecord;
@@ -16,7 +16,7 @@ use super::trade::{Finding, Scope, TradeError};
 use super::trajectory::Trajectory;
 use crate::continuation::Failure;
 use crate::equilibrium::{Proof, Unproven};
-use crate::flow::FlowError;
+use crate::flow::{FlowError, Tape};
 use crate::model::{Model, ModelInfo};
 use crate::poincare::Section;
 use crate::shooting::{OrbitError, SwitchError};
@@ -85,27 +85,30 @@ pub trait Entry: Send + Sync {
         watch: &mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>,
     ) -> Result<EquilibriaRecord, StudyError>;
 
-    /// The branch of orbits along the design variable of the case; `watch` sees each point as it is found, and may end
-    /// the branch there.
+    /// The branch of orbits along the design variable of the case; what is on the tape of the same question is not
+    /// computed again, and `watch` sees each point as it is found, and may end the branch there.
     ///
     /// # Errors
     /// There is no orbit to begin with.
     fn branch(
         &self,
         case: &Case,
+        tape: &Tape<'_>,
         watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, StudyError>;
 
-    /// A special point of that branch, followed in the design variable of the case and another one; `watch` sees each
-    /// point as it is found, and may end the curve there.
+    /// A special point of that branch, followed in the design variable of the case and another one; what is on the tape
+    /// of the same question is not computed again, and `watch` sees each orbit of the branch and each point of
+    /// the curve as it is found, and may end either there.
     ///
     /// # Errors
-    /// There is no orbit to begin with, or no such point on its branch.
+    /// There is no orbit to begin with, or no such point on its branch, or the branch was ended before the curve began.
     fn curve(
         &self,
         case: &Case,
         scope: &CurveScope,
-        watch: &mut dyn FnMut(&CurvePointRecord) -> ControlFlow<()>,
+        tape: &Tape<'_>,
+        watch: &mut dyn FnMut(CurveFinding<'_>) -> ControlFlow<()>,
     ) -> Result<CurveRecord, StudyError>;
 
     /// Where the motions of the case meet a section, for many values of its design variable; what is `known` from the
@@ -175,6 +178,9 @@ pub enum StudyError {
         /// The labels that there are.
         labels: Vec<String>,
     },
+    /// The branch of the special point was interrupted; as far as it came.
+    #[error("the branch was interrupted before the curve began")]
+    Interrupted(Box<BranchRecord>),
     /// A special point that has no curve here.
     #[error(
         "{label} is a {kind} point, and only folds, flips, torus and grazing points can be followed in two parameters"

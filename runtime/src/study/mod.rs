@@ -39,7 +39,7 @@ pub use branch::{BranchRecord, Ended};
 pub use case::{Along, Beginning, Case, Dynamics, Switch};
 pub use characteristic::Characteristic;
 pub use choice::{Choice, choose};
-pub use curve::{CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
+pub use curve::{CurveFinding, CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
 pub use diagram::{
     Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
 };

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use stickslip::field::Design;
+use stickslip::flow::Tape;
 use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch, entry};
 use stickslip_models::BeltPair;
 
@@ -40,8 +41,10 @@ fn follow_to(
         branch_points: false,
         depth,
     };
-    pair.branch(&case.at(v_dr), &mut |_| ControlFlow::Continue(()))
-        .expect("a branch")
+    pair.branch(&case.at(v_dr), &Tape::blank(), &mut |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("a branch")
 }
 
 fn of_kind<'a>(branch: &'a BranchRecord, kind: &str) -> Vec<&'a Special> {

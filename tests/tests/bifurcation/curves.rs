@@ -4,6 +4,7 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
+use stickslip::flow::Tape;
 use stickslip::model;
 use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, Entry, StudyError, entry};
 use stickslip_models::{BeltPair, DrillString, closed_form};
@@ -103,7 +104,9 @@ fn circle(
     }
     let start = model.info().states.iter().map(|state| state.start);
     (case.start, case.period) = (Some(start.collect()), Some(TAU));
-    model.curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
+    model.curve(&case, &scope, &Tape::blank(), &mut |_| {
+        ControlFlow::Continue(())
+    })
 }
 
 fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
@@ -228,7 +231,9 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
             question(&*model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
         case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
         let curve = model
-            .curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
+            .curve(&case, &scope, &Tape::blank(), &mut |_| {
+                ControlFlow::Continue(())
+            })
             .unwrap();
         assert_eq!(
             (curve.kind, curve.ended.word),
@@ -249,7 +254,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
             });
             alone = alone.at(point.p - 5e-3);
             let branch = model
-                .branch(&alone, &mut |_| ControlFlow::Continue(()))
+                .branch(&alone, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
                 .unwrap();
             let flip = branch
                 .special
@@ -297,7 +302,9 @@ fn the_drill_strings_graze_follows_its_closed_form() {
             wide
         };
         let curve = model
-            .curve(&question, &scope, &mut |_| ControlFlow::Continue(()))
+            .curve(&question, &scope, &Tape::blank(), &mut |_| {
+                ControlFlow::Continue(())
+            })
             .unwrap();
         assert_eq!((curve.kind, curve.of.as_str()), ("grazing-sliding", "GS1"));
         assert!(curve.ended.located, "{}", curve.ended.reason);

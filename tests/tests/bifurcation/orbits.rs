@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use stickslip::field::Design;
+use stickslip::flow::Tape;
 use stickslip::model;
 use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Switch, entry};
 
@@ -162,7 +163,7 @@ macro_rules! branch {
             to: $to,
         });
         model
-            .branch(&case, &mut |_| ControlFlow::Continue(()))
+            .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
             .expect("a branch")
     }};
 }
@@ -246,7 +247,7 @@ fn accuracy_loses_no_point() {
     for accuracy in [1e-6, 1e-8, 1e-10] {
         case.accuracy = accuracy;
         let branch = model
-            .branch(&case, &mut |_| ControlFlow::Continue(()))
+            .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
             .expect("a branch");
         assert_eq!(branch.special.len(), 1, "at {accuracy:e}");
         assert!(branch.special[0].r.abs() <= accuracy);
@@ -322,7 +323,7 @@ fn orbits_begin_at_the_brusselators_hopf_point() {
     });
     case.beginning = Beginning::Hopf;
     let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     let extent = |i: usize| branch.points[i].max[0] - branch.points[i].min[0];

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use stickslip::field::{Kernel, Smoothing};
+use stickslip::flow::Tape;
 use stickslip::model;
 use stickslip::study::trade::Scope;
 use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError, entry};
@@ -105,7 +106,7 @@ fn the_response_is_followed_through_resonance() {
         ..case(&*model, Dynamics::Smooth, &[("omega", 0.5)])
     };
     let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     assert!(branch.points.len() > 5);
@@ -223,7 +224,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
         ..case(&*model, Dynamics::Exact, &[("omega", 0.6)])
     };
     let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     for point in &branch.points {

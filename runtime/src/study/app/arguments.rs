@@ -135,7 +135,7 @@ fn branch() -> Command {
             "LABEL",
             "Which one, for instance PD1; the first without --of",
         ))
-        .arg(resume().hide(true))
+        .arg(resume())
 }
 
 fn equilibria() -> Command {

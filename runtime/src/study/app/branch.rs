@@ -9,13 +9,16 @@ use super::curve;
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, request, text};
+use super::output::{Journal, Output};
+use super::passages::Passages;
 use super::picture;
 use super::progress::Progress;
+use super::resume::Question;
 use super::spreadsheet::Spreadsheet;
 use super::text::{digits, followed, label, number as significant, parameters, table, timed};
 use super::words::{number, unknown};
 use crate::model::ModelInfo;
-use crate::study::{Beginning, BranchRecord, Case, Ended, OrbitRecord, Switch};
+use crate::study::{Along, Beginning, BranchRecord, Case, Ended, OrbitRecord, Switch};
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     if text(options, "along").is_none() {
@@ -23,7 +26,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(message));
     }
     if curve::wanted(options)? {
-        return curve::perform(request(app, options)?, options);
+        return curve::perform(app, request(app, options)?, options);
     }
     let Request {
         entry,
@@ -36,51 +39,92 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     if let Beginning::At(value) = case.beginning {
         case = case.at(value);
     }
+    let question = Question::new(app.version, info, &case);
+    let mut passages = Passages::open(&output, options, "branch", &question)?;
     let progress = Progress::along(&output);
-    let mut journal = output.journal("branch");
-    let mut watch = |point: &OrbitRecord| {
-        let (Some(along), Some(r)) = (case.along, point.r) else {
-            return ControlFlow::Continue(());
-        };
-        let name = followed(info, &along);
-        journal.add(|| Spreadsheet::orbits(info, &name, std::slice::from_ref(point)));
-        let message = format!("{} = {}", along.name(info), significant(r, 6));
-        progress.reach(along.share(r), message)
-    };
-    let branch = entry
-        .branch(&case, &mut watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let mut rows = Rows::new(&output, info, &case);
+    let mut watch = |point: &OrbitRecord| rows.add(point, &progress);
+    let branch = passages.through(|tape| entry.branch(&case, tape, &mut watch));
+    let branch = branch.map_err(|error| Failure::of(&error, info))?;
     drop(progress);
-    let name = followed(info, &branch.along);
-    let sheets: Vec<(String, Spreadsheet)> = branch
-        .all()
-        .into_iter()
-        .enumerate()
-        .map(|(i, branch)| (sheet(i), Spreadsheet::orbits(info, &name, &branch.points)))
-        .collect();
-    let sheets: Vec<(&str, Spreadsheet)> = sheets
-        .iter()
-        .map(|(name, sheet)| (name.as_str(), sheet.clone()))
-        .collect();
-    let document = json::Branch::new(info, &case, &branch);
-    let drawn = output.draw([("branch", picture::branch(info, &branch))]);
-    output.deliver(
-        "branch",
-        &describe(info, &case, &branch),
-        &document,
-        &sheets,
-    )?;
-    drawn?;
-    if branch.is_interrupted() {
-        let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
-        return Err(output.interrupted(&format!("{count} orbits were found")));
-    }
+    deliver(&output, info, &case, &branch)?;
+    passages.discard();
     let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word, ended.reason);
     if let Some(ended) = branch.unlocated() {
         return Err(Failure::failed(reason(ended)));
     }
     output.note(reason(&branch.ended));
     Ok(())
+}
+
+/// What is written and shown of each orbit as it is found.
+pub(super) struct Rows<'a> {
+    info: &'a ModelInfo,
+    along: Option<Along>,
+    journal: Journal,
+}
+
+impl<'a> Rows<'a> {
+    pub(super) fn new(output: &Output, info: &'a ModelInfo, case: &Case) -> Self {
+        Self {
+            info,
+            along: case.along,
+            journal: output.journal("branch"),
+        }
+    }
+
+    pub(super) fn add(&mut self, point: &OrbitRecord, progress: &Progress) -> ControlFlow<()> {
+        let (Some(along), Some(r)) = (self.along, point.r) else {
+            return ControlFlow::Continue(());
+        };
+        let (info, name) = (self.info, followed(self.info, &along));
+        self.journal
+            .add(|| Spreadsheet::orbits(info, &name, std::slice::from_ref(point)));
+        let message = format!("{} = {}", along.name(info), significant(r, 6));
+        progress.reach(along.share(r), message)
+    }
+}
+
+/// Answers with a branch.
+///
+/// # Errors
+/// It was interrupted, or the answer cannot be written.
+pub(super) fn deliver(
+    output: &Output,
+    info: &ModelInfo,
+    case: &Case,
+    branch: &BranchRecord,
+) -> Result<(), Failure> {
+    let document = json::Branch::new(info, case, branch);
+    let drawn = output.draw([("branch", picture::branch(info, branch))]);
+    let text = describe(info, case, branch);
+    output.deliver("branch", &text, &document, &sheets(info, branch))?;
+    drawn?;
+    if branch.is_interrupted() {
+        let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
+        return Err(output.interrupted(&format!("{count} orbits were found")));
+    }
+    Ok(())
+}
+
+/// Writes a branch to the folder, if there is one, beside the answer.
+pub(super) fn keep(
+    output: &Output,
+    info: &ModelInfo,
+    case: &Case,
+    branch: &BranchRecord,
+) -> Result<(), Failure> {
+    let document = json::Branch::new(info, case, branch);
+    output.draw([("branch", picture::branch(info, branch))])?;
+    output.keep("branch", &document, &sheets(info, branch))
+}
+
+/// The tables of a branch and of those that leave it.
+fn sheets(info: &ModelInfo, branch: &BranchRecord) -> Vec<(String, Spreadsheet)> {
+    let name = followed(info, &branch.along);
+    let all = branch.all().into_iter().enumerate();
+    all.map(|(i, one)| (sheet(i), Spreadsheet::orbits(info, &name, &one.points)))
+        .collect()
 }
 
 /// The branches to switch to, as `--switch` and `--depth` say.

@@ -2,18 +2,24 @@
 
 use clap::ArgMatches;
 
+use super::App;
+use super::branch::{self, Rows};
 use super::failure::Failure;
 use super::json;
 use super::options::{Request, range, text};
 use super::orbit::work;
+use super::passages::Passages;
 use super::picture;
 use super::progress::Progress;
+use super::resume::Question;
 use super::spreadsheet::{Spreadsheet, full, optional};
 use super::text::{followed, label, number, parameters, table, timed};
 use super::words::{assignment, number as numeral};
 use crate::field::Design;
 use crate::model::ModelInfo;
-use crate::study::{Along, Case, CurvePointRecord, CurveRecord, CurveScope};
+use crate::study::{
+    Along, Case, CurveFinding, CurvePointRecord, CurveRecord, CurveScope, StudyError,
+};
 
 const DIGITS: usize = 10;
 
@@ -36,26 +42,45 @@ pub(super) fn wanted(options: &ArgMatches) -> Result<bool, Failure> {
 }
 
 /// Follows the curve and answers.
-pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn perform(
+    app: &App,
+    request: Request<'_>,
+    options: &ArgMatches,
+) -> Result<(), Failure> {
     let Request {
         entry,
         case,
         output,
     } = request;
     let info = entry.info();
-    let (case, scope) = question(info, options, case)?;
+    let (case, scope) = asked(info, options, case)?;
+    let question = Question::new(app.version, info, &case)
+        .exactly("`--and`", &scope.and)
+        .exactly("`--of`", &scope.of);
+    let mut passages = Passages::open(&output, options, "curve", &question)?;
     let progress = Progress::along(&output);
     let mut journal = output.journal("curve");
     let ranges = [case.along.unwrap_or(scope.and), scope.and];
-    let mut watch = |point: &CurvePointRecord| {
-        journal.add(|| sheet(info, &ranges, std::slice::from_ref(point)));
-        let message = format!("{} = {}", scope.and.name(info), number(point.q, 6));
-        progress.reach(scope.and.share(point.q), message)
+    let mut rows = Rows::new(&output, info, &case);
+    let mut watch = |finding: CurveFinding<'_>| match finding {
+        CurveFinding::Orbit(orbit) => rows.add(orbit, &progress),
+        CurveFinding::Point(point) => {
+            journal.add(|| sheet(info, &ranges, std::slice::from_ref(point)));
+            let message = format!("{} = {}", scope.and.name(info), number(point.q, 6));
+            progress.reach(scope.and.share(point.q), message)
+        }
     };
-    let curve = entry
-        .curve(&case, &scope, &mut watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let curve = passages.through(|tape| entry.curve(&case, &scope, tape, &mut watch));
+    let curve = match curve {
+        Ok(curve) => curve,
+        Err(StudyError::Interrupted(branch)) => {
+            drop(progress);
+            return branch::deliver(&output, info, &case, &branch);
+        }
+        Err(error) => return Err(Failure::of(&error, info)),
+    };
     drop(progress);
+    let kept = branch::keep(&output, info, &case, &curve.branch);
     let drawn = output.draw([("curve", picture::curve(info, &curve))]);
     output.deliver(
         "curve",
@@ -66,13 +91,16 @@ pub(super) fn perform(request: Request<'_>, options: &ArgMatches) -> Result<(), 
             sheet(info, &[curve.along, curve.and], &curve.points),
         )],
     )?;
-    drawn?;
+    drawn.and(kept)?;
+    if !curve.ended.is_interrupted() {
+        passages.discard();
+    }
     let found = format!("{} points were found", curve.points.len());
     output.close("curve", &curve.ended, &found)
 }
 
 /// The case where the curve begins, and what is followed.
-fn question(
+fn asked(
     info: &ModelInfo,
     options: &ArgMatches,
     mut case: Case,

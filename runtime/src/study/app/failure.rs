@@ -93,6 +93,7 @@ fn is_usage(error: &StudyError) -> bool {
         | StudyError::NotFollowed { .. }
         | StudyError::Curve(_)
         | StudyError::Equilibrium(_)
+        | StudyError::Interrupted(_)
         | StudyError::NoHopf
         | StudyError::Hopf(_) => return false,
     };

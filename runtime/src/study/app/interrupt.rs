@@ -54,11 +54,16 @@ impl Drop for Work {
 /// Whether a computation shall go on.
 pub(super) fn verdict() -> ControlFlow<()> {
     LISTENS.store(true, Ordering::Relaxed);
-    if ASKED.load(Ordering::Relaxed) {
+    if asked() {
         ControlFlow::Break(())
     } else {
         ControlFlow::Continue(())
     }
+}
+
+/// Whether an end is wanted; asking for it is not yet a promise to come to one.
+pub(super) fn asked() -> bool {
+    ASKED.load(Ordering::Relaxed)
 }
 
 /// The files that grow; the program does not end between the beginning and the end of a row while they are held.

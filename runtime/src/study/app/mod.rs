@@ -13,6 +13,7 @@ mod models;
 mod options;
 mod orbit;
 mod output;
+mod passages;
 mod picture;
 mod progress;
 mod reproduce;

@@ -7,21 +7,25 @@ use super::App;
 use super::failure::Failure;
 use super::options::text;
 use super::output::Output;
+use super::spreadsheet::Spreadsheet;
 use super::text::{indented, label, short, summary, table, unit};
 use crate::model::{Bound, Contact, Memory, ModelInfo, Parameter, State};
+
+/// A model has no tables.
+const NO_SHEETS: [(&str, Spreadsheet); 0] = [];
 
 pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let output = Output::new(options)?;
     match text(options, "MODEL") {
         Some(name) => {
             let info = app.entry(name)?.info();
-            output.deliver(name, &describe(info), &document(info), &[])
+            output.deliver(name, &describe(info), &document(info), &NO_SHEETS)
         }
         None => {
             let infos = app.entries.iter().map(|entry| entry.info());
             let documents: Vec<Value> = infos.clone().map(document).collect();
             let text = infos.map(brief).collect::<Vec<_>>().join("\n");
-            output.deliver("models", &text, &json!({ "models": documents }), &[])
+            output.deliver("models", &text, &json!({ "models": documents }), &NO_SHEETS)
         }
     }
 }

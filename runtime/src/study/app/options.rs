@@ -54,13 +54,14 @@ pub(super) fn request<'a>(app: &'a App, options: &ArgMatches) -> Result<Request<
     })
 }
 
-/// Whether `--resume`, if it is there, has a meaning: a branch is more than its points, and is found anew.
+/// Whether `--resume`, if it is there, has a meaning: for a `diagram`, which can `settle`, and for a `branch`, which may
+/// have `depth`.
 fn resumes(options: &ArgMatches) -> Result<(), Failure> {
     let asked = options.try_get_one::<bool>("resume").ok().flatten() == Some(&true);
-    if asked && options.try_contains_id("settle").is_err() {
+    let has = |name| options.try_contains_id(name).is_ok();
+    if asked && !has("settle") && !has("depth") {
         return Err(Failure::usage(
-            "`--resume` goes on with a `diagram` only, of which each value stands for itself; a branch that was interrupted \
-             is begun anew, or from its last point: `--along` from there",
+            "`--resume` goes on with a `diagram` or a `branch` only, which may take long: leave it out, and this is done anew",
         ));
     }
     Ok(())

@@ -47,7 +47,7 @@ impl Output {
         name: &str,
         text: &str,
         document: &impl Serialize,
-        sheets: &[(&str, Spreadsheet)],
+        sheets: &[(impl AsRef<str>, Spreadsheet)],
     ) -> Result<(), Failure> {
         let document = json(document)?;
         let mut text = text.to_owned();
@@ -60,6 +60,18 @@ impl Output {
         }
         // A full disk costs no answer.
         print(if self.json { &document } else { &text }).and(written)
+    }
+
+    /// Writes to the folder, if there is one, what is found beside the answer.
+    pub(super) fn keep(
+        &self,
+        name: &str,
+        document: &impl Serialize,
+        sheets: &[(impl AsRef<str>, Spreadsheet)],
+    ) -> Result<(), Failure> {
+        let document = json(document)?;
+        let mut folders = self.out.iter();
+        folders.try_for_each(|folder| store(folder, name, &document, sheets))
     }
 
     /// The place of a file in the folder, if there is one.
@@ -201,9 +213,10 @@ fn store(
     folder: &Path,
     name: &str,
     document: &str,
-    sheets: &[(&str, Spreadsheet)],
+    sheets: &[(impl AsRef<str>, Spreadsheet)],
 ) -> Result<(), Failure> {
     for (sheet, content) in sheets {
+        let sheet = sheet.as_ref();
         write(&folder.join(format!("{sheet}.csv")), &content.text()?)?;
     }
     write(&folder.join(format!("{name}.json")), document)

@@ -142,6 +142,11 @@ impl Notes {
         })
     }
 
+    /// Whether there is a file that takes them.
+    pub(super) fn are_kept(&self) -> bool {
+        self.file.is_some()
+    }
+
     /// Notes a finding, in one line; once that fails, no more.
     pub(super) fn add(&mut self, line: impl FnOnce() -> Option<String>) {
         if let Some(file) = &mut self.file {

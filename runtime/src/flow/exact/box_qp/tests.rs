@@ -2,16 +2,9 @@ use super::*;
 use crate::examples::{Pair, Plates};
 use crate::field::exact::{ExactSystem, Mode, Modes};
 
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
+/// Uniform in [-1, 1).
+fn roll(random: &mut fastrand::Rng) -> f64 {
+    2.0 * random.f64() - 1.0
 }
 
 /// Random rates and limits; G is that of the model, or full and positive definite.
@@ -19,16 +12,18 @@ fn on_random_problems<M: Model<N>, const N: usize>(
     count: u32,
     judge: impl Fn(&BoxProblem<'_, M, N>),
 ) {
-    let mut dice = Dice(7);
+    let mut random = fastrand::Rng::with_seed(7);
     let system = ExactSystem::new(&M::default(), None);
     let all = Modes::from_fn(|_| Mode::Stick);
     for run in 0..count {
         let mut affine = system.affine(&[0.0; N], &all);
         let contacts = affine.rate.as_ref().len();
-        affine.rate = Inline::from_fn(|_| 4.0 * dice.roll());
-        affine.stick = Inline::from_fn(|_| 1.0 + dice.roll());
+        affine.rate = Inline::from_fn(|_| 4.0 * roll(&mut random));
+        affine.stick = Inline::from_fn(|_| 1.0 + roll(&mut random));
         if run % 2 == 0 {
-            let factor: Vec<f64> = (0..contacts * contacts).map(|_| dice.roll()).collect();
+            let factor: Vec<f64> = (0..contacts * contacts)
+                .map(|_| roll(&mut random))
+                .collect();
             let product = |i: usize, j: usize| -> f64 {
                 (0..contacts)
                     .map(|k| factor[i * contacts + k] * factor[j * contacts + k])

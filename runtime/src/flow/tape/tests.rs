@@ -1,0 +1,91 @@
+use std::cell::RefCell;
+
+use super::*;
+use crate::examples::Belt;
+use crate::flow::ExactFamily;
+use crate::model::Model;
+
+const ALL: Want = Want {
+    derivatives: true,
+    extrema: true,
+    path: true,
+    factors: true,
+};
+
+fn family() -> ExactFamily<Belt, 2> {
+    ExactFamily {
+        model: Belt::default(),
+        design: Belt::INFO.parameters.iter().position(|p| p.name == "v_dr"),
+        tolerance: Tolerance::for_accuracy(1e-8),
+        magnitude: [1.0; 2],
+    }
+}
+
+/// Three passages, the second of which fails, each from where the one before ended.
+fn journey(
+    tape: &Tape<'_>,
+    times: [f64; 3],
+) -> Vec<Result<Passage<2, impl Copy + std::fmt::Debug + PartialEq>, FlowError>> {
+    let flow = tape.record(family()).at(0.2).unwrap();
+    let mut place = flow.place([1.0, 0.0]).unwrap();
+    let follow = |time: f64| {
+        let passage = flow.advance(&place, time, ALL);
+        if let Ok(passage) = &passage {
+            place = passage.end;
+        }
+        passage
+    };
+    times.into_iter().map(follow).collect()
+}
+
+/// What a journey notes if this is known of it.
+fn noted(known: &[Vec<u8>], times: [f64; 3]) -> (Vec<Vec<u8>>, String) {
+    let notes = RefCell::new(Vec::new());
+    let note = |record: &[u8]| notes.borrow_mut().push(record.to_vec());
+    let found = format!("{:?}", journey(&Tape::new(known.to_vec(), &note), times));
+    (notes.into_inner(), found)
+}
+
+const TIMES: [f64; 3] = [9.0, -1.0, 4.0];
+
+#[test]
+fn what_is_known_comes_back_to_the_last_bit() {
+    let plain = format!("{:?}", journey(&Tape::blank(), TIMES));
+    let (all, found) = noted(&[], TIMES);
+    assert_eq!((all.len(), &found), (3, &plain));
+    for known in 1..=3 {
+        let (rest, found) = noted(&all[..known], TIMES);
+        assert_eq!((rest.as_slice(), &found), (&all[known..], &plain));
+    }
+}
+
+#[test]
+fn what_is_known_is_not_computed_again() {
+    let flow = family().at(0.2).unwrap();
+    let place = flow.place([1.0, 0.0]).unwrap();
+    let (all, _) = noted(&[], TIMES);
+    let tape = Tape::new(all, &|_| ());
+    let taped = tape.record(family()).at(0.2).unwrap();
+    let want = ALL;
+    let known = tape.recall(&(taped.r, place, TIMES[0], want), || {
+        Err(FlowError::BadTime { time: 0.0 })
+    });
+    assert_eq!(known, flow.advance(&place, TIMES[0], ALL));
+}
+
+#[test]
+fn who_goes_another_way_is_not_misled() {
+    let other = [9.0, 3.0, 4.0];
+    let (all, _) = noted(&[], TIMES);
+    let (rest, found) = noted(&all, other);
+    assert_eq!(found, format!("{:?}", journey(&Tape::blank(), other)));
+    assert!(
+        rest.is_empty(),
+        "they would follow what belongs to another way"
+    );
+    // A record that is damaged is as good as none.
+    let mut damaged = all.clone();
+    damaged[0].pop();
+    let (_, found) = noted(&damaged, TIMES);
+    assert_eq!(found, format!("{:?}", journey(&Tape::blank(), TIMES)));
+}
