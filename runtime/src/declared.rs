@@ -118,7 +118,7 @@ const fn times_power(mut product: Dimension, factor: &Dimension, power: i8) -> D
     product
 }
 
-const fn same(left: &str, right: &str) -> bool {
+pub(crate) const fn same(left: &str, right: &str) -> bool {
     let (left, right) = (left.as_bytes(), right.as_bytes());
     let mut i = 0;
     while i < left.len() && i < right.len() && left[i] == right[i] {

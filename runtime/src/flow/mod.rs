@@ -178,6 +178,9 @@ pub struct Derivatives<const N: usize> {
     pub trace: f64,
     /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
     pub factors: Vec<Factor<N>>,
+    /// The most internal states that rested on their stops at once: as many multipliers of an orbit are exactly zero,
+    /// and `trace` says nothing of Φ.
+    pub lost: usize,
 }
 
 /// A factor of Φ over one stretch of a motion.
@@ -303,6 +306,29 @@ pub enum FlowError {
         name: &'static str,
         /// Its rate.
         rate: f64,
+    },
+    /// The stops of an internal state that stand nowhere.
+    #[error(
+        "`{law}` stops `{state}` at {bound}, which must be a finite number above 0: give its parameters other values"
+    )]
+    Misplaced {
+        /// The state.
+        state: &'static str,
+        /// The law.
+        law: &'static str,
+        /// Where it should stop.
+        bound: f64,
+    },
+    /// Internal states with stops in a model with dry friction, whose exact form knows none.
+    #[error(
+        "`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy of `{contact}`, as with \
+         `--smooth tanh:1e4`"
+    )]
+    StopsBesideFriction {
+        /// The law with stops.
+        law: &'static str,
+        /// The first contact.
+        contact: &'static str,
     },
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]

@@ -1,4 +1,10 @@
 //! The flow of a smooth field: explicit until the motion turns stiff, implicit from there.
+//!
+//! Where internal states of laws have stops, it is smooth between the instants at which they meet or leave one.
+
+mod rest;
+
+pub(super) use rest::check_stops;
 
 use std::ops::ControlFlow;
 
@@ -7,7 +13,7 @@ use super::strobes;
 use super::{
     Calm, Derivatives, Factor, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want,
 };
-use crate::field::{Field, SmoothField, Work};
+use crate::field::{Field, SmoothField, Stops, Work};
 use crate::integrate::explicit::{Settings, Stepper, integrate};
 use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
 use crate::model::Model;
@@ -63,53 +69,75 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     }
 
     fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
-        let settings = Settings {
-            steps: EXPLICIT_BUDGET,
-            ..Settings::new(self.tolerance.explicit())
-        };
-        let mut work = Work::default();
-        let mut backwards = Ok(());
-        let from = record.motion.state;
-        let outcome = if record.want.derivatives {
-            integrate(
-                &self.field,
-                settings,
-                record.motion,
-                time,
-                &mut work,
-                |step| {
-                    record.motion = *step.end();
-                    record.explicit_step(&self.field, step);
-                    self.watch(record, &mut backwards)
-                },
-            )
-            .map(|motion| motion.state)
-        } else {
-            integrate(&self.field, settings, from, time, &mut work, |step| {
-                record.motion.state = *step.end();
-                record.explicit_step(&self.field, step);
-                self.watch(record, &mut backwards)
-            })
-        };
-        record.work += work;
+        while record.time < time {
+            let outcome = self.explicit_stretch(&record.field(&self.field), record, time);
+            match outcome {
+                Ok(()) => {}
+                Err(FlowError::Integration(
+                    IntegrationError::Stiff { .. } | IntegrationError::TooManySteps { .. },
+                )) => break,
+                Err(error) => return Err(error),
+            }
+        }
         if record.want.factors {
             record.factors.push(Factor {
                 state: record.motion.tangent,
                 growth: None,
             });
         }
-        backwards?;
-        match outcome {
-            Ok(_) => record.time = time,
-            Err(IntegrationError::Stiff { .. } | IntegrationError::TooManySteps { .. }) => {}
-            Err(error) => return Err(error.into()),
+        Ok(())
+    }
+
+    /// Follows the motion until a stop is met or left, or to the end.
+    fn explicit_stretch(
+        &self,
+        field: &SmoothField<M, N>,
+        record: &mut Record<N>,
+        time: f64,
+    ) -> Result<(), FlowError> {
+        let spent = record.work.steps + record.work.rejected;
+        let settings = Settings {
+            steps: EXPLICIT_BUDGET.saturating_sub(spent),
+            ..Settings::new(self.tolerance.explicit())
+        };
+        let mut work = Work::default();
+        let mut verdict = Ok(());
+        let (from, span) = (record.motion, time - record.time);
+        record.since = record.time;
+        let mut switched = false;
+        let outcome = if record.want.derivatives {
+            integrate(field, settings, from, span, &mut work, |step| {
+                record.motion = *step.end();
+                record.explicit_step(field, step);
+                switched = record.switch(field, step.fallen());
+                self.watch(record, switched, &mut verdict)
+            })
+            .map(|motion| motion.state)
+        } else {
+            integrate(field, settings, from.state, span, &mut work, |step| {
+                record.motion.state = *step.end();
+                record.explicit_step(field, step);
+                switched = record.switch(field, step.fallen());
+                self.watch(record, switched, &mut verdict)
+            })
+        };
+        record.work += work;
+        verdict?;
+        outcome?;
+        if !switched {
+            record.time = time;
         }
         Ok(())
     }
 
-    fn watch(&self, record: &Record<N>, verdict: &mut Result<(), FlowError>) -> ControlFlow<()> {
+    fn watch(
+        &self,
+        record: &Record<N>,
+        switched: bool,
+        verdict: &mut Result<(), FlowError>,
+    ) -> ControlFlow<()> {
         *verdict = self.check_direction(record);
-        if verdict.is_err() {
+        if verdict.is_err() || switched {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
@@ -117,6 +145,25 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     }
 
     fn implicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
+        if SmoothField::<M, N>::STOPS && record.want.factors && record.factors.is_empty() {
+            record.factors.push(Factor {
+                state: record.motion.tangent,
+                growth: None,
+            });
+        }
+        while record.time < time {
+            self.implicit_stretch(&record.field(&self.field), record, time)?;
+        }
+        Ok(())
+    }
+
+    /// Follows the motion until a stop is met or left, or to the end.
+    fn implicit_stretch(
+        &self,
+        field: &SmoothField<M, N>,
+        record: &mut Record<N>,
+        time: f64,
+    ) -> Result<(), FlowError> {
         let (offset, rest) = (record.time, time - record.time);
         let start = record.motion.state;
         let budget = if record.want.derivatives {
@@ -124,11 +171,13 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         } else {
             BUDGET
         };
-        let mut radau = Radau::new(&self.field, &RADAU_5, self.tolerance, start, 0.0, budget)?;
+        let budget = budget.saturating_sub(record.implicit);
+        let mut radau = Radau::new(field, &RADAU_5, self.tolerance, start, 0.0, budget)?;
         let mut outcome = Ok(());
+        let mut switched = false;
         // When the integrator set out.
         let mut since = 0.0;
-        while outcome.is_ok() && radau.time() < rest - since {
+        while outcome.is_ok() && !switched && radau.time() < rest - since {
             outcome = match radau.step(rest - since) {
                 Ok(step) if self.jumps(&step) => {
                     since += step.time;
@@ -137,26 +186,23 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                     record.work.rejected += 1;
                     let left = budget.saturating_sub(record.work.steps + record.work.rejected);
                     let shorter = SHORTER * step.step;
-                    Radau::new(
-                        &self.field,
-                        &RADAU_5,
-                        self.tolerance,
-                        step.start,
-                        shorter,
-                        left,
-                    )
-                    .map(|again| radau = again)
-                    .map_err(FlowError::from)
+                    Radau::new(field, &RADAU_5, self.tolerance, step.start, shorter, left)
+                        .map(|again| radau = again)
+                        .map_err(FlowError::from)
                 }
                 Ok(step) => {
                     record.implicit_step(&mut radau, &step, offset + since);
+                    switched = record.switch(field, radau.fallen());
                     self.check_direction(record)
                 }
                 Err(error) => Err(error.into()),
             };
         }
         record.work += radau.work;
-        record.time = time;
+        record.implicit += radau.work.steps + radau.work.rejected;
+        if !switched {
+            record.time = time;
+        }
         outcome
     }
 
@@ -186,6 +232,11 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
     const PHASE: Option<usize> = M::INFO.drive;
 
     fn place(&self, state: [f64; N]) -> Result<Place<N, ()>, FlowError> {
+        check_stops(&self.field)?;
+        let mut state = state;
+        if SmoothField::<M, N>::STOPS {
+            self.field.settled(&mut state);
+        }
         Ok(Place { state, mode: () })
     }
 
@@ -198,19 +249,21 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(FlowError::BadTime { time });
         }
+        check_stops(&self.field)?;
         let mut record = Record::new(from.state, want, M::INFO.drive);
+        record.settle(&self.field);
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
             self.explicit(&mut record, time)?;
         }
         if record.time < time {
             self.implicit(&mut record, time)?;
         }
-        let velocity = self.field.f(&record.motion.state);
+        let velocity = record.field(&self.field).f(&record.motion.state);
         record.passage(time, velocity)
     }
 
     fn velocity(&self, at: &Place<N, ()>) -> Result<Velocity<N>, FlowError> {
-        let linear = self.field.linearise(&at.state);
+        let linear = rest::settled(&self.field, at.state).linearise(&at.state);
         if !linear.f.iter().all(|component| component.is_finite()) {
             return Err(IntegrationError::NotFinite {
                 time: 0.0,
@@ -231,7 +284,14 @@ struct Record<const N: usize> {
     want: Want,
     phase: Option<usize>,
     time: f64,
+    /// When the explicit integrator set out.
+    since: f64,
+    /// Steps of the implicit integrator.
+    implicit: u64,
     motion: Motion<N>,
+    stops: Stops<N>,
+    /// The most states that rested at once.
+    lost: usize,
     extrema: Vec<super::Extremum<N>>,
     factors: Vec<Factor<N>>,
     path: Vec<Sample<N>>,
@@ -250,7 +310,11 @@ impl<const N: usize> Record<N> {
             want,
             phase,
             time: 0.0,
+            since: 0.0,
+            implicit: 0,
             motion: Motion::from(state),
+            stops: Stops::NONE,
+            lost: 0,
             extrema: Vec::new(),
             factors: Vec::new(),
             path,
@@ -263,7 +327,7 @@ impl<const N: usize> Record<N> {
     where
         V: crate::integrate::Carried<N>,
     {
-        let (time, length) = (step.time(), step.length());
+        let (time, length) = (self.since + step.time(), step.length());
         self.time = time + length;
         self.stay(length);
         if !(self.want.extrema || self.want.path) {
@@ -381,6 +445,7 @@ impl<const N: usize> Record<N> {
             time: velocity,
             trace: motion.trace,
             factors: self.factors,
+            lost: self.lost,
         });
         Ok(Passage {
             end: Place {
