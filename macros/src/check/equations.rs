@@ -49,7 +49,8 @@ pub(super) fn not_a_state(
     }
     match nearest(&name.to_string(), states.iter().map(String::as_str)) {
         Some(near) => format!("not a state; did you mean `{near}`?"),
-        None => format!("not a state; declare it with `state {name} = 0.0;`"),
+        None if names.in_model => format!("not a state; declare it with `state {name} = 0.0;`"),
+        None => format!("not a state; declare it with `state {name};`"),
     }
 }
 

@@ -173,6 +173,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
             f: linear.f,
             jacobian: linear.jacobian,
             design: linear.design,
+            lost: 0,
         })
     }
 }

@@ -80,6 +80,8 @@ pub struct Velocity<const N: usize> {
     pub jacobian: [[f64; N]; N],
     /// ∂f/∂r.
     pub design: [f64; N],
+    /// How many internal states rest on their stops: their rows of the Jacobian are zero.
+    pub lost: usize,
 }
 
 /// What a passage shall report beyond its end.

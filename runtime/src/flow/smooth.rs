@@ -263,7 +263,8 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
     }
 
     fn velocity(&self, at: &Place<N, ()>) -> Result<Velocity<N>, FlowError> {
-        let linear = rest::settled(&self.field, at.state).linearise(&at.state);
+        let field = rest::settled(&self.field, at.state);
+        let linear = field.linearise(&at.state);
         if !linear.f.iter().all(|component| component.is_finite()) {
             return Err(IntegrationError::NotFinite {
                 time: 0.0,
@@ -275,6 +276,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
             f: linear.f,
             jacobian: linear.jacobian,
             design: linear.design,
+            lost: field.stops().resting(),
         })
     }
 }

@@ -181,7 +181,7 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Field<S> for Stroke<'_, L, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examples::Dahl;
+    use crate::examples::{Dahl, Jenkins};
 
     #[test]
     fn the_loop_of_dahl_is_the_one_in_closed_form() {
@@ -198,5 +198,28 @@ mod tests {
         let last = points.last().unwrap();
         let exact = level * (stiffness * amplitude / level).tanh();
         assert!((last[1] - exact).abs() < 1e-8 * level, "{last:?} {exact}");
+    }
+
+    #[test]
+    fn the_loop_of_jenkins_is_a_parallelogram() {
+        let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
+        let law = Shaken::new(Jenkins { stiffness, level });
+        let points = law.swing(amplitude, 1e-3).unwrap();
+        let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
+        for [x, force] in virgin.copied() {
+            assert!((force - (stiffness * x).min(level)).abs() < 1e-9 * level);
+        }
+        assert_eq!(points.last().unwrap()[1], level);
+        // The last two strokes, once round: twice the area between them by the shoelace formula.
+        let turns: Vec<usize> = (1..points.len())
+            .filter(|&i| points[i][0] == points[i - 1][0] && i > 1)
+            .collect();
+        let cycle = &points[turns[turns.len() - 2]..];
+        let twice: f64 = cycle
+            .windows(2)
+            .map(|pair| (pair[1][0] - pair[0][0]) * (pair[0][1] + pair[1][1]))
+            .sum();
+        let area = 4.0 * level * (amplitude - level / stiffness);
+        assert!((0.5 * twice - area).abs() < 1e-9 * area, "{twice} {area}");
     }
 }

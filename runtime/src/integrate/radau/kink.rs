@@ -9,6 +9,9 @@ use crate::field::Field;
 /// A kink function this small means that the kink is reached; this large, that it was missed.
 const KINK_REACHED: f64 = 1e-7;
 const KINK_MISSED: f64 = 1e-4;
+/// A guard decides what comes next: it is taken to where rounding ends.
+const GUARD_REACHED: f64 = 1e-13;
+const SECANTS: usize = 6;
 /// Error of an interpolated guard, relative to it: what the stage equations leave.
 const NOISE: f64 = 1e-9;
 
@@ -88,13 +91,24 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
     ) -> Option<Trial<N, S>> {
         let along = |theta: f64| add(&trial.start, &collocation.at(theta));
         let mut shorter = self.solve_within(trial, collocation, theta)?;
-        // One secant step on the step map; the polynomial supplies the slope.
-        let value = self.field.kink(index, &shorter.end());
+        // One secant step on the step map, of a guard some more; the polynomial supplies the first slope.
+        let mut value = self.field.kink(index, &shorter.end());
         let nearby = self.field.kink(index, &along(theta * (1.0 - 1e-4)));
-        let slope = (self.field.kink(index, &along(theta)) - nearby) / (1e-4 * theta);
-        let better = theta - value / slope;
-        if value.abs() > KINK_REACHED * size && better > 0.0 && better < 1.0 {
+        let mut slope = (self.field.kink(index, &along(theta)) - nearby) / (1e-4 * theta);
+        let (near, secants) = match self.field.guard(index) {
+            Some(_) => (GUARD_REACHED, SECANTS),
+            None => (KINK_REACHED, 1),
+        };
+        let mut at = theta;
+        for _ in 0..secants {
+            let better = at - value / slope;
+            if value.abs() <= near * size || !(better > 0.0 && better < 1.0) {
+                break;
+            }
             shorter = self.solve_within(trial, collocation, better)?;
+            let there = self.field.kink(index, &shorter.end());
+            slope = (there - value) / (better - at);
+            (at, value) = (better, there);
         }
         // The stage equations have other solutions that leave a layer at once; they fail here.
         let reached = self.field.kink(index, &shorter.end()).abs() <= KINK_MISSED * size;
