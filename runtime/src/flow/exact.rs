@@ -41,12 +41,11 @@ pub struct ExactFlow<M: Model<N>, const N: usize> {
 /// An exact motion knows no stops.
 fn without_stops(info: &ModelInfo) -> Result<(), FlowError> {
     let stopping = info.memories.iter().find(|memory| memory.law.has_stops());
-    match (stopping, info.contacts.first()) {
-        (Some(memory), Some(contact)) => Err(FlowError::StopsBesideFriction {
+    match stopping {
+        Some(memory) => Err(FlowError::NoExactStops {
             law: memory.law.name,
-            contact: contact.name,
         }),
-        _ => Ok(()),
+        None => Ok(()),
     }
 }
 

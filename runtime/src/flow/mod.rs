@@ -321,16 +321,14 @@ pub enum FlowError {
         /// Where it should stop.
         bound: f64,
     },
-    /// Internal states with stops in a model with dry friction, whose exact form knows none.
+    /// Internal states with stops, which an exact motion does not know.
     #[error(
-        "`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy of `{contact}`, as with \
+        "`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy, as with \
          `--smooth tanh:1e4`"
     )]
-    StopsBesideFriction {
-        /// The law with stops.
+    NoExactStops {
+        /// The law.
         law: &'static str,
-        /// The first contact.
-        contact: &'static str,
     },
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]

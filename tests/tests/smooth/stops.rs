@@ -10,10 +10,11 @@ use stickslip::flow::{
     ExactFamily, Family, Flow, FlowError, Passage, SmoothFamily, SmoothFlow, Want,
 };
 use stickslip::integrate::Tolerance;
+use stickslip::lyapunov::lyapunov;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
 use stickslip::shooting::{OrbitProblem, Phase, Search, closest};
-use stickslip::study::{Case, Dynamics, Entry, entry};
+use stickslip::study::{Case, Dynamics, Entry, StudyError, entry};
 use stickslip_models::friction::{Coulomb, Jenkins};
 use stickslip_tests::range::range;
 
@@ -77,12 +78,11 @@ model! {
 }
 
 model! {
-    /// The same with two elements, one twice.
-    struct Halves {
+    /// The same with the element in eight parts.
+    struct Parts {
         state x = 0.3;
         state v = 0.0;
-        state z1 = 0.05;
-        state z2 = 0.05;
+        state z[8] = 0.0125;
         param c = 0.1;
         param spring = 1.0;
         param k = 2.0 where k > 0.0;
@@ -90,10 +90,12 @@ model! {
         param load = 1.0;
         param omega = 0.9 where omega > 0.0;
         drive phi at omega;
-        friction F1 = Jenkins { stiffness: k / 2, level: level / 2 } opposing v with z1;
-        friction F2 = Jenkins { stiffness: k / 2, level: level / 2 } opposing v with z2;
+        for i in 0..8 {
+            friction F[i] = Jenkins { stiffness: k / 8, level: level / 8 } opposing v with z[i];
+        }
         der(x) = v;
-        der(v) = load * cos(phi) - spring * x - c * v + F1 + F2;
+        der(v) = load * cos(phi) - spring * x - c * v
+            + F[0] + F[1] + F[2] + F[3] + F[4] + F[5] + F[6] + F[7];
     }
 }
 
@@ -140,6 +142,21 @@ model! {
         friction G = Jenkins { stiffness: 2.0, level: 0.1 } opposing v with z;
         der(x) = v;
         der(v) = F + G - x;
+    }
+}
+
+model! {
+    /// A mass that negative damping excites and a Jenkins element holds.
+    struct Excited {
+        state x = 0.9;
+        state v = 0.0;
+        state z = 0.0;
+        param excitation = 0.1;
+        param k = 2.0 where k > 0.0;
+        param level = 1.0;
+        friction F = Jenkins { stiffness: k, level } opposing v with z;
+        der(x) = v;
+        der(v) = excitation * v - x + F;
     }
 }
 
@@ -401,24 +418,25 @@ fn motions_have_derivatives_through_slips() {
 
 /// Elements alike meet and leave their stops together.
 #[test]
-fn two_halves_are_a_whole() {
+fn parts_are_a_whole() {
     let whole = Damped {
         c: 0.1,
         ..Damped::default()
     };
     let one = followed(&whole, declared::<Damped, 4>(), 50.0, 1e-11);
-    let two = followed(&Halves::default(), declared::<Halves, 5>(), 50.0, 1e-11);
-    let (a, b) = (one.end.state, two.end.state);
+    let parts = followed(&Parts::default(), declared::<Parts, 11>(), 50.0, 1e-11);
+    let (a, b) = (one.end.state, parts.end.state);
     close(b[0], a[0], 1e-8, "x");
     close(b[1], a[1], 1e-8, "v");
-    close(b[2] + b[3], a[2], 1e-8, "z");
-    let (one, two) = (
+    close(b[2..10].iter().sum(), a[2], 1e-8, "z");
+    assert_eq!(one.work.events, parts.work.events);
+    let (one, parts) = (
         one.derivatives.expect("wanted"),
-        two.derivatives.expect("wanted"),
+        parts.derivatives.expect("wanted"),
     );
-    close(two.state[0][0], one.state[0][0], 1e-6, "Φ");
-    close(two.state[1][0], one.state[1][0], 1e-6, "Φ");
-    assert_eq!((one.lost, two.lost), (1, 2));
+    close(parts.state[0][0], one.state[0][0], 1e-6, "Φ");
+    close(parts.state[1][0], one.state[1][0], 1e-6, "Φ");
+    assert_eq!((one.lost, parts.lost), (1, 8));
 }
 
 /// In 0.06 of a round the contact goes back by 2 (a sin t₁ − t₁), cos t₁ = 1/a: between the ends of any long step.
@@ -589,7 +607,7 @@ fn what_cannot_be_is_refused() {
     };
     let error = both.at(0.0).err().expect("a refusal");
     assert!(
-        matches!(error, FlowError::StopsBesideFriction { .. }),
+        matches!(error, FlowError::NoExactStops { law: "Jenkins" }),
         "{error}"
     );
 }
@@ -620,4 +638,66 @@ fn smooth_copies_go_with_stops() {
         );
     }
     assert_eq!(steep.derivatives.expect("wanted").lost, 1);
+}
+
+/// What the excitation feeds in a round, the slips lose; one multiplier is an exact zero, and the other is the exponent.
+#[test]
+fn a_self_excited_orbit_is_found_and_judged() {
+    let model = entry::<Excited, _>();
+    let orbit = model
+        .orbit(&case(&*model, Dynamics::Smooth))
+        .expect("an orbit");
+    let period = orbit.period;
+    let amplitude = 0.5 * (orbit.max[0] - orbit.min[0]);
+    let flow = flow(&Excited::default(), Design::None, 1e-11);
+    let start: [f64; 3] = std::array::from_fn(|j| orbit.state[j]);
+    let from = flow.place(start).expect("a place");
+    let want = Want {
+        path: true,
+        ..Want::default()
+    };
+    let passage = flow.advance(&from, period, want).expect("a motion");
+    for j in 0..3 {
+        close(passage.end.state[j], start[j], 1e-7, "it closes");
+    }
+    let fed: f64 = passage
+        .path
+        .windows(2)
+        .map(|pair| {
+            let mean = 0.5 * (pair[0].state[1].powi(2) + pair[1].state[1].powi(2));
+            0.1 * mean * (pair[1].time - pair[0].time)
+        })
+        .sum();
+    let lost = 4.0 * (amplitude - 0.5);
+    assert!(lost > 0.0);
+    close(fed, lost, 2e-3 * lost, "energy of a round");
+
+    let floquet = &orbit.floquet;
+    assert_eq!(floquet.multipliers.len(), 2);
+    assert_eq!(
+        (floquet.multipliers[1].norm(), floquet.log_moduli[1]),
+        (0.0, None)
+    );
+    assert!(floquet.trivial_error < 1e-7, "{:e}", floquet.trivial_error);
+    assert_eq!(floquet.stability.name(), "stable");
+    let exponent = lyapunov(&flow, from, period, 20)
+        .expect("an exponent")
+        .exponent;
+    let expected = floquet.log_moduli[0].expect("not zero") / period;
+    close(exponent.expect("one") / expected, 1.0, 1e-4, "exponent");
+}
+
+/// At rest any force between the stops will do: equilibria are no points, and motions end where they come to rest.
+#[test]
+fn rest_is_no_point() {
+    let model = entry::<Excited, _>();
+    let mut case = case(&*model, Dynamics::Smooth);
+    let error = model.equilibria(&case).expect_err("no points");
+    assert!(
+        matches!(error, StudyError::NotIsolated { law: "Jenkins", .. }),
+        "{error}"
+    );
+    case.parameters[Excited::excitation.index] = -0.5;
+    let error = model.orbit(&case).expect_err("it comes to rest");
+    assert!(error.to_string().contains("equilibrium"), "{error}");
 }

@@ -87,6 +87,7 @@ impl<const N: usize> Record<N> {
             self.turn(caught);
         }
         self.take(&settled);
+        self.work.events += 1;
         true
     }
 

@@ -103,7 +103,7 @@ fn is_usage(error: &StudyError) -> bool {
             | FlowError::Smoothing(_)
             | FlowError::Standing { .. }
             | FlowError::Misplaced { .. }
-            | FlowError::StopsBesideFriction { .. }
+            | FlowError::NoExactStops { .. }
     )
 }
 
