@@ -6,7 +6,7 @@ use super::equations::{not_a_state, state_names};
 use super::names::{Names, made_of};
 use super::units::Units;
 use crate::errors::Errors;
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Stop};
 
 /// What stops is a state of the law.
 pub(super) fn check_stopped_states(written: &Declaration, names: &Names, errors: &mut Errors) {
@@ -56,7 +56,8 @@ pub(super) fn check_stops_stand_still(written: &Declaration, errors: &mut Errors
 
 /// A stop is in the unit of what it stops.
 pub(super) fn check_units(written: &Declaration, units: &Units, errors: &mut Errors) {
-    for stop in written.stops() {
+    let of_state = |stop: &&Stop| written.states().any(|state| state.name == stop.state);
+    for stop in written.stops().filter(of_state) {
         let found = units.measure(&stop.bound, errors);
         if let (Some(wanted), Some(found)) = (units.of_name(&stop.state), found)
             && wanted != found
