@@ -2,24 +2,20 @@
 //!
 //! Where internal states of laws have stops, it is smooth between the instants at which they meet or leave one.
 
+mod record;
 mod rest;
 
 pub(super) use rest::check_stops;
 
 use std::ops::ControlFlow;
 
-use super::extrema::extrema;
-use super::strobes;
-use super::{
-    Calm, Derivatives, Factor, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want,
-};
-use crate::field::{Field, SmoothField, Stops, Work};
-use crate::integrate::explicit::{Settings, Stepper, integrate};
-use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
+use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want};
+use crate::field::{Field, SmoothField, Work};
+use crate::integrate::explicit::{Settings, integrate};
+use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
 use crate::model::Model;
+use record::Record;
 
-/// Points of a step that a drawing gets.
-const DRAWN: usize = 6;
 /// Trial steps after which a passage is given up.
 const BUDGET: u64 = 200_000;
 /// Trial steps through which derivatives are worth carrying.
@@ -277,193 +273,6 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
             jacobian: linear.jacobian,
             design: linear.design,
             lost: field.stops().resting(),
-        })
-    }
-}
-
-/// What a passage gathers on its way.
-struct Record<const N: usize> {
-    want: Want,
-    phase: Option<usize>,
-    time: f64,
-    /// When the explicit integrator set out.
-    since: f64,
-    /// Steps of the implicit integrator.
-    implicit: u64,
-    motion: Motion<N>,
-    stops: Stops<N>,
-    /// The most states that rested at once.
-    lost: usize,
-    extrema: Vec<super::Extremum<N>>,
-    factors: Vec<Factor<N>>,
-    path: Vec<Sample<N>>,
-    calm: Calm<N, ()>,
-    work: Work,
-}
-
-impl<const N: usize> Record<N> {
-    fn new(state: [f64; N], want: Want, phase: Option<usize>) -> Self {
-        let path = if want.path {
-            vec![Sample { time: 0.0, state }]
-        } else {
-            Vec::new()
-        };
-        Self {
-            want,
-            phase,
-            time: 0.0,
-            since: 0.0,
-            implicit: 0,
-            motion: Motion::from(state),
-            stops: Stops::NONE,
-            lost: 0,
-            extrema: Vec::new(),
-            factors: Vec::new(),
-            path,
-            calm: Calm::at(Place { state, mode: () }),
-            work: Work::default(),
-        }
-    }
-
-    fn explicit_step<F: Field<N>, V>(&mut self, field: &F, step: &mut Stepper<'_, F, V, N>)
-    where
-        V: crate::integrate::Carried<N>,
-    {
-        let (time, length) = (self.since + step.time(), step.length());
-        self.time = time + length;
-        self.stay(length);
-        if !(self.want.extrema || self.want.path) {
-            return;
-        }
-        let dense = step.dense();
-        if self.want.extrema {
-            let looks = [0.0, 0.25, 0.5, 0.75, 1.0].map(|theta| Look {
-                theta,
-                linear: field.linearise(&dense.state(theta)),
-                state: dense.state(theta),
-            });
-            extrema(
-                looks.into_iter(),
-                time,
-                length,
-                &mut self.extrema,
-                |theta| {
-                    let state = step.step_map(theta * length);
-                    Some((state, field.linearise(&state)))
-                },
-            );
-            let ends = (*step.from().state(), *step.end().state());
-            strobes(
-                self.phase,
-                (&ends.0, &ends.1),
-                (time, length),
-                &mut self.extrema,
-                |theta| Some(step.step_map(theta * length)),
-            );
-        }
-        self.draw(time, length, |theta| dense.state(theta));
-    }
-
-    fn implicit_step<F: Field<N>, const S: usize>(
-        &mut self,
-        radau: &mut Radau<'_, F, N, S>,
-        step: &Accepted<N, S>,
-        offset: f64,
-    ) {
-        self.time = offset + radau.time();
-        self.motion.state = step.end;
-        self.stay(step.step);
-        if self.want.derivatives {
-            let propagator = radau.propagator();
-            self.motion = self.motion.through(&propagator);
-            if self.want.factors {
-                let growth = Some(radau.growth());
-                self.factors.push(Factor {
-                    state: propagator.state,
-                    growth,
-                });
-            }
-        }
-        if self.want.extrema {
-            let looks = radau.looks(step);
-            extrema(
-                looks,
-                offset + step.time,
-                step.step,
-                &mut self.extrema,
-                |theta| radau.probe(step, theta),
-            );
-            strobes(
-                self.phase,
-                (&step.start, &step.end),
-                (offset + step.time, step.step),
-                &mut self.extrema,
-                |theta| Some(radau.probe(step, theta)?.0),
-            );
-        }
-        self.draw(offset + step.time, step.step, |theta| {
-            let increment = step.collocation.at(theta);
-            std::array::from_fn(|j| step.start[j] + increment[j])
-        });
-    }
-
-    fn stay(&mut self, length: f64) {
-        let place = Place {
-            state: self.motion.state,
-            mode: (),
-        };
-        self.calm.offer(self.time, length, place);
-    }
-
-    fn draw(&mut self, time: f64, length: f64, at: impl Fn(f64) -> [f64; N]) {
-        if self.want.path {
-            self.path.extend((1..=DRAWN).map(|k| {
-                let theta = k as f64 / DRAWN as f64;
-                Sample {
-                    time: time + theta * length,
-                    state: at(theta),
-                }
-            }));
-        }
-    }
-
-    fn passage(self, time: f64, velocity: [f64; N]) -> Result<Passage<N, ()>, FlowError> {
-        let motion = self.motion;
-        let finite = motion
-            .state
-            .iter()
-            .chain(&velocity)
-            .all(|number| number.is_finite());
-        if !finite || (self.want.derivatives && !crate::integrate::Carried::is_finite(&motion)) {
-            return Err(IntegrationError::NotFinite {
-                time,
-                state: motion.state.to_vec(),
-            }
-            .into());
-        }
-        let derivatives = self.want.derivatives.then_some(Derivatives {
-            state: motion.tangent,
-            design: motion.design,
-            time: velocity,
-            trace: motion.trace,
-            factors: self.factors,
-            lost: self.lost,
-        });
-        Ok(Passage {
-            end: Place {
-                state: motion.state,
-                mode: (),
-            },
-            derivatives,
-            extrema: self.extrema,
-            segments: vec![Segment {
-                mode: (),
-                duration: time,
-            }],
-            path: self.path,
-            calm: self.calm,
-            events: Vec::new(),
-            work: self.work,
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::Record;
+use super::record::Record;
 use crate::field::{Caught, Settled, SmoothField};
 use crate::flow::saltation::catch;
 use crate::flow::{Extremum, Factor, FlowError};

@@ -8,7 +8,7 @@ friction_law! {
         param stiffness: N/m where stiffness > 0.0;
         param level: N where level > 0.0;
         der(z) = stiffness * w;
-        stop z at level * (1 + w);
+        stop z at level + z;
         force(w) = z;
     }
 }
