@@ -148,7 +148,7 @@ impl MemoryLawInfo {
             if let Some(stop) = &self.states[i].stop {
                 let mut j = 0;
                 while j < stop.reads.len() {
-                    if crate::declared::same(stop.reads[j], parameter) {
+                    if same(stop.reads[j], parameter) {
                         return true;
                     }
                     j += 1;
@@ -158,4 +158,14 @@ impl MemoryLawInfo {
         }
         false
     }
+}
+
+/// Whether two names are one, at compile time.
+pub(crate) const fn same(left: &str, right: &str) -> bool {
+    let (left, right) = (left.as_bytes(), right.as_bytes());
+    let mut i = 0;
+    while i < left.len() && i < right.len() && left[i] == right[i] {
+        i += 1;
+    }
+    i == left.len() && i == right.len()
 }
