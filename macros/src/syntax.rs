@@ -55,6 +55,7 @@ pub(crate) enum Line {
     Stick(Stick),
     Slip(Slip),
     Force(Force),
+    Stop(Stop),
     Drive(Drive),
     /// A line that could not be read; what it declares is known nevertheless.
     Broken(Broken),
@@ -126,6 +127,12 @@ pub(crate) struct Force {
     pub(crate) word: Ident,
     pub(crate) speed: Ident,
     pub(crate) formula: Formula,
+}
+
+/// `stop state at formula;`
+pub(crate) struct Stop {
+    pub(crate) state: Ident,
+    pub(crate) bound: Formula,
 }
 
 /// `drive phase at rate;`
@@ -214,6 +221,7 @@ lines_of! {
     sticks: Stick;
     slips: Slip;
     forces: Force;
+    stops: Stop;
     drives: Drive;
     broken: Broken;
 }
@@ -228,6 +236,7 @@ impl Line {
             Self::Stick(line) => vec![&line.formula],
             Self::Slip(line) => vec![&line.formula],
             Self::Force(line) => vec![&line.formula],
+            Self::Stop(line) => vec![&line.bound],
             Self::Drive(line) => vec![&line.rate],
             Self::Friction(line) => {
                 let fields = line.fields.iter().map(|field| &field.formula);
@@ -241,10 +250,10 @@ impl Declaration {
     /// Whether this law has internal state: any line that only such a law has, broken or not.
     pub(crate) fn has_memory(&self) -> bool {
         self.lines.iter().any(|line| match line {
-            Line::State(_) | Line::Derivative(_) | Line::Force(_) => true,
+            Line::State(_) | Line::Derivative(_) | Line::Force(_) | Line::Stop(_) => true,
             Line::Broken(line) => line
                 .keyword
-                .is_some_and(|word| ["state", "der", "force"].contains(&word)),
+                .is_some_and(|word| ["state", "der", "force", "stop"].contains(&word)),
             _ => false,
         })
     }

@@ -1,7 +1,7 @@
 //! What generated code calls; nothing here is for use by hand.
 
 use crate::friction::{FrictionLaw, LawInfo, LawParameter};
-use crate::memory::{MemoryLaw, MemoryLawInfo};
+use crate::memory::{MemoryLaw, MemoryLawInfo, same};
 use crate::model::Unit;
 
 /// The data of the law that a function builds.
@@ -116,15 +116,6 @@ const fn times_power(mut product: Dimension, factor: &Dimension, power: i8) -> D
         i += 1;
     }
     product
-}
-
-const fn same(left: &str, right: &str) -> bool {
-    let (left, right) = (left.as_bytes(), right.as_bytes());
-    let mut i = 0;
-    while i < left.len() && i < right.len() && left[i] == right[i] {
-        i += 1;
-    }
-    i == left.len() && i == right.len()
 }
 
 #[cfg(test)]

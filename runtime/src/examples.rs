@@ -32,6 +32,22 @@ friction_law! {
     }
 }
 
+friction_law! {
+    /// A spring with a slider: Jenkin 1922.
+    pub(crate) struct Jenkins {
+        /// Force in the spring.
+        state z: N;
+        /// Its stiffness.
+        param stiffness: N/m where stiffness > 0.0;
+        /// Force at which the slider slips.
+        param level: N where level > 0.0;
+
+        der(z) = stiffness * w;
+        stop z at level;
+        force(w) = z;
+    }
+}
+
 model! {
     /// One mass on a belt, with a limit at rest of its own.
     pub(crate) struct Belt {

@@ -27,6 +27,12 @@ pub trait MemoryLaw<D: Scalar, const S: usize> {
 
     /// Calls `visit` with a function that changes sign at each surface on which the law is not smooth.
     fn kinks(&self, memory: [D; S], speed: D, visit: impl FnMut(D));
+
+    /// Calls `visit` with the number of each internal state that has stops, and the magnitude at which they stand.
+    ///
+    /// There the state rests while its rate points outwards, and goes on as soon as it points back.
+    #[inline]
+    fn stops(&self, _visit: impl FnMut(usize, D)) {}
 }
 
 /// What a law with internal state says at one instant.
@@ -90,4 +96,76 @@ pub struct LawState {
     pub unit: Option<Unit>,
     /// The right side of `der(z) = ...`, as written.
     pub equation: &'static str,
+    /// Where it stops, if it does.
+    pub stop: Option<LawStop>,
+}
+
+/// The stops of an internal state, at the same distance on both sides of zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawStop {
+    /// What follows `at` in `stop z at ...`, as written.
+    pub bound: &'static str,
+    /// The parameters of the law that it reads.
+    pub reads: &'static [&'static str],
+}
+
+impl MemoryLawInfo {
+    /// The lines of the law, as written.
+    #[must_use]
+    pub fn lines(&self) -> Vec<String> {
+        let lets = self.abbreviations.iter();
+        let lets = lets.map(|(name, formula)| format!("{name} = {formula}"));
+        let states = self.states.iter();
+        let rates = states
+            .clone()
+            .map(|state| format!("der({}) = {}", state.name, state.equation));
+        let stops = states.filter_map(|state| {
+            let stop = state.stop?;
+            Some(format!("stop {} at {}", state.name, stop.bound))
+        });
+        let force = format!("force({}) = {}", self.speed, self.force);
+        lets.chain(rates).chain(stops).chain([force]).collect()
+    }
+
+    /// Whether an internal state has stops.
+    #[must_use]
+    pub const fn has_stops(&self) -> bool {
+        let mut i = 0;
+        while i < self.states.len() {
+            if self.states[i].stop.is_some() {
+                return true;
+            }
+            i += 1;
+        }
+        false
+    }
+
+    /// Whether the place of a stop depends on this parameter.
+    #[must_use]
+    pub const fn stops_at(&self, parameter: &str) -> bool {
+        let mut i = 0;
+        while i < self.states.len() {
+            if let Some(stop) = &self.states[i].stop {
+                let mut j = 0;
+                while j < stop.reads.len() {
+                    if same(stop.reads[j], parameter) {
+                        return true;
+                    }
+                    j += 1;
+                }
+            }
+            i += 1;
+        }
+        false
+    }
+}
+
+/// Whether two names are one, at compile time.
+pub(crate) const fn same(left: &str, right: &str) -> bool {
+    let (left, right) = (left.as_bytes(), right.as_bytes());
+    let mut i = 0;
+    while i < left.len() && i < right.len() && left[i] == right[i] {
+        i += 1;
+    }
+    i == left.len() && i == right.len()
 }

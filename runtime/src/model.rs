@@ -349,6 +349,19 @@ impl ModelInfo {
         ))
     }
 
+    /// Whether a law of the model has an internal state with stops.
+    #[must_use]
+    pub const fn has_stops(&self) -> bool {
+        let mut i = 0;
+        while i < self.memories.len() {
+            if self.memories[i].law.has_stops() {
+                return true;
+            }
+            i += 1;
+        }
+        false
+    }
+
     /// Checks every parameter against its declared bounds.
     ///
     /// # Errors

@@ -26,24 +26,31 @@ pub(super) fn check_a_state(written: &Declaration, errors: &mut Errors) {
 
 /// `der(..)` is of a state.
 pub(super) fn check_left_sides(written: &Declaration, names: &Names, errors: &mut Errors) {
-    let states: Vec<String> = states(written).map(ToString::to_string).collect();
+    let states = state_names(written);
     for derivative in written.derivatives() {
         let name = derivative.state.to_string();
         let said = super::arrays::missing(written).any(|element| element.name == derivative.state);
         if !states.contains(&name) && !said {
-            let advice = not_a_state(&derivative.state, names, &states);
+            let advice = not_a_state(&derivative.state, names, &states, "have equations");
             errors.at(&derivative.state, format!("`{name}` is {advice}"));
         }
     }
 }
 
-fn not_a_state(name: &Ident, names: &Names, states: &[String]) -> String {
+/// What is to be said of a name that stands where a state is needed.
+pub(super) fn not_a_state(
+    name: &Ident,
+    names: &Names,
+    states: &[String],
+    only_states: &str,
+) -> String {
     if let Some(noun) = names.noun_of(name) {
-        return format!("a {noun}, not a state; only states have equations");
+        return format!("a {noun}, not a state; only states {only_states}");
     }
     match nearest(&name.to_string(), states.iter().map(String::as_str)) {
         Some(near) => format!("not a state; did you mean `{near}`?"),
-        None => format!("not a state; declare it with `state {name} = 0.0;`"),
+        None if names.in_model => format!("not a state; declare it with `state {name} = 0.0;`"),
+        None => format!("not a state; declare it with `state {name};`"),
     }
 }
 
@@ -70,6 +77,11 @@ pub(super) fn check_one_equation_each(written: &Declaration, errors: &mut Errors
             );
         }
     }
+}
+
+/// The names of all states, of broken lines too.
+pub(super) fn state_names(written: &Declaration) -> Vec<String> {
+    states(written).map(ToString::to_string).collect()
 }
 
 fn states(written: &Declaration) -> impl Iterator<Item = &Ident> {

@@ -149,6 +149,14 @@ pub(crate) struct LawState<'a> {
     pub(crate) rate: Formula,
     /// The rate as written.
     pub(crate) written: &'a Formula,
+    pub(crate) stop: Option<Stop<'a>>,
+}
+
+/// The magnitude at which an internal state stops.
+pub(crate) struct Stop<'a> {
+    pub(crate) bound: Formula,
+    /// The same as written.
+    pub(crate) written: &'a Formula,
 }
 
 /// Takes over a model in which no mistake was found.
@@ -222,6 +230,13 @@ fn law_state<'a>(
         unit: unit(&line.name, line.unit.as_ref(), units),
         rate: equation.formula.unabbreviated(meanings),
         written: &equation.formula,
+        stop: written
+            .stops()
+            .find(|stop| stop.state == line.name)
+            .map(|stop| Stop {
+                bound: stop.bound.unabbreviated(meanings),
+                written: &stop.bound,
+            }),
     })
 }
 

@@ -9,12 +9,13 @@ mod known;
 mod memory;
 mod names;
 mod reserved;
+mod stops;
 mod units;
 
 pub(crate) use self::dimension::Dimension;
 pub(crate) use self::known::{
     Bounds, Carrier, Contact, Field, Law, LawState, Let, Memory, MemoryLaw, Model, Parameter,
-    State, StaticLaw, Step, Unit,
+    State, StaticLaw, Step, Stop, Unit,
 };
 use self::names::Names;
 pub(crate) use self::reserved::is_field;
@@ -75,6 +76,9 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
         equations::check_left_sides(written, &names, errors);
         equations::check_one_equation_each(written, errors);
         memory::check_signs(written, errors);
+        stops::check_stopped_states(written, &names, errors);
+        stops::check_one_stop_each(written, errors);
+        stops::check_stops_stand_still(written, errors);
     } else {
         names::check_rest_has_no_speed(written, errors);
         equations::check_stick_and_slip(written, errors);
@@ -85,6 +89,7 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
     let units = Units::of(written, errors);
     units::check_law(written, &units, errors);
     units::check_equations(written, &units, errors);
+    stops::check_units(written, &units, errors);
     if legible {
         names::check_used(written, &names, errors);
     }

@@ -106,7 +106,7 @@ fn declared_by(line: &Line) -> Option<(Ident, Role)> {
         Line::Force(line) => Some((line.speed.clone(), Role::RelativeSpeed)),
         Line::Drive(line) => Some((line.name.clone(), Role::Phase)),
         Line::Broken(line) => Some((line.name.clone()?, role_after(line.keyword?)?)),
-        Line::Derivative(_) | Line::Stick(_) => None,
+        Line::Derivative(_) | Line::Stick(_) | Line::Stop(_) => None,
     }
 }
 
@@ -203,21 +203,25 @@ pub(super) fn check_declared_above(written: &Declaration, errors: &mut Errors) {
     }
 }
 
+/// These names, and those of the `let` lines that are made of them.
+pub(super) fn made_of<'a>(written: &'a Declaration, mut names: Vec<&'a Ident>) -> Vec<&'a Ident> {
+    for line in written.lets() {
+        let read = line.formula.names();
+        if read.iter().any(|name| names.contains(name)) {
+            names.push(&line.name);
+        }
+    }
+    names
+}
+
 /// At rest there is no sliding speed.
 pub(super) fn check_rest_has_no_speed(written: &Declaration, errors: &mut Errors) {
     let is_parameter = |name: &Ident| written.params().any(|param| param.name == *name);
     let speeds = written.slips().map(|slip| &slip.speed);
-    let mut speeds: Vec<&Ident> = speeds.filter(|speed| !is_parameter(speed)).collect();
-    for line in written.lets() {
-        if line
-            .formula
-            .names()
-            .iter()
-            .any(|name| speeds.contains(name))
-        {
-            speeds.push(&line.name);
-        }
-    }
+    let speeds = made_of(
+        written,
+        speeds.filter(|speed| !is_parameter(speed)).collect(),
+    );
     for name in written.sticks().flat_map(|stick| stick.formula.names()) {
         if speeds.contains(&name) {
             let abbreviates = written.lets().any(|line| line.name == *name);

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::ext::IdentExt;
 
+use super::pattern;
 use crate::check::{Carrier, Contact, Dimension, Field, Memory, Model};
 use crate::formula::tight;
 
@@ -22,6 +23,7 @@ pub(super) fn assertions(model: &Model) -> TokenStream {
         let info = quote!(::stickslip::declared::memory_info_of(#name::#law::<f64>));
         let mut all = of_fields(&memory.contact, &info);
         all.extend(of_carriers(memory, &info));
+        all.extend(of_stops(memory, model, &info));
         all
     });
     contacts.chain(memories).collect()
@@ -51,6 +53,25 @@ fn of_carriers(memory: &Memory, info: &TokenStream) -> Vec<TokenStream> {
         let asked = quote!(carries(#info, #index, #found));
         let message = message_of(memory, carrier, dimension);
         assertion(&memory.contact, &carrier.state, &asked, &message)
+    });
+    assertions.collect()
+}
+
+/// That no stop moves with the states of the model.
+fn of_stops(memory: &Memory, model: &Model, info: &TokenStream) -> Vec<TokenStream> {
+    let fields = memory.contact.fields.iter();
+    let moving = fields.filter(|field| !pattern::stands_still(field.formula, model));
+    let assertions = moving.map(|field| {
+        let name = field.name.unraw().to_string();
+        let law = tight(&quote::ToTokens::to_token_stream(memory.contact.law));
+        let message = format!(
+            "`{}` changes along a motion, and an internal state of `{law}` stops at `{name}`, which stands still: \
+             write a formula of the parameters alone",
+            field.formula
+        );
+        quote_spanned! {field.name.span()=>
+            const _: () = ::core::assert!(!#info.stops_at(#name), #message);
+        }
     });
     assertions.collect()
 }

@@ -6,7 +6,8 @@ use syn::ext::IdentExt;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
 use crate::check::{
-    Bounds, Contact, LawState, Let, Memory, MemoryLaw, Model, Parameter, State, StaticLaw, Unit,
+    Bounds, Contact, LawState, Let, Memory, MemoryLaw, Model, Parameter, State, StaticLaw, Stop,
+    Unit,
 };
 
 /// The `ModelInfo` of a model.
@@ -79,14 +80,29 @@ pub(super) fn of_memory_law(law: &MemoryLaw) -> TokenStream {
 
 fn law_state(state: &LawState) -> TokenStream {
     let (name, doc, unit) = (text(state.name), doc(state.docs), unit(state.unit.as_ref()));
-    let equation = state.written.to_string();
+    let (equation, stop) = (state.written.to_string(), stop(state.stop.as_ref()));
     quote! {
         ::stickslip::memory::LawState {
             name: #name,
             doc: #doc,
             unit: #unit,
             equation: #equation,
+            stop: #stop,
         }
+    }
+}
+
+fn stop(stop: Option<&Stop>) -> TokenStream {
+    let Some(stop) = stop else {
+        return quote!(::core::option::Option::None);
+    };
+    let bound = stop.written.to_string();
+    let reads = stop.bound.names().into_iter().map(text);
+    quote! {
+        ::core::option::Option::Some(::stickslip::memory::LawStop {
+            bound: #bound,
+            reads: &[#(#reads),*],
+        })
     }
 }
 

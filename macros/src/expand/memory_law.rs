@@ -35,6 +35,7 @@ pub(super) fn tokens(law: &MemoryLaw) -> TokenStream {
     let answer = answer(law, &force, &lift(quote!(D)));
     let slopes = slopes(law, &force, lift(quote!(D)));
     let kinks = kinks(law, &lift(quote!(D)));
+    let stops = stops(law, &lift(quote!(D)));
     quote! {
         #structure
 
@@ -64,6 +65,8 @@ pub(super) fn tokens(law: &MemoryLaw) -> TokenStream {
                 #opening
                 #kinks
             }
+
+            #stops
         }
     }
 }
@@ -159,4 +162,25 @@ fn kinks(law: &MemoryLaw, lift: &Lift) -> TokenStream {
         .collect();
     let arguments = arguments.values().map(|argument| lift.formula(argument));
     quote!(#(__visit(#arguments);)*)
+}
+
+/// The magnitude at which each internal state stops; nothing where none does.
+fn stops(law: &MemoryLaw, lift: &Lift) -> Option<TokenStream> {
+    let stops = law.states.iter().enumerate().filter_map(|(place, state)| {
+        let (place, bound) = (
+            Literal::usize_unsuffixed(place),
+            &state.stop.as_ref()?.bound,
+        );
+        let bound = lift.formula(bound);
+        Some(quote!(__visit(#place, #bound);))
+    });
+    let stops: Vec<_> = stops.collect();
+    (!stops.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn stops(&self, mut __visit: impl ::core::ops::FnMut(usize, D)) {
+                #(#stops)*
+            }
+        }
+    })
 }

@@ -34,9 +34,17 @@ pub(super) fn of_memory_law(law: &MemoryLaw) -> TokenStream {
     let lets = lets.map(|line| (typeset::name(line.name), typeset::row(line.formula)));
     let states = law.states.iter();
     let rates = states.map(|state| (typeset::derivative(state.name), typeset::row(state.written)));
+    let stops = law.states.iter().filter_map(|state| {
+        let most = format!(
+            "<mi>max</mi><mo>|</mo>{}<mo>|</mo>",
+            typeset::name(state.name)
+        );
+        Some((most, typeset::row(state.stop.as_ref()?.written)))
+    });
     let force = typeset::applied("force", &typeset::name(law.speed));
     let formulas = lets
         .chain(rates)
+        .chain(stops)
         .chain([(force, typeset::row(law.written))]);
     let lets = law.lets.iter();
     let mut lines: Vec<String> = lets
@@ -44,6 +52,14 @@ pub(super) fn of_memory_law(law: &MemoryLaw) -> TokenStream {
         .collect();
     let states = law.states.iter();
     lines.extend(states.map(|state| format!("der({}) = {}", state.name, state.written)));
+    for state in &law.states {
+        lines.extend(
+            state
+                .stop
+                .as_ref()
+                .map(|stop| format!("stop {} at {}", state.name, stop.written)),
+        );
+    }
     lines.push(format!("force({}) = {}", law.speed, law.written));
     formulas_and(formulas.collect(), &lines)
 }

@@ -20,16 +20,7 @@ pub(super) fn kinematic(model: &Model) -> Vec<Option<usize>> {
 
 /// The states that the equation of each state reads, in their order.
 pub(super) fn sparsity(model: &Model) -> Vec<Vec<usize>> {
-    let mut reads: HashMap<&Ident, HashSet<usize>> = HashMap::new();
-    for (index, state) in model.states.iter().enumerate() {
-        reads.insert(state.name, HashSet::from([index]));
-    }
-    for step in &model.steps {
-        let read = read_by(&step.formulas(), &reads);
-        for name in step.computes() {
-            reads.insert(name, read.clone());
-        }
-    }
+    let reads = reads(model);
     let row = |read: HashSet<usize>| {
         let mut row: Vec<usize> = read.into_iter().collect();
         row.sort_unstable();
@@ -40,6 +31,26 @@ pub(super) fn sparsity(model: &Model) -> Vec<Vec<usize>> {
         .iter()
         .map(|state| read_by(&[state.rate.as_ref()], &reads));
     rates.map(row).collect()
+}
+
+/// The states that stand behind each name.
+fn reads<'m>(model: &'m Model<'_>) -> HashMap<&'m Ident, HashSet<usize>> {
+    let mut reads: HashMap<&Ident, HashSet<usize>> = HashMap::new();
+    for (index, state) in model.states.iter().enumerate() {
+        reads.insert(state.name, HashSet::from([index]));
+    }
+    for step in &model.steps {
+        let read = read_by(&step.formulas(), &reads);
+        for name in step.computes() {
+            reads.insert(name, read.clone());
+        }
+    }
+    reads
+}
+
+/// Whether a formula is one of the parameters alone.
+pub(super) fn stands_still(formula: &Formula, model: &Model) -> bool {
+    read_by(&[formula], &reads(model)).is_empty()
 }
 
 fn read_by(formulas: &[&Formula], reads: &HashMap<&Ident, HashSet<usize>>) -> HashSet<usize> {

@@ -152,7 +152,9 @@ fn declared<'a>(written: &'a Declaration, keyword: &str) -> Vec<&'a Ident> {
         Line::Drive(line) => Some(&line.name).filter(|_| keyword == "drive"),
         Line::Friction(line) => Some(&line.name).filter(|_| keyword == "friction"),
         Line::Broken(line) => line.name.as_ref().filter(|_| line.keyword == Some(keyword)),
-        Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) | Line::Force(_) => None,
+        Line::Derivative(_) | Line::Stick(_) | Line::Slip(_) | Line::Force(_) | Line::Stop(_) => {
+            None
+        }
     });
     names
         .filter(|name| is_field(name) && seen.insert(name.to_token_stream().to_string()))

@@ -12,7 +12,7 @@ use crate::errors::Errors;
 use crate::formula::Formula;
 use crate::repeated::Repeated;
 use crate::syntax::{
-    Derivative, Drive, Field, Force, Friction, Let, Line, Param, Slip, State, Stick, word,
+    Derivative, Drive, Field, Force, Friction, Let, Line, Param, Slip, State, Stick, Stop, word,
 };
 
 /// Reads lines of one grammar; mistakes inside a formula do not break its line.
@@ -68,6 +68,9 @@ impl Reader<'_> {
             (Grammar::Law, "force") => shaped(shape::FORCE, input, |input| {
                 one(self.force(&docs, &keyword, input))
             }),
+            (Grammar::Law, "stop") => {
+                shaped(shape::STOP, input, |input| one(self.stop(&docs, input)))
+            }
             (Grammar::Law, "stick") => shaped(shape::STICK, input, |input| {
                 one(self.stick(&docs, &keyword, input))
             }),
@@ -172,6 +175,14 @@ impl Reader<'_> {
             speed,
             formula,
         }))
+    }
+
+    fn stop(&mut self, docs: &[Attribute], input: ParseStream) -> syn::Result<Line> {
+        undocumented(docs)?;
+        let state = name(input)?;
+        input.parse::<word::at>()?;
+        let bound = self.formula(input)?;
+        Ok(Line::Stop(Stop { state, bound }))
     }
 
     /// The right side of a line in which, in a law, the internal state and its kinks may stand.

@@ -20,14 +20,15 @@ pub(super) const SLIP: &str = "slip(s) = limit / (1.0 + decay * s);";
 pub(super) const DRIVE: &str = "drive phi at omega;";
 pub(super) const LAW_STATE: &str = "state z: m;";
 pub(super) const FORCE: &str = "force(w) = stiffness * z;";
+pub(super) const STOP: &str = "stop z at limit;";
 
 /// The words that begin a line.
 fn keywords(grammar: Grammar) -> &'static [&'static str] {
     match grammar {
         Grammar::Model => &["state", "param", "let", "friction", "drive", "der"],
-        Grammar::Law | Grammar::Memory => {
-            &["param", "let", "stick", "slip", "state", "der", "force"]
-        }
+        Grammar::Law | Grammar::Memory => &[
+            "param", "let", "stick", "slip", "state", "der", "stop", "force",
+        ],
     }
 }
 

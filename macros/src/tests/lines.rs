@@ -20,7 +20,7 @@ fn a_line_begins_with_a_keyword() {
     );
     assert_eq!(
         of_law("stick = 1.0; slip(s) = 1.0; (3)"),
-        ["a line begins with `param`, `let`, `stick`, `slip`, `state`, `der` or `force`"]
+        ["a line begins with `param`, `let`, `stick`, `slip`, `state`, `der`, `stop` or `force`"]
     );
 }
 

@@ -47,7 +47,7 @@ fn a_law_with_memory_has_a_force_and_an_equation_for_each_state() {
     assert_eq!(
         of_lugre("der(z)", "der(y)"),
         [
-            "`y` is not a state; declare it with `state y = 0.0;`",
+            "`y` is not a state; declare it with `state y;`",
             "state `z` has no equation: add `der(z) = ...;`"
         ]
     );
@@ -186,5 +186,74 @@ fn laws_may_abbreviate() {
     assert_eq!(
         of_law("param a; let c = b; let b = a; stick = c; slip(s) = b;"),
         ["`b` is used above the line that declares it; move that line up"]
+    );
+}
+
+const JENKINS: &str = "
+    state z: N;
+    param stiffness: N/m where stiffness > 0.0;
+    param level: N where level > 0.0;
+    der(z) = stiffness * w;
+    stop z at level;
+    force(w) = z;
+";
+
+fn of_jenkins(text: &str, replacement: &str) -> Vec<String> {
+    assert!(JENKINS.contains(text), "the law has no `{text}`");
+    of_law(&JENKINS.replacen(text, replacement, 1))
+}
+
+#[test]
+fn stops_are_of_states() {
+    assert_eq!(of_law(JENKINS), NONE);
+    assert_eq!(
+        of_jenkins("stop z", "stop level"),
+        ["`level` is a parameter, not a state; only states stop"]
+    );
+    assert_eq!(
+        of_jenkins("stop z", "stop q"),
+        ["`q` is not a state; declare it with `state q;`"]
+    );
+    assert_eq!(
+        of_jenkins("stop z at level;", "stop z at level; stop z at 2 * level;"),
+        ["second stop of `z`; keep one: it stands on both sides of zero"]
+    );
+    assert_eq!(
+        of_jenkins("stop z at level;", "stop z = level;"),
+        ["expected `at`; the line has the form `stop z at limit;`"]
+    );
+    let bare = of_law("param a; stop z at a; stick = a; slip(s) = a;");
+    let wanted = "`z` is not a state; declare it with `state z;`";
+    assert!(bare.iter().any(|message| message == wanted), "{bare:?}");
+}
+
+#[test]
+fn stops_stand_still() {
+    let told = |name: &str| {
+        [format!(
+            "`{name}` changes along a motion, and the stops of `z` stand still: \
+             write a formula of the parameters, as in `stop z at limit;`"
+        )]
+    };
+    assert_eq!(of_jenkins("at level", "at level + z"), told("z"));
+    assert_eq!(
+        of_jenkins("at level", "at level * w / w"),
+        [told("w"), told("w")].concat()
+    );
+    assert_eq!(
+        of_jenkins("stop z at level", "let most = level - z; stop z at most"),
+        told("most")
+    );
+    assert_eq!(
+        of_jenkins("stop z at level", "let most = 2 * level; stop z at most"),
+        NONE
+    );
+}
+
+#[test]
+fn stops_are_in_the_unit_of_what_they_stop() {
+    assert_eq!(
+        of_jenkins("at level", "at level / stiffness"),
+        ["unit mismatch: `z` is in N, but it is to stop at `level / stiffness`, which is in m"]
     );
 }

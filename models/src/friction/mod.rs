@@ -13,6 +13,7 @@ mod dahl;
 mod drill_curve;
 mod elasto_plastic;
 mod gaussian;
+mod jenkins;
 mod lorentzian;
 mod lugre;
 mod popp_stelter;
@@ -30,6 +31,7 @@ pub use dahl::Dahl;
 pub use drill_curve::DrillCurve;
 pub use elasto_plastic::ElastoPlastic;
 pub use gaussian::Gaussian;
+pub use jenkins::Jenkins;
 pub use lorentzian::Lorentzian;
 pub use lugre::LuGre;
 pub use popp_stelter::PoppStelter;
@@ -114,6 +116,10 @@ pub fn library() -> Vec<Specimen> {
 pub fn with_memory() -> Vec<Remembering> {
     vec![
         specimen!(Dahl {
+            stiffness: 1e4,
+            level: 1.0,
+        } swinging 3e-4 at 1e-3),
+        specimen!(Jenkins {
             stiffness: 1e4,
             level: 1.0,
         } swinging 3e-4 at 1e-3),

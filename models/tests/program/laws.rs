@@ -41,6 +41,18 @@ fn a_law_is_drawn_as_it_is_set() {
     assert!((copies[last].as_f64().unwrap() - 0.4).abs() < 1e-12);
 }
 
+/// A spring with a slider goes round a parallelogram, and says where it stops.
+#[test]
+fn a_law_with_stops_is_drawn_to_them() {
+    let law = json("laws jenkins --set level=2 --json");
+    assert_eq!(law["states"][0]["stop"], "level");
+    let force = law["loops"][0]["force"].as_array().unwrap();
+    let largest = force.iter().filter_map(Value::as_f64).fold(0.0, f64::max);
+    assert_eq!(largest, 2.0);
+    let text = stickslip(&words("laws jenkins")).stdout;
+    assert!(text.contains("  stop z at level\n"), "{text}");
+}
+
 #[test]
 fn a_model_shows_the_laws_that_act_in_it() {
     let law = json("laws drill-string --set theta=2 --set kinetic=1 --json");

@@ -190,6 +190,7 @@ fn chain<const N: usize>(first: &Derivatives<N>, second: &Derivatives<N>) -> Der
         time: second.time,
         trace: first.trace + second.trace,
         factors: Vec::new(),
+        lost: first.lost.max(second.lost),
     }
 }
 

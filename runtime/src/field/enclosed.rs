@@ -31,8 +31,10 @@ pub enum Unenclosed {
         /// Name of the contact's force.
         name: &'static str,
     },
-    /// A law with internal state that may be on one of its kinks.
-    #[error("the law of `{name}` may be at one of its kinks there, where it has no derivative")]
+    /// A law with internal state that may be on one of its kinks or stops.
+    #[error(
+        "the law of `{name}` may be at one of its kinks or stops there, where it has no derivative"
+    )]
     MayTurn {
         /// Name of the force.
         name: &'static str,
@@ -101,7 +103,7 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
 }
 
 /// Answers for forces over a box, and notes the first contact whose speed does not keep its sign there, and the first
-/// law with internal state that does not keep to one side of each of its kinks.
+/// law with internal state that does not keep to one side of each of its kinks and stops.
 struct Rule<'a, M: Model<N>, const N: usize> {
     friction: &'a Friction<M, N>,
     at_rest: Option<usize>,
@@ -139,6 +141,15 @@ impl<M: Model<N>, const N: usize> ContactRule<Enclosure<N>> for Rule<'_, M, N> {
         let at_kink = &mut self.at_kink;
         law.kinks(memory, speed, |side| {
             if !side.is_positive() && !side.is_negative() {
+                at_kink.get_or_insert(element);
+            }
+        });
+        law.stops(|place, bound| {
+            let inside = |gap: Enclosure<N>| gap.is_positive();
+            let free = memory
+                .get(place)
+                .is_some_and(|z| inside(bound - *z) && inside(bound + *z));
+            if !free {
                 at_kink.get_or_insert(element);
             }
         });

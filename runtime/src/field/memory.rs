@@ -3,6 +3,7 @@
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::memory::{Answer, MemoryLaw};
 use crate::model::Model;
+use crate::scalar::Inline;
 
 /// Numbers the kinks of all laws with internal state, and keeps the value of one of them.
 struct Corners {
@@ -78,6 +79,12 @@ pub(super) fn bounded<M: Model<N>, const N: usize>(
 ) -> [f64; N] {
     if !M::INFO.memories.is_empty() {
         let start = std::array::from_fn(|i| M::INFO.states[i].start);
+        let stops = super::Stops::of::<M>(params, &Inline::from_fn(|_| 0.0));
+        for (i, magnitude) in magnitude.iter_mut().enumerate() {
+            if stops.bound(i) > 0.0 {
+                *magnitude = magnitude.min(stops.bound(i));
+            }
+        }
         let mut rule = Saturation::<M, N> {
             magnitude: &mut magnitude,
             model: std::marker::PhantomData,

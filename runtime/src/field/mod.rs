@@ -6,6 +6,7 @@ pub mod exact;
 mod memory;
 mod smooth;
 mod smoothing;
+mod stops;
 
 pub use crate::linear::Linear;
 pub use count::Work;
@@ -13,6 +14,7 @@ pub use enclosed::{Enclosed, EnclosedField, Unenclosed};
 pub use smooth::{Design, SmoothField};
 pub(crate) use smoothing::Smoothed;
 pub use smoothing::{Kernel, Smoothing, SmoothingError};
+pub(crate) use stops::{Caught, Frictionless, Settled, Stops};
 
 use crate::integrate::Tolerance;
 
@@ -51,6 +53,14 @@ pub trait Field<const N: usize> {
     /// which resolve a layer anyway, are split there too.
     fn corners(&self) -> usize {
         0
+    }
+
+    /// The magnitude of the terms of corner number `index`, if it is a guard now: positive while the field is what it is.
+    ///
+    /// Its fall ends that. It is watched inside steps too, and from their very beginning; only there steps end, and the
+    /// integrator tells which guard fell.
+    fn guard(&self, _index: usize) -> Option<f64> {
+        None
     }
 
     /// What kink function number `index` is small against, if it is `from` and `to` at the ends of a step.

@@ -2,9 +2,10 @@
 
 mod dip;
 mod readout;
+mod rest;
 
 use super::smoothing::{Sloped, Smoothed, Smoothing, SmoothingError};
-use super::{Field, Linear, memory};
+use super::{Field, Linear, Stops, memory};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::integrate::Tolerance;
 use crate::model::{Model, Rates};
@@ -32,8 +33,9 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
     rule: Smoothed<f64>,
     sloped: Sloped,
     magnitude: [f64; N],
-    /// Number of kinks of laws with internal state.
+    /// Number of kinks of laws with internal state, the guards of their stops being the last.
     corners: usize,
+    stops: Stops<N>,
 }
 
 /// Layer widths within which a contact is held.
@@ -65,9 +67,11 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         let (kernel, sharpness) = (smoothing.kernel, smoothing.sharpness());
         let moves = f64::from(design == Design::Smoothing);
         let sign = if kernel.is_bump() { -1.0 } else { 1.0 };
+        let seeds = Inline::from_fn(|i| f64::from(design == Design::Parameter(i)));
+        let stops = Stops::of::<M>(&values, &seeds);
         Ok(Self {
             values,
-            seeds: Inline::from_fn(|i| f64::from(design == Design::Parameter(i))),
+            seeds,
             smoothing,
             rule: Smoothed { kernel, sharpness },
             sloped: Sloped {
@@ -76,7 +80,8 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
                 seed: moves * sign * sharpness,
             },
             magnitude: memory::bounded::<M, N>(&values, [1.0; N]),
-            corners: memory::corners::<M, N>(&values),
+            corners: memory::corners::<M, N>(&values) + stops.guards(),
+            stops,
         })
     }
 
@@ -106,8 +111,21 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     }
 
     /// f and ∂f/∂r at `y`, and each entry of the Jacobian that can differ from zero, as [`Model::entries`] gives them.
-    pub fn entries(&self, y: &[f64; N], entry: impl FnMut(usize, usize, f64)) -> Rates<N> {
-        M::entries(&self.values, &self.seeds, *y, &mut { self.sloped }, entry)
+    pub fn entries(&self, y: &[f64; N], mut entry: impl FnMut(usize, usize, f64)) -> Rates<N> {
+        let kept = |row: usize, column: usize, slope| {
+            let slope = if Self::STOPS && self.stops.rests(row) {
+                0.0
+            } else {
+                slope
+            };
+            entry(row, column, slope);
+        };
+        let mut rates = M::entries(&self.values, &self.seeds, *y, &mut { self.sloped }, kept);
+        if Self::STOPS {
+            self.stops.hold(&mut rates.f);
+            self.stops.hold(&mut rates.design);
+        }
+        rates
     }
 
     /// The first contact that slides backwards beyond what a one-directional smoothing stands for,
@@ -157,12 +175,25 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
 
     #[inline]
     fn f(&self, y: &[f64; N]) -> [f64; N] {
-        M::rhs(&self.values, *y, &mut { self.rule })
+        let mut rates = self.free(y);
+        if Self::STOPS {
+            self.stops.hold(&mut rates);
+        }
+        rates
     }
 
     #[inline]
     fn linearise(&self, y: &[f64; N]) -> Linear<N> {
-        M::linearise(&self.values, &self.seeds, *y, &mut { self.sloped })
+        let mut linear = M::linearise(&self.values, &self.seeds, *y, &mut { self.sloped });
+        if Self::STOPS {
+            self.stops.hold(&mut linear.f);
+            self.stops.hold(&mut linear.design);
+            let rows = linear.jacobian.iter_mut().enumerate();
+            for (_, row) in rows.filter(|(i, _)| self.stops.rests(*i)) {
+                *row = [0.0; N];
+            }
+        }
+        linear
     }
 
     #[inline]
@@ -204,6 +235,11 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         self.corners
     }
 
+    #[inline]
+    fn guard(&self, index: usize) -> Option<f64> {
+        self.stops.terms(self.guard_number(index)?)
+    }
+
     fn kink_size(&self, index: usize, from: f64, to: f64) -> f64 {
         if index < self.corners {
             (from - to).abs()
@@ -213,6 +249,9 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
     }
 
     fn kink(&self, index: usize, y: &[f64; N]) -> f64 {
+        if let Some(guard) = self.guard_number(index) {
+            return self.stops.guard(guard, y, |state| self.free(y)[state]);
+        }
         if index < self.corners {
             return memory::corner::<M, N>(&self.values, index, y);
         }

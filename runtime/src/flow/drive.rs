@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{Extremum, Flow, FlowError};
-use crate::friction::{ContactRule, FrictionLaw};
+use crate::field::Frictionless;
 use crate::model::Model;
 
 /// Appends each instant of a step at which the phase begins anew, as a minimum of it.
@@ -59,13 +59,4 @@ pub(crate) fn standing<M: Model<N>, const N: usize>(
     }
     let name = M::INFO.states[index].name;
     Err(FlowError::Standing { name, rate })
-}
-
-/// No force at all: that of a contact does not enter the phase.
-struct Frictionless;
-
-impl ContactRule<f64> for Frictionless {
-    fn force<L: FrictionLaw<f64>>(&mut self, _: usize, _: &L, _: f64) -> f64 {
-        0.0
-    }
 }

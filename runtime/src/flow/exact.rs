@@ -18,7 +18,7 @@ use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::integrate::explicit::Settings;
 use crate::integrate::{Motion, Tolerance};
-use crate::model::{Model, ParamId};
+use crate::model::{Model, ModelInfo, ParamId};
 use crate::scalar::{Inline, Lanes};
 pub use glide::Glide;
 use run::Run;
@@ -38,6 +38,17 @@ pub struct ExactFlow<M: Model<N>, const N: usize> {
     arrival: Arrival,
 }
 
+/// An exact motion knows no stops.
+fn without_stops(info: &ModelInfo) -> Result<(), FlowError> {
+    let stopping = info.memories.iter().find(|memory| memory.law.has_stops());
+    match stopping {
+        Some(memory) => Err(FlowError::NoExactStops {
+            law: memory.law.name,
+        }),
+        None => Ok(()),
+    }
+}
+
 impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     /// The flow of `model`, with `design` as design variable, to this tolerance.
     ///
@@ -49,6 +60,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         tolerance: Tolerance,
     ) -> Result<Self, FlowError> {
         M::INFO.check(model.values().as_ref())?;
+        without_stops(M::INFO)?;
         let system = ExactSystem::new(model, design.map(|parameter| parameter.index));
         system.check()?;
         let settings = Settings {
@@ -160,6 +172,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
             f: linear.f,
             jacobian: linear.jacobian,
             design: linear.design,
+            lost: 0,
         })
     }
 }

@@ -1,6 +1,7 @@
 //! Flows that depend on a design variable.
 
 use super::exact::ExactFlow;
+use super::smooth::check_stops;
 use super::{Flow, FlowError, SmoothFlow, standing};
 use crate::field::{Design, SmoothField, Smoothing};
 use crate::integrate::Tolerance;
@@ -63,6 +64,7 @@ impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
         M::INFO.check(values.as_ref())?;
         standing::<M, N>(&values)?;
         let field = SmoothField::new(&M::from_values(values), smoothing, self.design)?;
+        check_stops(&field)?;
         Ok(SmoothFlow::new(
             field.with_magnitude(self.magnitude),
             self.tolerance,

@@ -84,6 +84,8 @@ pub struct Velocity<const N: usize> {
     pub jacobian: [[f64; N]; N],
     /// ∂f/∂r.
     pub design: [f64; N],
+    /// How many internal states rest on their stops: their rows of the Jacobian are zero.
+    pub lost: usize,
 }
 
 /// What a passage shall report beyond its end.
@@ -182,6 +184,9 @@ pub struct Derivatives<const N: usize> {
     pub trace: f64,
     /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
     pub factors: Vec<Factor<N>>,
+    /// The most internal states that rested on their stops at once: as many multipliers of an orbit are exactly zero,
+    /// and `trace` says nothing of Φ.
+    pub lost: usize,
 }
 
 /// A factor of Φ over one stretch of a motion.
@@ -307,6 +312,27 @@ pub enum FlowError {
         name: &'static str,
         /// Its rate.
         rate: f64,
+    },
+    /// The stops of an internal state that stand nowhere.
+    #[error(
+        "`{law}` stops `{state}` at {bound}, which must be a finite number above 0: give its parameters other values"
+    )]
+    Misplaced {
+        /// The state.
+        state: &'static str,
+        /// The law.
+        law: &'static str,
+        /// Where it should stop.
+        bound: f64,
+    },
+    /// Internal states with stops, which an exact motion does not know.
+    #[error(
+        "`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy, as with \
+         `--smooth tanh:1e4`"
+    )]
+    NoExactStops {
+        /// The law.
+        law: &'static str,
     },
     /// A duration that is negative or not finite.
     #[error("a motion cannot be followed for the time {time}")]

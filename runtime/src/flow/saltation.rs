@@ -1,5 +1,6 @@
 //! Derivatives through an event: the saltation matrix of Aizerman and Gantmakher (1958).
 
+use crate::field::Caught;
 use crate::integrate::{Carried, Motion};
 
 /// Rate of a guard, relative to its gradient and to the field, which is nothing but rounding error.
@@ -87,6 +88,13 @@ impl<const N: usize> Saltation<N> {
         }
         Ok(())
     }
+}
+
+/// A state z caught by its stop b: f jumps in its row alone, from g to 0, so that with h = b − z the formula is
+/// Ξ = I − e_z e_zᵀ whatever g is, and p_z⁺ = ±b_r: where z came from is forgotten.
+pub(super) fn catch<const N: usize>(motion: &mut Motion<N>, caught: Caught) {
+    motion.tangent[caught.state] = [0.0; N];
+    motion.design[caught.state] = caught.along;
 }
 
 /// A B.

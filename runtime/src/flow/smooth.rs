@@ -1,19 +1,21 @@
 //! The flow of a smooth field: explicit until the motion turns stiff, implicit from there.
+//!
+//! Where internal states of laws have stops, it is smooth between the instants at which they meet or leave one.
+
+mod record;
+mod rest;
+
+pub(super) use rest::check_stops;
 
 use std::ops::ControlFlow;
 
-use super::extrema::extrema;
-use super::strobes;
-use super::{
-    Calm, Derivatives, Factor, Flow, FlowError, Passage, Place, Sample, Segment, Velocity, Want,
-};
+use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::field::{Field, SmoothField, Work};
-use crate::integrate::explicit::{Settings, Stepper, integrate};
-use crate::integrate::{Accepted, IntegrationError, Look, Motion, RADAU_5, Radau, Tolerance};
+use crate::integrate::explicit::{Settings, integrate};
+use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
 use crate::model::Model;
+use record::Record;
 
-/// Points of a step that a drawing gets.
-const DRAWN: usize = 6;
 /// Trial steps after which a passage is given up.
 const BUDGET: u64 = 200_000;
 /// Trial steps through which derivatives are worth carrying.
@@ -63,53 +65,75 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     }
 
     fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
-        let settings = Settings {
-            steps: EXPLICIT_BUDGET,
-            ..Settings::new(self.tolerance.explicit())
-        };
-        let mut work = Work::default();
-        let mut backwards = Ok(());
-        let from = record.motion.state;
-        let outcome = if record.want.derivatives {
-            integrate(
-                &self.field,
-                settings,
-                record.motion,
-                time,
-                &mut work,
-                |step| {
-                    record.motion = *step.end();
-                    record.explicit_step(&self.field, step);
-                    self.watch(record, &mut backwards)
-                },
-            )
-            .map(|motion| motion.state)
-        } else {
-            integrate(&self.field, settings, from, time, &mut work, |step| {
-                record.motion.state = *step.end();
-                record.explicit_step(&self.field, step);
-                self.watch(record, &mut backwards)
-            })
-        };
-        record.work += work;
+        while record.time < time {
+            let outcome = self.explicit_stretch(&record.field(&self.field), record, time);
+            match outcome {
+                Ok(()) => {}
+                Err(FlowError::Integration(
+                    IntegrationError::Stiff { .. } | IntegrationError::TooManySteps { .. },
+                )) => break,
+                Err(error) => return Err(error),
+            }
+        }
         if record.want.factors {
             record.factors.push(Factor {
                 state: record.motion.tangent,
                 growth: None,
             });
         }
-        backwards?;
-        match outcome {
-            Ok(_) => record.time = time,
-            Err(IntegrationError::Stiff { .. } | IntegrationError::TooManySteps { .. }) => {}
-            Err(error) => return Err(error.into()),
+        Ok(())
+    }
+
+    /// Follows the motion until a stop is met or left, or to the end.
+    fn explicit_stretch(
+        &self,
+        field: &SmoothField<M, N>,
+        record: &mut Record<N>,
+        time: f64,
+    ) -> Result<(), FlowError> {
+        let spent = record.work.steps + record.work.rejected;
+        let settings = Settings {
+            steps: EXPLICIT_BUDGET.saturating_sub(spent),
+            ..Settings::new(self.tolerance.explicit())
+        };
+        let mut work = Work::default();
+        let mut verdict = Ok(());
+        let (from, span) = (record.motion, time - record.time);
+        record.since = record.time;
+        let mut switched = false;
+        let outcome = if record.want.derivatives {
+            integrate(field, settings, from, span, &mut work, |step| {
+                record.motion = *step.end();
+                record.explicit_step(field, step);
+                switched = record.switch(field, step.fallen());
+                self.watch(record, switched, &mut verdict)
+            })
+            .map(|motion| motion.state)
+        } else {
+            integrate(field, settings, from.state, span, &mut work, |step| {
+                record.motion.state = *step.end();
+                record.explicit_step(field, step);
+                switched = record.switch(field, step.fallen());
+                self.watch(record, switched, &mut verdict)
+            })
+        };
+        record.work += work;
+        verdict?;
+        outcome?;
+        if !switched {
+            record.time = time;
         }
         Ok(())
     }
 
-    fn watch(&self, record: &Record<N>, verdict: &mut Result<(), FlowError>) -> ControlFlow<()> {
+    fn watch(
+        &self,
+        record: &Record<N>,
+        switched: bool,
+        verdict: &mut Result<(), FlowError>,
+    ) -> ControlFlow<()> {
         *verdict = self.check_direction(record);
-        if verdict.is_err() {
+        if verdict.is_err() || switched {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
@@ -117,6 +141,25 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     }
 
     fn implicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
+        if SmoothField::<M, N>::STOPS && record.want.factors && record.factors.is_empty() {
+            record.factors.push(Factor {
+                state: record.motion.tangent,
+                growth: None,
+            });
+        }
+        while record.time < time {
+            self.implicit_stretch(&record.field(&self.field), record, time)?;
+        }
+        Ok(())
+    }
+
+    /// Follows the motion until a stop is met or left, or to the end.
+    fn implicit_stretch(
+        &self,
+        field: &SmoothField<M, N>,
+        record: &mut Record<N>,
+        time: f64,
+    ) -> Result<(), FlowError> {
         let (offset, rest) = (record.time, time - record.time);
         let start = record.motion.state;
         let budget = if record.want.derivatives {
@@ -124,11 +167,13 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         } else {
             BUDGET
         };
-        let mut radau = Radau::new(&self.field, &RADAU_5, self.tolerance, start, 0.0, budget)?;
+        let budget = budget.saturating_sub(record.implicit);
+        let mut radau = Radau::new(field, &RADAU_5, self.tolerance, start, 0.0, budget)?;
         let mut outcome = Ok(());
+        let mut switched = false;
         // When the integrator set out.
         let mut since = 0.0;
-        while outcome.is_ok() && radau.time() < rest - since {
+        while outcome.is_ok() && !switched && radau.time() < rest - since {
             outcome = match radau.step(rest - since) {
                 Ok(step) if self.jumps(&step) => {
                     since += step.time;
@@ -137,26 +182,23 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                     record.work.rejected += 1;
                     let left = budget.saturating_sub(record.work.steps + record.work.rejected);
                     let shorter = SHORTER * step.step;
-                    Radau::new(
-                        &self.field,
-                        &RADAU_5,
-                        self.tolerance,
-                        step.start,
-                        shorter,
-                        left,
-                    )
-                    .map(|again| radau = again)
-                    .map_err(FlowError::from)
+                    Radau::new(field, &RADAU_5, self.tolerance, step.start, shorter, left)
+                        .map(|again| radau = again)
+                        .map_err(FlowError::from)
                 }
                 Ok(step) => {
                     record.implicit_step(&mut radau, &step, offset + since);
+                    switched = record.switch(field, radau.fallen());
                     self.check_direction(record)
                 }
                 Err(error) => Err(error.into()),
             };
         }
         record.work += radau.work;
-        record.time = time;
+        record.implicit += radau.work.steps + radau.work.rejected;
+        if !switched {
+            record.time = time;
+        }
         outcome
     }
 
@@ -186,6 +228,11 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
     const PHASE: Option<usize> = M::INFO.drive;
 
     fn place(&self, state: [f64; N]) -> Result<Place<N, ()>, FlowError> {
+        check_stops(&self.field)?;
+        let mut state = state;
+        if SmoothField::<M, N>::STOPS {
+            self.field.settled(&mut state);
+        }
         Ok(Place { state, mode: () })
     }
 
@@ -198,19 +245,22 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(FlowError::BadTime { time });
         }
+        check_stops(&self.field)?;
         let mut record = Record::new(from.state, want, M::INFO.drive);
+        record.settle(&self.field);
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
             self.explicit(&mut record, time)?;
         }
         if record.time < time {
             self.implicit(&mut record, time)?;
         }
-        let velocity = self.field.f(&record.motion.state);
+        let velocity = record.field(&self.field).f(&record.motion.state);
         record.passage(time, velocity)
     }
 
     fn velocity(&self, at: &Place<N, ()>) -> Result<Velocity<N>, FlowError> {
-        let linear = self.field.linearise(&at.state);
+        let field = rest::settled(&self.field, at.state);
+        let linear = field.linearise(&at.state);
         if !linear.f.iter().all(|component| component.is_finite()) {
             return Err(IntegrationError::NotFinite {
                 time: 0.0,
@@ -222,181 +272,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
             f: linear.f,
             jacobian: linear.jacobian,
             design: linear.design,
-        })
-    }
-}
-
-/// What a passage gathers on its way.
-struct Record<const N: usize> {
-    want: Want,
-    phase: Option<usize>,
-    time: f64,
-    motion: Motion<N>,
-    extrema: Vec<super::Extremum<N>>,
-    factors: Vec<Factor<N>>,
-    path: Vec<Sample<N>>,
-    calm: Calm<N, ()>,
-    work: Work,
-}
-
-impl<const N: usize> Record<N> {
-    fn new(state: [f64; N], want: Want, phase: Option<usize>) -> Self {
-        let path = if want.path {
-            vec![Sample { time: 0.0, state }]
-        } else {
-            Vec::new()
-        };
-        Self {
-            want,
-            phase,
-            time: 0.0,
-            motion: Motion::from(state),
-            extrema: Vec::new(),
-            factors: Vec::new(),
-            path,
-            calm: Calm::at(Place { state, mode: () }),
-            work: Work::default(),
-        }
-    }
-
-    fn explicit_step<F: Field<N>, V>(&mut self, field: &F, step: &mut Stepper<'_, F, V, N>)
-    where
-        V: crate::integrate::Carried<N>,
-    {
-        let (time, length) = (step.time(), step.length());
-        self.time = time + length;
-        self.stay(length);
-        if !(self.want.extrema || self.want.path) {
-            return;
-        }
-        let dense = step.dense();
-        if self.want.extrema {
-            let looks = [0.0, 0.25, 0.5, 0.75, 1.0].map(|theta| Look {
-                theta,
-                linear: field.linearise(&dense.state(theta)),
-                state: dense.state(theta),
-            });
-            extrema(
-                looks.into_iter(),
-                time,
-                length,
-                &mut self.extrema,
-                |theta| {
-                    let state = step.step_map(theta * length);
-                    Some((state, field.linearise(&state)))
-                },
-            );
-            let ends = (*step.from().state(), *step.end().state());
-            strobes(
-                self.phase,
-                (&ends.0, &ends.1),
-                (time, length),
-                &mut self.extrema,
-                |theta| Some(step.step_map(theta * length)),
-            );
-        }
-        self.draw(time, length, |theta| dense.state(theta));
-    }
-
-    fn implicit_step<F: Field<N>, const S: usize>(
-        &mut self,
-        radau: &mut Radau<'_, F, N, S>,
-        step: &Accepted<N, S>,
-        offset: f64,
-    ) {
-        self.time = offset + radau.time();
-        self.motion.state = step.end;
-        self.stay(step.step);
-        if self.want.derivatives {
-            let propagator = radau.propagator();
-            self.motion = self.motion.through(&propagator);
-            if self.want.factors {
-                let growth = Some(radau.growth());
-                self.factors.push(Factor {
-                    state: propagator.state,
-                    growth,
-                });
-            }
-        }
-        if self.want.extrema {
-            let looks = radau.looks(step);
-            extrema(
-                looks,
-                offset + step.time,
-                step.step,
-                &mut self.extrema,
-                |theta| radau.probe(step, theta),
-            );
-            strobes(
-                self.phase,
-                (&step.start, &step.end),
-                (offset + step.time, step.step),
-                &mut self.extrema,
-                |theta| Some(radau.probe(step, theta)?.0),
-            );
-        }
-        self.draw(offset + step.time, step.step, |theta| {
-            let increment = step.collocation.at(theta);
-            std::array::from_fn(|j| step.start[j] + increment[j])
-        });
-    }
-
-    fn stay(&mut self, length: f64) {
-        let place = Place {
-            state: self.motion.state,
-            mode: (),
-        };
-        self.calm.offer(self.time, length, place);
-    }
-
-    fn draw(&mut self, time: f64, length: f64, at: impl Fn(f64) -> [f64; N]) {
-        if self.want.path {
-            self.path.extend((1..=DRAWN).map(|k| {
-                let theta = k as f64 / DRAWN as f64;
-                Sample {
-                    time: time + theta * length,
-                    state: at(theta),
-                }
-            }));
-        }
-    }
-
-    fn passage(self, time: f64, velocity: [f64; N]) -> Result<Passage<N, ()>, FlowError> {
-        let motion = self.motion;
-        let finite = motion
-            .state
-            .iter()
-            .chain(&velocity)
-            .all(|number| number.is_finite());
-        if !finite || (self.want.derivatives && !crate::integrate::Carried::is_finite(&motion)) {
-            return Err(IntegrationError::NotFinite {
-                time,
-                state: motion.state.to_vec(),
-            }
-            .into());
-        }
-        let derivatives = self.want.derivatives.then_some(Derivatives {
-            state: motion.tangent,
-            design: motion.design,
-            time: velocity,
-            trace: motion.trace,
-            factors: self.factors,
-        });
-        Ok(Passage {
-            end: Place {
-                state: motion.state,
-                mode: (),
-            },
-            derivatives,
-            extrema: self.extrema,
-            segments: vec![Segment {
-                mode: (),
-                duration: time,
-            }],
-            path: self.path,
-            calm: self.calm,
-            events: Vec::new(),
-            work: self.work,
+            lost: field.stops().resting(),
         })
     }
 }

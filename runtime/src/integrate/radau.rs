@@ -37,6 +37,7 @@ pub struct Radau<'f, F, const N: usize, const S: usize> {
     rejected: bool,
     last: Trial<N, S>,
     budget: u64,
+    fallen: Option<usize>,
     /// Counted work.
     pub work: Work,
 }
@@ -102,6 +103,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
             rejected: false,
             last: Trial::blank(state, start),
             budget,
+            fallen: None,
             work: Work {
                 linearisations: 1,
                 ..Work::default()
@@ -119,6 +121,12 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     #[must_use]
     pub fn state(&self) -> [f64; N] {
         self.state
+    }
+
+    /// The number of the guard of the field that fell at the end of the last step, if one did.
+    #[must_use]
+    pub fn fallen(&self) -> Option<usize> {
+        self.fallen
     }
 
     /// Makes one step that ends at `end` at the latest, and on a kink of the field if it meets one.

@@ -22,6 +22,8 @@ pub struct Stepper<'f, F, V, const N: usize> {
     pub(super) slopes: [V; 13],
     /// Where the twelfth stage looked, for the test of stiffness.
     pub(super) last_look: [f64; N],
+    /// The guard that ends the step.
+    pub(super) fallen: Option<usize>,
     /// What has been counted so far.
     pub work: Work,
 }
@@ -48,6 +50,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             end: from,
             slopes: [V::NOTHING; 13],
             last_look: *from.state(),
+            fallen: None,
             work: Work::default(),
         };
         stepper.slopes[0] = from.slope(field, &mut stepper.work);
@@ -85,6 +88,11 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
     /// The length of the step.
     pub fn length(&self) -> f64 {
         self.length
+    }
+
+    /// The number of the guard of the field that falls at the end of the step, if one does.
+    pub fn fallen(&self) -> Option<usize> {
+        self.fallen
     }
 
     /// The length that the next attempt will try.

@@ -81,7 +81,7 @@ fn area<F: Flow<N>, const N: usize>(
     let Some(derivatives) = &passage.derivatives else {
         return Ok(None);
     };
-    if N != 2 || !smooth || sticking {
+    if N != 2 || !smooth || sticking || derivatives.lost > 0 {
         return Ok(None);
     }
     let before = norm(&flow.velocity(from)?.f);
@@ -100,7 +100,7 @@ fn carry<F: Flow<N>, const N: usize>(
         return Ok(None);
     };
     let stuck = passage.segments.iter().map(|s| F::sticking(&s.mode));
-    if stuck.max().unwrap_or(0) + 1 >= N {
+    if stuck.max().unwrap_or(0).max(derivatives.lost) + 1 >= N {
         return Ok(None);
     }
     let phi = &derivatives.state;

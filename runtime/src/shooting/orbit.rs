@@ -117,6 +117,8 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
             .collect();
         let sticking = |segment: &Segment<Mode>| F::Flow::sticking(&segment.mode);
         let zeros = segments.iter().map(sticking).max().unwrap_or(0);
+        let derivatives = passages.clone().filter_map(|p| p.derivatives.as_ref());
+        let zeros = zeros.max(derivatives.map(|d| d.lost).max().unwrap_or(0));
         let (monodromy, trace) = shot.monodromy();
         let trace = (segments.len() == shot.passages.len()).then_some(trace);
         Self {

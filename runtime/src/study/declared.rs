@@ -126,8 +126,18 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         })
     }
 
-    /// A model with a drive has no equilibrium.
+    /// A model with a drive has no equilibrium, and one whose laws have stops has none that stands alone.
     fn may_rest() -> Result<(), StudyError> {
+        let stopping = M::INFO
+            .memories
+            .iter()
+            .find(|memory| memory.law.has_stops());
+        if let Some(memory) = stopping {
+            return Err(StudyError::NotIsolated {
+                model: M::INFO.command,
+                law: memory.law.name,
+            });
+        }
         match M::INFO.drive {
             None => Ok(()),
             Some(phase) => Err(StudyError::Driven {

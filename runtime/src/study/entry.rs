@@ -167,6 +167,17 @@ pub enum StudyError {
         /// The phase of its drive.
         phase: &'static str,
     },
+    /// A law holds any force between its stops while it rests.
+    #[error(
+        "`{model}` has no equilibrium that stands alone: at rest `{law}` holds any force between its stops; `simulate` \
+         shows where a motion comes to rest"
+    )]
+    NotIsolated {
+        /// The model.
+        model: &'static str,
+        /// The law.
+        law: &'static str,
+    },
     /// An equilibrium cannot be followed.
     #[error("the equilibrium cannot be followed: {0}")]
     Equilibrium(Failure<FlowError>),

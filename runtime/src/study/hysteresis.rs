@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::field::{Field, Linear, Work};
+use crate::field::{Field, Linear, Stops, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{IntegrationError, Tolerance};
 use crate::memory::{MemoryLaw, MemoryLawInfo};
@@ -48,14 +48,17 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<L, S> {
             .chain((0..STROKES).map(|i| if i % 2 == 0 { -amplitude } else { amplitude }));
         for end in ends {
             let speed = speed.copysign(end - place);
-            let stroke = Stroke {
+            let mut stroke = Stroke {
                 law: &self.0,
                 speed,
+                stops: Stops::NONE,
                 size: elastic.map(|rate| (rate * amplitude / speed).abs()),
             };
+            self.0
+                .stops(|place, bound| stroke.stops.put(place, bound, 0.0));
             let duration = (end - place) / speed;
-            memory = stroke.follow(memory, duration, |time, memory| {
-                points.push([place + stroke.speed * time, stroke.force(memory)]);
+            memory = stroke.follow(memory, duration, |time, force| {
+                points.push([place + speed * time, force]);
             })?;
             place = end;
         }
@@ -67,6 +70,8 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<L, S> {
 struct Stroke<'l, L, const S: usize> {
     law: &'l L,
     speed: f64,
+    /// The stops of the internal states, and which of these rest.
+    stops: Stops<S>,
     /// How far each internal state would go over the amplitude if it never yielded.
     size: [f64; S],
 }
@@ -77,13 +82,30 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Stroke<'_, L, S> {
         -self.law.answer(*memory, self.speed).force
     }
 
+    /// Follows the internal states; `see` is given times and forces.
     fn follow(
+        &mut self,
+        mut memory: [f64; S],
+        duration: f64,
+        mut see: impl FnMut(f64, f64),
+    ) -> Result<[f64; S], IntegrationError> {
+        let rates = self.free(&memory);
+        self.stops = self.stops.settled(&mut memory, |_, _, i| rates[i]).stops;
+        see(0.0, self.force(&memory));
+        let mut time = 0.0;
+        while time < duration {
+            (time, memory, self.stops) = self.stretch(memory, (time, duration), &mut see)?;
+        }
+        Ok(memory)
+    }
+
+    /// Time, memory and modes where a stop is met or left, or at the end.
+    fn stretch(
         &self,
         from: [f64; S],
-        duration: f64,
-        mut see: impl FnMut(f64, &[f64; S]),
-    ) -> Result<[f64; S], IntegrationError> {
-        see(0.0, &from);
+        (since, until): (f64, f64),
+        see: &mut impl FnMut(f64, f64),
+    ) -> Result<(f64, [f64; S], Stops<S>), IntegrationError> {
         let settings = Settings {
             stiff_steps: u32::MAX,
             ..Settings::new(Tolerance {
@@ -91,36 +113,64 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Stroke<'_, L, S> {
                 absolute: TOLERANCE,
             })
         };
-        integrate(
-            self,
-            settings,
-            from,
-            duration,
-            &mut Work::default(),
-            |step| {
-                let (time, length, dense) = (step.time(), step.length(), step.dense());
-                for k in 1..=DRAWN {
-                    let theta = k as f64 / DRAWN as f64;
-                    see(time + theta * length, &dense.state(theta));
-                }
-                ControlFlow::Continue(())
-            },
-        )
+        let (mut work, mut switched) = (Work::default(), None);
+        let end = integrate(self, settings, from, until - since, &mut work, |step| {
+            let (time, length, dense) = (since + step.time(), step.length(), step.dense());
+            for k in 1..=DRAWN {
+                let theta = k as f64 / DRAWN as f64;
+                see(time + theta * length, self.force(&dense.state(theta)));
+            }
+            let Some(guard) = step.fallen() else {
+                return ControlFlow::Continue(());
+            };
+            let mut memory = *step.end();
+            let rates = self.free(&memory);
+            let settled = self.stops.switched(&mut memory, guard, &rates);
+            switched = Some((time + length, memory, settled.stops));
+            ControlFlow::Break(())
+        })?;
+        Ok(switched.unwrap_or((until, end, self.stops)))
+    }
+
+    /// The rates of free internal states.
+    fn free(&self, memory: &[f64; S]) -> [f64; S] {
+        self.law.answer(*memory, self.speed).rates
     }
 }
 
 impl<L: MemoryLaw<f64, S>, const S: usize> Field<S> for Stroke<'_, L, S> {
     fn f(&self, memory: &[f64; S]) -> [f64; S] {
-        self.law.answer(*memory, self.speed).rates
+        let mut rates = self.free(memory);
+        self.stops.hold(&mut rates);
+        rates
     }
 
     fn linearise(&self, memory: &[f64; S]) -> Linear<S> {
         let rates = self.law.slopes(self.law, *memory, self.speed).rates;
+        let rests = |i: usize| self.stops.rests(i);
         Linear {
-            f: std::array::from_fn(|i| rates[i].value),
-            jacobian: std::array::from_fn(|i| rates[i].by_memory),
+            f: self.f(memory),
+            jacobian: std::array::from_fn(|i| {
+                if rests(i) {
+                    [0.0; S]
+                } else {
+                    rates[i].by_memory
+                }
+            }),
             design: [0.0; S],
         }
+    }
+
+    fn corners(&self) -> usize {
+        self.stops.guards()
+    }
+
+    fn kink(&self, index: usize, memory: &[f64; S]) -> f64 {
+        self.stops.guard(index, memory, |i| self.free(memory)[i])
+    }
+
+    fn guard(&self, index: usize) -> Option<f64> {
+        self.stops.terms(index)
     }
 
     fn scale(&self, _: &[f64; S], tolerance: &Tolerance) -> [f64; S] {
@@ -131,7 +181,7 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Field<S> for Stroke<'_, L, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examples::Dahl;
+    use crate::examples::{Dahl, Jenkins};
 
     #[test]
     fn the_loop_of_dahl_is_the_one_in_closed_form() {
@@ -148,5 +198,28 @@ mod tests {
         let last = points.last().unwrap();
         let exact = level * (stiffness * amplitude / level).tanh();
         assert!((last[1] - exact).abs() < 1e-8 * level, "{last:?} {exact}");
+    }
+
+    #[test]
+    fn the_loop_of_jenkins_is_a_parallelogram() {
+        let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
+        let law = Shaken::new(Jenkins { stiffness, level });
+        let points = law.swing(amplitude, 1e-3).unwrap();
+        let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
+        for [x, force] in virgin.copied() {
+            assert!((force - (stiffness * x).min(level)).abs() < 1e-9 * level);
+        }
+        assert_eq!(points.last().unwrap()[1], level);
+        // The last two strokes, once round: twice the area between them by the shoelace formula.
+        let turns: Vec<usize> = (1..points.len())
+            .filter(|&i| points[i][0] == points[i - 1][0] && i > 1)
+            .collect();
+        let cycle = &points[turns[turns.len() - 2]..];
+        let twice: f64 = cycle
+            .windows(2)
+            .map(|pair| (pair[1][0] - pair[0][0]) * (pair[0][1] + pair[1][1]))
+            .sum();
+        let area = 4.0 * level * (amplitude - level / stiffness);
+        assert!((0.5 * twice - area).abs() < 1e-9 * area, "{twice} {area}");
     }
 }

@@ -6,3 +6,4 @@ mod layers;
 mod memory_laws;
 mod metamorphic;
 mod shooting;
+mod stops;

@@ -60,6 +60,7 @@ impl<M: Model<N>, const N: usize> Glide<N> for ExactFlow<M, N> {
             time: self.velocity(&end)?.f,
             trace: motion.trace,
             factors: Vec::new(),
+            lost: 0,
         };
         Ok((end, derivatives))
     }

@@ -129,6 +129,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                     growth: None,
                 })
                 .collect(),
+            lost: 0,
         })
     }
 

@@ -10,6 +10,10 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
     #[must_use]
     pub fn propagator(&self) -> Propagator<N> {
         let mut propagator = Propagator::IDENTITY;
+        // A guard may fall where a step begins.
+        if self.last.step == 0.0 {
+            return propagator;
+        }
         for column in 0..N {
             let mut direction = [0.0; N];
             direction[column] = 1.0;

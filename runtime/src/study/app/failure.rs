@@ -79,9 +79,10 @@ impl Failure {
 /// Whether other words on the command line are the way out.
 fn is_usage(error: &StudyError) -> bool {
     let flow = match error {
-        StudyError::NothingToSmooth | StudyError::NothingToFollow | StudyError::Driven { .. } => {
-            return true;
-        }
+        StudyError::NothingToSmooth
+        | StudyError::NothingToFollow
+        | StudyError::Driven { .. }
+        | StudyError::NotIsolated { .. } => return true,
         StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
         StudyError::Trade(TradeError::NoFriction { .. } | TradeError::OnlyForm { .. }) => {
             return true;
@@ -99,7 +100,11 @@ fn is_usage(error: &StudyError) -> bool {
     };
     matches!(
         flow,
-        FlowError::Parameter(_) | FlowError::Smoothing(_) | FlowError::Standing { .. }
+        FlowError::Parameter(_)
+            | FlowError::Smoothing(_)
+            | FlowError::Standing { .. }
+            | FlowError::Misplaced { .. }
+            | FlowError::NoExactStops { .. }
     )
 }
 

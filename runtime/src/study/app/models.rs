@@ -167,14 +167,7 @@ fn memory(info: &ModelInfo, memory: &Memory) -> Vec<Vec<String>> {
         names(carriers(info, memory))
     );
     let mut rows = vec![row(label(memory.name, memory.unit), first, memory.doc)];
-    let lets = law.abbreviations.iter();
-    let mut lines: Vec<String> = lets
-        .map(|(name, formula)| format!("{name} = {formula}"))
-        .collect();
-    let states = law.states.iter();
-    lines.extend(states.map(|state| format!("der({}) = {}", state.name, state.equation)));
-    lines.push(format!("force({}) = {}", law.speed, law.force));
-    rows.push(row(String::new(), lines.join("; "), law.doc));
+    rows.push(row(String::new(), law.lines().join("; "), law.doc));
     rows
 }
 
@@ -211,7 +204,8 @@ fn document(info: &ModelInfo) -> Value {
     });
     let memories = info.memories.iter().map(|memory| {
         let law = memory.law;
-        let states = law.states.iter().map(|state| json!({ "name": state.name, "equation": state.equation }));
+        let states = law.states.iter().map(|state| json!({ "name": state.name, "equation": state.equation,
+                "stop": state.stop.map(|stop| stop.bound) }));
         let lets = law.abbreviations.iter().map(|(name, formula)| json!({ "name": name, "formula": formula }));
         json!({ "name": memory.name, "doc": memory.doc.trim(), "unit": memory.unit.map(|unit| unit.text),
                 "law": law.name, "fields": memory.fields, "speed": memory.speed,

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::Diagram;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Place};
+use crate::flow::{Family, Flow, FlowError, Place, Velocity};
 use crate::lyapunov::{Lyapunov, lyapunov};
 use crate::poincare::{Crossings, recurrence};
 use crate::study::Along;
@@ -234,9 +234,9 @@ fn at_rest<F: Flow<N>, const N: usize>(
     flow: &F,
     place: &Place<N, F::Mode>,
 ) -> Result<Lyapunov, FlowError> {
-    let jacobian = flow.velocity(place)?.jacobian;
+    let Velocity { jacobian, lost, .. } = flow.velocity(place)?;
     let matrix = DMatrix::from_fn(N, N, |i, j| jacobian[i][j]);
-    let spectrum = Spectrum::across(&matrix, F::sticking(&place.mode));
+    let spectrum = Spectrum::across(&matrix, F::sticking(&place.mode) + lost);
     Ok(Lyapunov {
         exponent: spectrum.eigenvalues.first().map(|value| value.re),
         error: 0.0,

@@ -50,7 +50,7 @@ pub(super) fn swing(
     let listing = format!(
         "{name}\n  {}\n{}    {}\n",
         summary(law.doc),
-        formulas(law)
+        law.lines()
             .iter()
             .map(|line| format!("    {line}\n"))
             .collect::<String>(),
@@ -66,20 +66,9 @@ pub(super) fn swing(
     })
 }
 
-/// The lines of the law, as written.
-fn formulas(law: &MemoryLawInfo) -> Vec<String> {
-    let lets = law
-        .abbreviations
-        .iter()
-        .map(|(name, formula)| format!("{name} = {formula}"));
-    let rates = law.states.iter();
-    let rates = rates.map(|state| format!("der({}) = {}", state.name, state.equation));
-    let force = format!("force({}) = {}", law.speed, law.force);
-    lets.chain(rates).chain([force]).collect()
-}
-
 fn text(name: &str, law: &MemoryLawInfo, values: &[f64], amplitude: f64, loops: &[Loop]) -> String {
-    let formulas: String = formulas(law)
+    let formulas: String = law
+        .lines()
         .iter()
         .map(|line| format!("  {line}\n"))
         .collect();
@@ -120,7 +109,8 @@ fn document(
     });
     let states = law.states.iter().map(|state| {
         json!({ "name": state.name, "doc": state.doc.trim(),
-                "unit": state.unit.map(|unit| unit.text), "equation": state.equation })
+                "unit": state.unit.map(|unit| unit.text), "equation": state.equation,
+                "stop": state.stop.map(|stop| stop.bound) })
     });
     let names = law
         .parameters

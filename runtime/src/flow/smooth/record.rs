@@ -1,0 +1,206 @@
+//! What a passage gathers on its way.
+
+use crate::field::{Field, Stops, Work};
+use crate::flow::extrema::extrema;
+use crate::flow::{
+    Calm, Derivatives, Extremum, Factor, FlowError, Passage, Place, Sample, Segment, Want, strobes,
+};
+use crate::integrate::explicit::Stepper;
+use crate::integrate::{Accepted, Carried, IntegrationError, Look, Motion, Radau};
+
+/// Points of a step that a drawing gets.
+const DRAWN: usize = 6;
+
+/// What a passage gathers on its way.
+pub(super) struct Record<const N: usize> {
+    pub(super) want: Want,
+    pub(super) phase: Option<usize>,
+    pub(super) time: f64,
+    /// When the explicit integrator set out.
+    pub(super) since: f64,
+    /// Steps of the implicit integrator.
+    pub(super) implicit: u64,
+    pub(super) motion: Motion<N>,
+    pub(super) stops: Stops<N>,
+    /// The most states that rested at once.
+    pub(super) lost: usize,
+    pub(super) extrema: Vec<Extremum<N>>,
+    pub(super) factors: Vec<Factor<N>>,
+    pub(super) path: Vec<Sample<N>>,
+    pub(super) calm: Calm<N, ()>,
+    pub(super) work: Work,
+}
+
+impl<const N: usize> Record<N> {
+    pub(super) fn new(state: [f64; N], want: Want, phase: Option<usize>) -> Self {
+        let path = if want.path {
+            vec![Sample { time: 0.0, state }]
+        } else {
+            Vec::new()
+        };
+        Self {
+            want,
+            phase,
+            time: 0.0,
+            since: 0.0,
+            implicit: 0,
+            motion: Motion::from(state),
+            stops: Stops::NONE,
+            lost: 0,
+            extrema: Vec::new(),
+            factors: Vec::new(),
+            path,
+            calm: Calm::at(Place { state, mode: () }),
+            work: Work::default(),
+        }
+    }
+
+    pub(super) fn explicit_step<F: Field<N>, V>(
+        &mut self,
+        field: &F,
+        step: &mut Stepper<'_, F, V, N>,
+    ) where
+        V: Carried<N>,
+    {
+        let (time, length) = (self.since + step.time(), step.length());
+        self.time = time + length;
+        self.stay(length);
+        if !(self.want.extrema || self.want.path) {
+            return;
+        }
+        let dense = step.dense();
+        if self.want.extrema {
+            let looks = [0.0, 0.25, 0.5, 0.75, 1.0].map(|theta| Look {
+                theta,
+                linear: field.linearise(&dense.state(theta)),
+                state: dense.state(theta),
+            });
+            extrema(
+                looks.into_iter(),
+                time,
+                length,
+                &mut self.extrema,
+                |theta| {
+                    let state = step.step_map(theta * length);
+                    Some((state, field.linearise(&state)))
+                },
+            );
+            let ends = (*step.from().state(), *step.end().state());
+            strobes(
+                self.phase,
+                (&ends.0, &ends.1),
+                (time, length),
+                &mut self.extrema,
+                |theta| Some(step.step_map(theta * length)),
+            );
+        }
+        self.draw(time, length, |theta| dense.state(theta));
+    }
+
+    pub(super) fn implicit_step<F: Field<N>, const S: usize>(
+        &mut self,
+        radau: &mut Radau<'_, F, N, S>,
+        step: &Accepted<N, S>,
+        offset: f64,
+    ) {
+        self.time = offset + radau.time();
+        self.motion.state = step.end;
+        self.stay(step.step);
+        if self.want.derivatives {
+            let propagator = radau.propagator();
+            self.motion = self.motion.through(&propagator);
+            if self.want.factors {
+                let growth = Some(radau.growth());
+                self.factors.push(Factor {
+                    state: propagator.state,
+                    growth,
+                });
+            }
+        }
+        if self.want.extrema {
+            let looks = radau.looks(step);
+            extrema(
+                looks,
+                offset + step.time,
+                step.step,
+                &mut self.extrema,
+                |theta| radau.probe(step, theta),
+            );
+            strobes(
+                self.phase,
+                (&step.start, &step.end),
+                (offset + step.time, step.step),
+                &mut self.extrema,
+                |theta| Some(radau.probe(step, theta)?.0),
+            );
+        }
+        self.draw(offset + step.time, step.step, |theta| {
+            let increment = step.collocation.at(theta);
+            std::array::from_fn(|j| step.start[j] + increment[j])
+        });
+    }
+
+    pub(super) fn stay(&mut self, length: f64) {
+        let place = Place {
+            state: self.motion.state,
+            mode: (),
+        };
+        self.calm.offer(self.time, length, place);
+    }
+
+    pub(super) fn draw(&mut self, time: f64, length: f64, at: impl Fn(f64) -> [f64; N]) {
+        if self.want.path {
+            self.path.extend((1..=DRAWN).map(|k| {
+                let theta = k as f64 / DRAWN as f64;
+                Sample {
+                    time: time + theta * length,
+                    state: at(theta),
+                }
+            }));
+        }
+    }
+
+    pub(super) fn passage(
+        self,
+        time: f64,
+        velocity: [f64; N],
+    ) -> Result<Passage<N, ()>, FlowError> {
+        let motion = self.motion;
+        let finite = motion
+            .state
+            .iter()
+            .chain(&velocity)
+            .all(|number| number.is_finite());
+        if !finite || (self.want.derivatives && !Carried::is_finite(&motion)) {
+            return Err(IntegrationError::NotFinite {
+                time,
+                state: motion.state.to_vec(),
+            }
+            .into());
+        }
+        let derivatives = self.want.derivatives.then_some(Derivatives {
+            state: motion.tangent,
+            design: motion.design,
+            time: velocity,
+            trace: motion.trace,
+            factors: self.factors,
+            lost: self.lost,
+        });
+        Ok(Passage {
+            end: Place {
+                state: motion.state,
+                mode: (),
+            },
+            derivatives,
+            extrema: self.extrema,
+            segments: vec![Segment {
+                mode: (),
+                duration: time,
+            }],
+            path: self.path,
+            calm: self.calm,
+            events: Vec::new(),
+            work: self.work,
+        })
+    }
+}

@@ -1,0 +1,16 @@
+//! A stop stays where the parameters put it.
+
+use stickslip::friction_law;
+
+friction_law! {
+    pub struct Spring {
+        state z: N;
+        param stiffness: N/m where stiffness > 0.0;
+        param level: N where level > 0.0;
+        der(z) = stiffness * w;
+        stop z at level + z;
+        force(w) = z;
+    }
+}
+
+fn main() {}
