@@ -6,6 +6,7 @@ use stickslip::flow::{Flow, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip_models::friction::{CoulombStatic, Stribeck};
+use stickslip_tests::random::Random;
 
 const RUNS: u64 = 500;
 const TOLERANCE: Tolerance = Tolerance {
@@ -67,19 +68,8 @@ stickslip::model! {
     }
 }
 
-struct Dice(u64);
-
-impl Dice {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        low + (high - low) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// Every sample lies between two events; its mode is that of its segment.
-fn audit<M: Model<4>>(model: &M, dice: &mut Dice) -> usize {
+fn audit<M: Model<4>>(model: &M, dice: &mut Random) -> usize {
     let flow = ExactFlow::new(model, None, TOLERANCE).unwrap();
     let system = ExactSystem::new(model, None);
     let on_belt = model.values().as_ref()[0];
@@ -164,7 +154,7 @@ fn judge<M: Model<4>>(
 
 #[test]
 fn friction_never_gives_energy_and_never_holds_too_much() {
-    let mut dice = Dice(0x9e37_79b9_7f4a_7c15);
+    let mut dice = Random::new(1);
     let mut events = 0;
     for run in 0..RUNS {
         let level1 = dice.between(0.1, 1.5);
