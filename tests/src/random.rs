@@ -1,21 +1,23 @@
 //! Random numbers that are the same on every machine and in every run.
 
-use fastrand::Rng;
-
-/// A sequence of random numbers.
+/// A sequence of random numbers: SplitMix64.
 #[derive(Debug, Clone)]
-pub struct Random(Rng);
+pub struct Random(u64);
 
 impl Random {
     /// The sequence of this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
-        Self(Rng::with_seed(seed))
+        Self(seed)
     }
 
     /// Uniform in [0, 1).
     pub fn unit(&mut self) -> f64 {
-        self.0.f64()
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Uniform between two numbers.
