@@ -9,6 +9,9 @@ use super::{Kind, Stability};
 /// Halvings of a step after which a change stays unexplained.
 const HALVINGS: u32 = 12;
 
+/// Where a step is divided; the second where the number of unstable multipliers is not certain at the first.
+const MIDDLES: [f64; 2] = [0.5, 0.4];
+
 /// Distance between two changes of the event word, in units of the accuracy, below which they are one.
 const SAME: f64 = 30.0;
 
@@ -196,15 +199,36 @@ impl<Q: Path> Hunt<'_, Q> {
     }
 
     fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
-        let share = 0.5 * (from.share + to.share);
-        match self.path.at(share) {
-            Ok(point) => {
-                let middle = Spot { share, point };
+        match self.middle(from, to) {
+            Ok(middle) => {
                 self.step(from, &middle, halvings);
                 self.step(&middle, to, halvings);
             }
             Err(error) => self.give_up(from, to, &error.to_string()),
         }
+    }
+
+    /// A point between two others at which the number of unstable multipliers is certain, if there is one: where it is not,
+    /// every change would pass as explained.
+    fn middle(
+        &mut self,
+        from: &Spot<Q::Point>,
+        to: &Spot<Q::Point>,
+    ) -> Result<Spot<Q::Point>, Q::Error> {
+        let certain =
+            |spot: &Spot<Q::Point>| spot.point.floquet().stability != Stability::Undecided;
+        let mut divided = |part: f64| {
+            let share = from.share + part * (to.share - from.share);
+            let point = self.path.at(share)?;
+            Ok(Spot { share, point })
+        };
+        let [first, second] = MIDDLES;
+        let middle = divided(first)?;
+        if certain(&middle) {
+            return Ok(middle);
+        }
+        let beside: Result<_, Q::Error> = divided(second);
+        Ok(beside.ok().filter(certain).unwrap_or(middle))
     }
 
     /// A step on which the word changes: up to the change, the change, and what lies beyond.
@@ -242,7 +266,9 @@ impl<Q: Path> Hunt<'_, Q> {
             (Kind::Flip, |p| flip(&p.floquet().multipliers)),
             (Kind::Torus, |p| torus(&p.floquet().multipliers)),
         ];
-        let changes = |test: TestFunction<Q::Point>| test(&from.point) * test(&to.point) < 0.0;
+        // A point may lie on the bifurcation itself: 0 has a sign like any number, so that one of the steps beside it sees it.
+        let below = |test: TestFunction<Q::Point>| [from, to].map(|spot| test(&spot.point) < 0.0);
+        let changes = |test| below(test)[0] != below(test)[1];
         let turns = changes(Q::Point::slope);
         let mut found = Vec::new();
         for (kind, test) in tests.into_iter().filter(|(_, test)| changes(*test)) {
@@ -321,3 +347,6 @@ fn accounts<P: Watched>(events: &[Located<P>], from: &P, to: &P) -> bool {
     }
     sums.contains(&change)
 }
+
+#[cfg(test)]
+mod tests;
