@@ -128,6 +128,18 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         rates
     }
 
+    /// f and its derivatives with the rows of the states that rest on their stops held.
+    fn held(&self, y: &[f64; N]) -> Linear<N> {
+        let mut linear = M::linearise(&self.values, &self.seeds, *y, &mut { self.sloped });
+        self.stops.hold(&mut linear.f);
+        self.stops.hold(&mut linear.design);
+        let rows = linear.jacobian.iter_mut().enumerate();
+        for (_, row) in rows.filter(|(i, _)| self.stops.rests(*i)) {
+            *row = [0.0; N];
+        }
+        linear
+    }
+
     /// The first contact that slides backwards beyond what a one-directional smoothing stands for,
     /// and its relative speed; `None` for sign-type smoothings.
     #[must_use]
@@ -182,18 +194,13 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         rates
     }
 
-    #[inline]
+    // Called, it costs a small model more than its formulas do.
+    #[inline(always)]
     fn linearise(&self, y: &[f64; N]) -> Linear<N> {
-        let mut linear = M::linearise(&self.values, &self.seeds, *y, &mut { self.sloped });
         if Self::STOPS {
-            self.stops.hold(&mut linear.f);
-            self.stops.hold(&mut linear.design);
-            let rows = linear.jacobian.iter_mut().enumerate();
-            for (_, row) in rows.filter(|(i, _)| self.stops.rests(*i)) {
-                *row = [0.0; N];
-            }
+            return self.held(y);
         }
-        linear
+        M::linearise(&self.values, &self.seeds, *y, &mut { self.sloped })
     }
 
     #[inline]
