@@ -2,6 +2,7 @@
 
 mod driven;
 mod flow;
+mod followed;
 mod layers;
 mod memory_laws;
 mod metamorphic;

@@ -1,7 +1,7 @@
 //! Laws with internal state: what the papers say of them, closed forms, and their derivatives.
 
 use stickslip::field::{Design, SmoothField};
-use stickslip::flow::{ExactFamily, Family, Flow, Passage, SmoothFamily, SmoothFlow, Want};
+use stickslip::flow::{ExactFamily, Family, Flow, SmoothFamily, Want};
 use stickslip::friction::{ContactRule, FrictionLaw};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
@@ -12,6 +12,8 @@ use stickslip_models::BristleOscillator;
 use stickslip_models::friction::{BoucWen, BoucWenPower, Coulomb, Dahl, ElastoPlastic, LuGre};
 use stickslip_tests::lanes::{linearised, tangents};
 use stickslip_tests::random::Random;
+
+use super::followed::{close, declared, followed};
 
 model! {
     /// A contact that swings, and what each law makes of it.
@@ -106,35 +108,6 @@ model! {
         der(v) = below - between - x;
         der(u) = between;
     }
-}
-
-fn followed<M: Model<N>, const N: usize>(
-    model: &M,
-    state: [f64; N],
-    time: f64,
-    accuracy: f64,
-) -> Passage<N, ()> {
-    let field = SmoothField::new(model, None, Design::None).expect("no friction to smooth");
-    let flow = SmoothFlow::new(field, Tolerance::for_accuracy(accuracy));
-    let want = Want {
-        path: true,
-        derivatives: true,
-        ..Want::default()
-    };
-    let from = flow.place(state).expect("a place");
-    flow.advance(&from, time, want).expect("a motion")
-}
-
-fn declared<M: Model<N>, const N: usize>() -> [f64; N] {
-    std::array::from_fn(|i| M::INFO.states[i].start)
-}
-
-#[track_caller]
-fn close(found: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!(
-        (found - expected).abs() <= tolerance,
-        "{what}: {found} instead of {expected}"
-    );
 }
 
 /// Turning points of the swing at ±1; between them z follows an exponential in q from where it turned.

@@ -6,9 +6,7 @@ use std::ops::ControlFlow;
 
 use stickslip::continuation::correct;
 use stickslip::field::{Design, SmoothField, Smoothing};
-use stickslip::flow::{
-    ExactFamily, Family, Flow, FlowError, Passage, SmoothFamily, SmoothFlow, Tape, Want,
-};
+use stickslip::flow::{ExactFamily, Family, Flow, FlowError, SmoothFamily, SmoothFlow, Tape, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::lyapunov::lyapunov;
 use stickslip::model;
@@ -17,6 +15,8 @@ use stickslip::shooting::{OrbitProblem, Phase, Search, closest};
 use stickslip::study::{Case, Dynamics, Entry, StudyError, entry};
 use stickslip_models::friction::{Coulomb, Jenkins};
 use stickslip_tests::range::range;
+
+use super::followed::{close, declared, designed, flow, followed};
 
 model! {
     /// A contact that is swung by x = A sin t.
@@ -158,50 +158,6 @@ model! {
         der(x) = v;
         der(v) = excitation * v - x + F;
     }
-}
-
-fn flow<M: Model<N>, const N: usize>(model: &M, design: Design, accuracy: f64) -> SmoothFlow<M, N> {
-    let field = SmoothField::new(model, None, design).expect("no friction to smooth");
-    SmoothFlow::new(field, Tolerance::for_accuracy(accuracy))
-}
-
-fn followed<M: Model<N>, const N: usize>(
-    model: &M,
-    state: [f64; N],
-    time: f64,
-    accuracy: f64,
-) -> Passage<N, ()> {
-    designed(model, Design::None, state, time, accuracy)
-}
-
-fn designed<M: Model<N>, const N: usize>(
-    model: &M,
-    design: Design,
-    state: [f64; N],
-    time: f64,
-    accuracy: f64,
-) -> Passage<N, ()> {
-    let flow = flow(model, design, accuracy);
-    let want = Want {
-        path: true,
-        derivatives: true,
-        extrema: true,
-        ..Want::default()
-    };
-    let from = flow.place(state).expect("a place");
-    flow.advance(&from, time, want).expect("a motion")
-}
-
-fn declared<M: Model<N>, const N: usize>() -> [f64; N] {
-    std::array::from_fn(|i| M::INFO.states[i].start)
-}
-
-#[track_caller]
-fn close(found: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!(
-        (found - expected).abs() <= tolerance,
-        "{what}: {found} instead of {expected}"
-    );
 }
 
 /// 4 F_c (A − F_c/k) in each cycle, and nothing while the spring holds.
