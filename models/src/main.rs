@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 
-use stickslip::study::app::App;
+use stickslip::app::App;
 use stickslip::study::entry;
 use stickslip_models::friction::{library, with_memory};
 use stickslip_models::reproduce::{extremes, reproduce, reproduce_atlas};

@@ -4,6 +4,8 @@
 
 extern crate self as stickslip;
 
+#[cfg(feature = "app")]
+pub mod app;
 pub mod bifurcation;
 pub mod continuation;
 pub mod curve;
@@ -20,6 +22,8 @@ pub mod math;
 pub mod memory;
 pub mod model;
 pub mod poincare;
+#[cfg(feature = "app")]
+pub mod report;
 pub mod scalar;
 pub mod shooting;
 pub mod study;
@@ -33,3 +37,12 @@ pub use num_dual::DualSVec64;
 pub use stickslip_macros::friction_law;
 #[doc = include_str!("../docs/model.md")]
 pub use stickslip_macros::model;
+
+/// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
+#[cfg(not(feature = "app"))]
+#[macro_export]
+macro_rules! app {
+    ($($models:tt)*) => {
+        compile_error!("`app!` needs the feature `app`: write `stickslip = { version = \"...\", features = [\"app\"] }`");
+    };
+}

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Modules from left to right. `app` and `study` stand on everything.
-const ORDER: [&str; 20] = [
+const ORDER: [&str; 21] = [
     "scalar",
     "math",
     "linear",
@@ -24,6 +24,7 @@ const ORDER: [&str; 20] = [
     "shooting",
     "curve",
     "study",
+    "report",
     "app",
 ];
 

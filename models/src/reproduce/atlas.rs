@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use stickslip::field::{Design, Kernel, Smoothing, Work};
 use stickslip::flow::Tape;
-use stickslip::study::report::{Column, Section, Table};
+use stickslip::report::{Column, Section, Table};
 use stickslip::study::{
     Along, Beginning, BranchRecord, Case, Dynamics, Entry, StudyError, Switch, entry,
 };

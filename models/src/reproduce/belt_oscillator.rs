@@ -6,8 +6,8 @@ mod law;
 mod tables;
 
 use stickslip::field::Kernel;
+use stickslip::report::{Axis, Curve, Figure, Marker, Panel, Section};
 use stickslip::shooting::Orbit;
-use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel, Section};
 
 use equilibrium::figure_8;
 use errors::{figure_7, figure_11};

@@ -1,7 +1,7 @@
 //! Thesis section 3.3: two coupled masses on one belt.
 
 use stickslip::field::Kernel;
-use stickslip::study::report::{Axis, Column, Curve, Figure, Panel, Section, Table};
+use stickslip::report::{Axis, Column, Curve, Figure, Panel, Section, Table};
 
 use super::ReproduceError;
 use super::follow::{Drawn, draw_stable, family};

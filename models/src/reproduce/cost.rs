@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use stickslip::field::Work;
-use stickslip::study::report::{Column, Section, Table};
+use stickslip::report::{Column, Section, Table};
 
 use super::follow::Followed;
 use super::words::{count, duration};

@@ -6,8 +6,8 @@ mod law;
 mod tables;
 
 use stickslip::field::Kernel;
+use stickslip::report::{Axis, Curve, Figure, Marker, Panel, Section};
 use stickslip::shooting::Orbit;
-use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel, Section};
 
 use equilibrium::figure_6;
 use errors::{figure_5, figure_9};

@@ -2,7 +2,7 @@
 
 use stickslip::field::{Field, Kernel};
 use stickslip::model::Model;
-use stickslip::study::report::Curve;
+use stickslip::report::Curve;
 
 use super::ReproduceError;
 use super::follow::field;

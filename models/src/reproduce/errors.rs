@@ -4,8 +4,8 @@ use stickslip::field::Kernel;
 use stickslip::flow::ExactFamily;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::report::{Axis, Column, Curve, Figure, Marker, Panel, Table};
 use stickslip::shooting::closest;
-use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Table};
 use stickslip::study::trade::{self, Fit, Scope, Trade};
 
 use super::follow::{FollowError, search};

@@ -7,7 +7,7 @@ mod ranges;
 
 use std::path::Path;
 
-use stickslip::study::report::{Report, ReportError, Written};
+use stickslip::report::{Report, ReportError, Written};
 use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError};
 
 pub(super) use page::section;

@@ -1,6 +1,6 @@
 //! What the page is about, for readers who have never seen the thesis.
 
-use stickslip::study::report::Section;
+use stickslip::report::Section;
 
 /// The first section.
 pub(super) fn section() -> Section {

@@ -19,8 +19,8 @@ use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use stickslip::report::{Edition, Report, ReportError, Written};
 use stickslip::study::StudyError;
-use stickslip::study::report::{Edition, Report, ReportError, Written};
 
 pub use follow::FollowError;
 

@@ -5,7 +5,7 @@ mod precision;
 mod predictions;
 
 use stickslip::field::Kernel;
-use stickslip::study::report::Section;
+use stickslip::report::Section;
 use stickslip::study::trade::{Scope, Trade};
 
 use super::ReproduceError;

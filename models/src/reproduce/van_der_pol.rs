@@ -1,7 +1,7 @@
 //! Thesis section 3.1: a limit cycle without friction.
 
+use stickslip::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 use stickslip::shooting::Orbit;
-use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 
 use super::ReproduceError;
 use super::cost::Cost;

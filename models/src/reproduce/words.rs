@@ -4,12 +4,12 @@ use stickslip::bifurcation::Stability;
 use stickslip::field::Work;
 use stickslip::shooting::Orbit;
 
-pub(super) use stickslip::study::report::numerals::{
+pub(super) use stickslip::report::numerals::{
     count, decimals, duration, power, scientific, significant,
 };
 
 use super::follow::End;
-use stickslip::study::report::numerals::short;
+use stickslip::report::numerals::short;
 
 /// Evaluations of the equations, with or without their derivatives.
 pub(super) const fn evaluations(work: &Work) -> u64 {

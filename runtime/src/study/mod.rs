@@ -3,8 +3,6 @@
 //! A [`Case`] says what is asked, an [`Entry`] is a model that answers, whatever its number of states; records are the
 //! answers, free of type parameters, for programs, tables and figures.
 
-#[cfg(feature = "app")]
-pub mod app;
 mod atlas;
 mod branch;
 mod case;
@@ -24,16 +22,12 @@ mod modes;
 mod orbit;
 mod parallel;
 pub mod predict;
-#[cfg(feature = "app")]
-pub mod report;
 mod section;
 mod seed;
 mod special;
 mod specimen;
 pub mod trade;
 mod trajectory;
-#[cfg(feature = "app")]
-mod whole;
 
 pub use branch::{BranchRecord, Ended};
 pub use case::{Along, Beginning, Case, Dynamics, Switch};
@@ -53,12 +47,3 @@ pub use section::{CrossingRecord, Span};
 pub use special::Special;
 pub use specimen::{Remembering, Shown, Specimen};
 pub use trajectory::Trajectory;
-
-/// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
-#[cfg(not(feature = "app"))]
-#[macro_export]
-macro_rules! app {
-    ($($models:tt)*) => {
-        compile_error!("`app!` needs the feature `app`: write `stickslip = { version = \"...\", features = [\"app\"] }`");
-    };
-}

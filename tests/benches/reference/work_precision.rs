@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use stickslip::model::Model;
-use stickslip::study::report::{Axis, Curve, Figure, Panel, Report, Section};
+use stickslip::report::{Axis, Curve, Figure, Panel, Report, Section};
 
 use crate::clock::best;
 use crate::contender::{library, methods};

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use stickslip::bifurcation::Stability;
-use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel};
+use stickslip::report::{Axis, Curve, Figure, Marker, Panel};
 use stickslip::study::{BranchRecord, OrbitRecord};
 
 use super::{Atlas, RANGE};

@@ -1,6 +1,6 @@
 //! The bifurcations that the thesis names, beside ours.
 
-use stickslip::study::report::{Column, Table};
+use stickslip::report::{Column, Table};
 use stickslip::study::{BranchRecord, Special};
 
 use super::super::words::decimals;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use stickslip::bifurcation::Stability;
-use stickslip::study::report::Page;
+use stickslip::report::Page;
 use stickslip::study::{
     Beginning, BranchRecord, Case, Dynamics, Entry, OrbitRecord, Special, Switch,
 };

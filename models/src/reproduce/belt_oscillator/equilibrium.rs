@@ -1,7 +1,7 @@
 //! Fig. 3.8: the equilibrium of the copy.
 
 use stickslip::field::Kernel;
-use stickslip::study::report::{Axis, Curve, Figure, Marker, Panel};
+use stickslip::report::{Axis, Curve, Figure, Marker, Panel};
 
 use super::super::ReproduceError;
 use super::super::equilibrium::{piece, sign_change, trace};

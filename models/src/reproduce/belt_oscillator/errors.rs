@@ -1,7 +1,7 @@
 //! Figs. 3.7 and 3.11: how far the copies are from the exact orbit.
 
 use stickslip::field::Kernel;
-use stickslip::study::report::{Figure, Table};
+use stickslip::report::{Figure, Table};
 
 use super::super::ReproduceError;
 use super::super::errors::{

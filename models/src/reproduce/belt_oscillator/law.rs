@@ -2,7 +2,7 @@
 
 use stickslip::field::{Field, Kernel};
 use stickslip::friction::FrictionLaw;
-use stickslip::study::report::{Axis, Curve, Figure, Panel};
+use stickslip::report::{Axis, Curve, Figure, Panel};
 
 use super::super::ReproduceError;
 use super::super::follow::field;

@@ -1,6 +1,6 @@
 //! Values of the belt oscillator.
 
-use stickslip::study::report::{Column, Table};
+use stickslip::report::{Column, Table};
 
 use super::super::ReproduceError;
 use super::super::follow::End;

@@ -1,7 +1,7 @@
 //! Fig. 4.3: the friction term and its smooth copies.
 
 use stickslip::field::{Field, Kernel};
-use stickslip::study::report::{Axis, Curve, Figure, Panel};
+use stickslip::report::{Axis, Curve, Figure, Panel};
 
 use super::super::ReproduceError;
 use super::super::follow::field;

@@ -1,6 +1,6 @@
 //! Values of the drill string.
 
-use stickslip::study::report::{Column, Table};
+use stickslip::report::{Column, Table};
 
 use super::super::ReproduceError;
 use super::super::words::{decimals, ending, power, stability};

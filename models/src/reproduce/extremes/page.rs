@@ -1,6 +1,6 @@
 //! The map as a section of the report: a picture for each system, and all cells in a table.
 
-use stickslip::study::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
 
 use super::super::words::{decimals, power};
 use super::ranges::System;

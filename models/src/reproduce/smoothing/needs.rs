@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use stickslip::study::report::{Column, Table};
+use stickslip::report::{Column, Table};
 use stickslip::study::trade::{Setting, Trade};
 
 use super::super::words::{count, duration, evaluations, scientific};

@@ -1,6 +1,6 @@
 //! Error against cost.
 
-use stickslip::study::report::{Axis, Curve, Figure, Panel};
+use stickslip::report::{Axis, Curve, Figure, Panel};
 use stickslip::study::trade::{Precision, Trade};
 
 use super::super::words::evaluations;

@@ -1,6 +1,6 @@
 //! Predicted beside measured errors.
 
-use stickslip::study::report::{Column, Table};
+use stickslip::report::{Column, Table};
 use stickslip::study::trade::{Point, Trade};
 
 use super::super::words::{decimals, exponent, power, scientific};

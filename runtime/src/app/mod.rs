@@ -1,0 +1,180 @@
+//! The program that `stickslip::app!` makes of declared models.
+
+mod arguments;
+mod branch;
+mod curve;
+mod diagram;
+mod equilibria;
+mod failure;
+mod interrupt;
+mod json;
+mod laws;
+mod models;
+mod options;
+mod orbit;
+mod output;
+mod passages;
+mod picture;
+mod progress;
+mod reproduce;
+mod resume;
+mod section;
+mod simulate;
+mod spreadsheet;
+mod text;
+mod trade;
+mod usage;
+mod words;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::ArgMatches;
+
+use crate::study::{Entry, Shown};
+use failure::Failure;
+pub use reproduce::Reproduction;
+
+/// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
+///
+/// The laws of their contacts can be drawn; so can others, given with typical values of their parameters:
+/// `stickslip::app!(ModelA, ModelB; laws Weakening { limit: 1.0, decay: 3.0 });`. A law with internal state also needs
+/// the amplitude and the speed of a swing: `laws Dahl { stiffness: 1e4, level: 1.0 } swinging 5e-4 at 1e-3`.
+#[macro_export]
+macro_rules! app {
+    (
+        $($model:ty),+ $(,)?
+        $(; laws $($law:ident { $($field:ident: $value:expr),* $(,)? }
+            $(swinging $amplitude:literal at $speed:literal)?),+ $(,)?)?
+    ) => {
+        fn main() -> ::std::process::ExitCode {
+            $crate::app::App::new(env!("CARGO_PKG_VERSION"))
+                $(.offer($crate::study::entry::<$model, _>()))+
+                $($(.laws([$crate::specimen!(
+                    $law { $($field: $value),* } $(swinging $amplitude at $speed)?
+                )]))+)?
+                .run()
+        }
+    };
+}
+
+/// A program that studies models from the command line.
+pub struct App {
+    version: &'static str,
+    entries: Vec<Box<dyn Entry>>,
+    laws: Vec<Shown>,
+    reproduction: Option<Reproduction>,
+    parts: Vec<(&'static str, Reproduction)>,
+}
+
+/// Bytes of stack; what is not used is never touched.
+const STACK: usize = 256 << 20;
+
+impl App {
+    /// A program of this version, still without models.
+    #[must_use]
+    pub fn new(version: &'static str) -> Self {
+        Self {
+            version,
+            entries: Vec::new(),
+            laws: Vec::new(),
+            reproduction: None,
+            parts: Vec::new(),
+        }
+    }
+
+    /// Offers one more model.
+    #[must_use]
+    pub fn offer(mut self, entry: Box<dyn Entry>) -> Self {
+        self.entries.push(entry);
+        self
+    }
+
+    /// Lists more friction laws.
+    #[must_use]
+    pub fn laws<L: Into<Shown>>(mut self, laws: impl IntoIterator<Item = L>) -> Self {
+        self.laws.extend(laws.into_iter().map(Into::into));
+        self
+    }
+
+    /// Adds the command `reproduce`, which is also what happens without a command.
+    #[must_use]
+    pub fn reproduce(mut self, reproduction: Reproduction) -> Self {
+        self.reproduction = Some(reproduction);
+        self
+    }
+
+    /// Lets `reproduce` make one part of all alone, by this name.
+    #[must_use]
+    pub fn reproduce_part(mut self, name: &'static str, reproduction: Reproduction) -> Self {
+        self.parts.push((name, reproduction));
+        self
+    }
+
+    /// Does what the arguments of the process say; 0 if all went well, 2 if they make no sense, 130 if a long command was
+    /// interrupted, 1 otherwise.
+    #[must_use]
+    pub fn run(self) -> ExitCode {
+        // A chain of a hundred masses carries matrices of 200 × 200 through each stage of a step.
+        let roomy = std::thread::Builder::new().stack_size(STACK);
+        std::thread::scope(|scope| {
+            let worker = roomy.spawn_scoped(scope, || self.finish());
+            worker.map_or_else(
+                |_| self.finish(),
+                |worker| worker.join().unwrap_or(ExitCode::FAILURE),
+            )
+        })
+    }
+
+    fn finish(&self) -> ExitCode {
+        match self.answer(std::env::args_os().collect()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => {
+                failure.report();
+                ExitCode::from(failure.code())
+            }
+        }
+    }
+
+    fn answer(&self, words: Vec<OsString>) -> Result<(), Failure> {
+        let command = arguments::command(self, words.first());
+        match command.clone().try_get_matches_from(&words) {
+            Ok(matches) => self.perform(&matches),
+            Err(error) => usage::explain(&error, &command, &words),
+        }
+    }
+
+    fn perform(&self, matches: &ArgMatches) -> Result<(), Failure> {
+        match matches.subcommand() {
+            Some(("models", options)) => models::perform(self, options),
+            Some(("laws", options)) => laws::perform(self, options),
+            Some(("simulate", options)) => simulate::perform(self, options),
+            Some(("orbit", options)) => orbit::perform(self, options),
+            Some(("branch", options)) => branch::perform(self, options),
+            Some(("trade", options)) => trade::perform(self, options),
+            Some(("diagram", options)) => diagram::perform(self, options),
+            Some(("equilibria", options)) => equilibria::perform(self, options),
+            Some(("reproduce", options)) => reproduce::perform(self, options),
+            _ => reproduce::perform(self, matches),
+        }
+    }
+
+    /// The model of this name on the command line.
+    fn entry(&self, name: &str) -> Result<&dyn Entry, Failure> {
+        let found = self
+            .entries
+            .iter()
+            .find(|entry| entry.info().command == name);
+        found.map(AsRef::as_ref).ok_or_else(|| {
+            let names = self.names();
+            Failure::usage(words::unknown("there is no model", name, &names))
+        })
+    }
+
+    fn names(&self) -> Vec<&'static str> {
+        self.entries
+            .iter()
+            .map(|entry| entry.info().command)
+            .collect()
+    }
+}
