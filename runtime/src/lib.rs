@@ -21,6 +21,7 @@ pub mod lyapunov;
 pub mod math;
 pub mod memory;
 pub mod model;
+pub mod motion;
 pub mod poincare;
 #[cfg(feature = "app")]
 pub mod report;

@@ -1,14 +1,14 @@
 //! Parameters by name.
 
 use stickslip::field::Design;
-use stickslip::study::{Along, Entry};
+use stickslip::study::{Along, System};
 
 /// Place of the parameter of this name.
 ///
 /// # Panics
 /// The model has none.
 #[must_use]
-pub fn place(model: &dyn Entry, name: &str) -> usize {
+pub fn place(model: &System, name: &str) -> usize {
     let mut parameters = model.info().parameters.iter();
     parameters
         .position(|parameter| parameter.name == name)
@@ -20,7 +20,7 @@ pub fn place(model: &dyn Entry, name: &str) -> usize {
 /// # Panics
 /// The model has none.
 #[must_use]
-pub fn range(model: &dyn Entry, name: &str, from: f64, to: f64) -> Along {
+pub fn range(model: &System, name: &str, from: f64, to: f64) -> Along {
     let design = Design::Parameter(place(model, name));
     Along { design, from, to }
 }

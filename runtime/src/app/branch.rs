@@ -44,7 +44,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     let progress = Progress::along(&output);
     let mut rows = Rows::new(&output, info, &case);
     let mut watch = |point: &OrbitRecord| rows.add(point, &progress);
-    let branch = passages.through(|tape| entry.branch(&case, tape, &mut watch));
+    let branch = passages.recorded(entry).branch(&case, &mut watch);
     let branch = branch.map_err(|error| Failure::of(&error, info))?;
     drop(progress);
     deliver(&output, info, &case, &branch)?;

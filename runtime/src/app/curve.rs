@@ -70,7 +70,8 @@ pub(super) fn perform(
             progress.reach(scope.and.share(point.q), message)
         }
     };
-    let curve = passages.through(|tape| entry.curve(&case, &scope, tape, &mut watch));
+    let system = passages.recorded(entry);
+    let curve = system.curve(&case, &scope, &mut watch);
     let curve = match curve {
         Ok(curve) => curve,
         Err(StudyError::Interrupted(branch)) => {

@@ -17,7 +17,7 @@ use super::output::Output;
 use super::words::{assignment, number as parsed, positive, unknown};
 use crate::field::Smoothing;
 use crate::friction::LawInfo;
-use crate::study::{Case, Characteristic, Dynamics, Entry, Shown, Specimen};
+use crate::study::{Case, Characteristic, Dynamics, Shown, Specimen, System};
 use curve::Curve;
 use exhibit::Exhibit;
 use swing::swing;
@@ -157,7 +157,7 @@ fn deliver(
 
 enum Found<'a> {
     Law(&'a Shown),
-    Model(&'a dyn Entry),
+    Model(&'a System),
 }
 
 /// The name of a law as a type.
@@ -236,7 +236,7 @@ fn at_values<L: ?Sized>(
 }
 
 /// The laws of a model's contacts, at its parameters and its start.
-fn acting(entry: &dyn Entry, options: &ArgMatches, wish: &Wish) -> Result<Vec<Exhibit>, Failure> {
+fn acting(entry: &System, options: &ArgMatches, wish: &Wish) -> Result<Vec<Exhibit>, Failure> {
     let info = entry.info();
     if info.contacts.is_empty() {
         return Err(Failure::usage(format!(

@@ -31,7 +31,7 @@ use std::process::ExitCode;
 
 use clap::ArgMatches;
 
-use crate::study::{Entry, Shown};
+use crate::study::{Shown, System};
 use failure::Failure;
 pub use reproduce::Reproduction;
 
@@ -49,7 +49,7 @@ macro_rules! app {
     ) => {
         fn main() -> ::std::process::ExitCode {
             $crate::app::App::new(env!("CARGO_PKG_VERSION"))
-                $(.offer($crate::study::entry::<$model, _>()))+
+                $(.offer($crate::study::System::of::<$model, _>()))+
                 $($(.laws([$crate::specimen!(
                     $law { $($field: $value),* } $(swinging $amplitude at $speed)?
                 )]))+)?
@@ -61,7 +61,7 @@ macro_rules! app {
 /// A program that studies models from the command line.
 pub struct App {
     version: &'static str,
-    entries: Vec<Box<dyn Entry>>,
+    entries: Vec<System>,
     laws: Vec<Shown>,
     reproduction: Option<Reproduction>,
     parts: Vec<(&'static str, Reproduction)>,
@@ -85,7 +85,7 @@ impl App {
 
     /// Offers one more model.
     #[must_use]
-    pub fn offer(mut self, entry: Box<dyn Entry>) -> Self {
+    pub fn offer(mut self, entry: System) -> Self {
         self.entries.push(entry);
         self
     }
@@ -160,12 +160,12 @@ impl App {
     }
 
     /// The model of this name on the command line.
-    fn entry(&self, name: &str) -> Result<&dyn Entry, Failure> {
+    fn entry(&self, name: &str) -> Result<&System, Failure> {
         let found = self
             .entries
             .iter()
             .find(|entry| entry.info().command == name);
-        found.map(AsRef::as_ref).ok_or_else(|| {
+        found.ok_or_else(|| {
             let names = self.names();
             Failure::usage(words::unknown("there is no model", name, &names))
         })

@@ -8,11 +8,11 @@ use super::output::Output;
 use super::words::{assignment, number, positive, unknown};
 use crate::field::{Design, Smoothing};
 use crate::model::ModelInfo;
-use crate::study::{Along, Case, Dynamics, Entry};
+use crate::study::{Along, Case, Dynamics, System};
 
 /// What is asked of which model, and where the answer goes.
 pub(super) struct Request<'a> {
-    pub(super) entry: &'a dyn Entry,
+    pub(super) entry: &'a System,
     pub(super) case: Case,
     pub(super) output: Output,
 }

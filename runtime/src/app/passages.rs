@@ -1,6 +1,6 @@
 //! `--resume` of what is followed: the passages of its computation, noted as they end, and read when it is gone through again.
 
-use std::cell::RefCell;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
@@ -10,12 +10,13 @@ use super::failure::Failure;
 use super::interrupt;
 use super::output::Output;
 use super::resume::{Notes, Question};
-use crate::flow::Tape;
+use crate::motion::Tape;
+use crate::study::System;
 
 /// The passages of a command.
 pub(super) struct Passages {
     known: Vec<Vec<u8>>,
-    notes: RefCell<Notes>,
+    notes: Arc<Mutex<Notes>>,
 }
 
 impl Passages {
@@ -38,27 +39,31 @@ impl Passages {
         let notes = Notes::open(output, options, name, question, &mut recall)?;
         Ok(Self {
             known,
-            notes: RefCell::new(notes),
+            notes: Arc::new(Mutex::new(notes)),
         })
     }
 
-    /// Computes with a tape of what is known, and notes what is not.
-    pub(super) fn through<R>(&mut self, compute: impl FnOnce(&Tape<'_>) -> R) -> R {
-        let note = |record: &[u8]| {
+    /// The same system, going through what is known and noting what is not.
+    pub(super) fn recorded(&mut self, system: &System) -> System {
+        let notes = self.notes.clone();
+        if !locked(&notes).are_kept() {
+            return system.clone();
+        }
+        let note = move |record: &[u8]| {
             // What is computed to come to an end is not what will be computed to go on.
             if !interrupt::asked() {
-                self.notes.borrow_mut().add(|| Some(BASE64.encode(record)));
+                locked(&notes).add(|| Some(BASE64.encode(record)));
             }
         };
-        if self.notes.borrow().are_kept() {
-            compute(&Tape::new(std::mem::take(&mut self.known), &note))
-        } else {
-            compute(&Tape::blank())
-        }
+        system.recorded(Tape::new(std::mem::take(&mut self.known), Box::new(note)))
     }
 
     /// The command is done: they are needed no more.
     pub(super) fn discard(self) {
-        self.notes.into_inner().discard();
+        locked(&self.notes).discard();
     }
+}
+
+fn locked(notes: &Mutex<Notes>) -> MutexGuard<'_, Notes> {
+    notes.lock().unwrap_or_else(PoisonError::into_inner)
 }

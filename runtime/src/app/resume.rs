@@ -158,8 +158,8 @@ impl Notes {
     }
 
     /// The command is done: they are needed no more.
-    pub(super) fn discard(self) {
-        if let Some(path) = self.path {
+    pub(super) fn discard(&self) {
+        if let Some(path) = &self.path {
             let _ = std::fs::remove_file(path);
         }
     }

@@ -7,8 +7,8 @@ use super::options::text;
 use super::text::{label, number, table, time_unit};
 use super::words::{assignment, number as numeral, unknown};
 use crate::model::ModelInfo;
+use crate::poincare::Crossing;
 use crate::poincare::{Direction, Section, Surface};
-use crate::study::CrossingRecord;
 
 /// Digits shown of a point.
 const DIGITS: usize = 9;
@@ -70,7 +70,7 @@ fn direction(word: &str) -> Result<Direction, Failure> {
 }
 
 /// The points as a table, under a line that says where they lie.
-pub(super) fn describe(info: &ModelInfo, section: &Section, points: &[CrossingRecord]) -> String {
+pub(super) fn describe(info: &ModelInfo, section: &Section, points: &[Crossing]) -> String {
     let count = match points.len() {
         1 => "1 point".to_owned(),
         count => format!("{count} points"),

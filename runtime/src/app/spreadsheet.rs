@@ -3,7 +3,8 @@
 use super::failure::Failure;
 use super::text::{label, timed};
 use crate::model::ModelInfo;
-use crate::study::{CrossingRecord, EquilibriumRecord, OrbitRecord, Trajectory};
+use crate::poincare::Crossing;
+use crate::study::{EquilibriumRecord, OrbitRecord, Trajectory};
 
 /// A table of words and numbers with a head.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -67,13 +68,13 @@ impl Spreadsheet {
     }
 
     /// Points on a section, one row for each.
-    pub(super) fn crossings(info: &ModelInfo, points: &[CrossingRecord]) -> Self {
+    pub(super) fn crossings(info: &ModelInfo, points: &[Crossing]) -> Self {
         let states = info.states.iter();
         let names = states.map(|state| label(state.name, state.unit));
         let head = std::iter::once(timed(info, "t", "s"))
             .chain(names)
             .chain(["direction".to_owned()]);
-        let row = |point: &CrossingRecord| {
+        let row = |point: &Crossing| {
             let values = std::iter::once(&point.time).chain(&point.state);
             let direction = if point.rising { "up" } else { "down" };
             values.map(full).chain([direction.to_owned()]).collect()

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::flow::Factor;
+use crate::motion::Factor;
 
 /// Sweeps of the cyclic QR; two already separate what is separable.
 const SWEEPS: usize = 4;
@@ -13,13 +13,14 @@ const DAMPED: f64 = 3.0;
 ///
 /// Where an implicit step damps a direction strongly, its own factor says little: an L-stable method
 /// damps like a power where the motion damps exponentially. There (qᵀ ∫J dt q) of the direction q is used.
-pub(super) fn exponents<const N: usize>(factors: &[Factor<N>]) -> Vec<f64> {
-    let mut basis = DMatrix::<f64>::identity(N, N);
-    let mut sums = vec![0.0; N];
+pub(super) fn exponents(factors: &[Factor]) -> Vec<f64> {
+    let order = factors.first().map_or(0, |factor| factor.state.nrows());
+    let mut basis = DMatrix::<f64>::identity(order, order);
+    let mut sums = vec![0.0; order];
     for _ in 0..SWEEPS {
         sums.fill(0.0);
         for factor in factors {
-            let qr = (matrix(&factor.state) * &basis).qr();
+            let qr = (&factor.state * &basis).qr();
             basis = qr.q();
             let r = qr.r();
             for (i, sum) in sums.iter_mut().enumerate() {
@@ -32,21 +33,17 @@ pub(super) fn exponents<const N: usize>(factors: &[Factor<N>]) -> Vec<f64> {
 }
 
 /// ln of what direction i of the basis is stretched by.
-fn rate<const N: usize>(factor: &Factor<N>, basis: &DMatrix<f64>, i: usize, measured: f64) -> f64 {
+fn rate(factor: &Factor, basis: &DMatrix<f64>, i: usize, measured: f64) -> f64 {
     let Some(growth) = &factor.growth else {
         return measured;
     };
     let q = basis.column(i);
-    let integral = (q.transpose() * matrix(growth) * q)[(0, 0)];
+    let integral = (q.transpose() * growth * q)[(0, 0)];
     if integral < -DAMPED {
         integral
     } else {
         measured
     }
-}
-
-fn matrix<const N: usize>(rows: &[[f64; N]; N]) -> DMatrix<f64> {
-    DMatrix::from_fn(N, N, |i, j| rows[i][j])
 }
 
 #[cfg(test)]
@@ -60,14 +57,11 @@ mod tests {
         let moduli = [0.01_f64.exp(), (-0.5_f64).exp(), (-3.0_f64).exp()];
         let diagonal = DMatrix::from_diagonal(&nalgebra::DVector::from_vec(moduli.to_vec()));
         let product = &skew * diagonal * skew.clone().try_inverse().unwrap();
-        let state: [[f64; 3]; 3] =
-            std::array::from_fn(|i| std::array::from_fn(|j| product[(i, j)]));
-        let logs = exponents(
-            &[Factor {
-                state,
-                growth: None,
-            }; 200],
-        );
+        let factor = Factor {
+            state: product,
+            growth: None,
+        };
+        let logs = exponents(&vec![factor; 200]);
         for (log, expected) in logs.iter().zip([2.0, -100.0, -600.0]) {
             assert!((log - expected).abs() < 1e-9, "{logs:?}");
         }

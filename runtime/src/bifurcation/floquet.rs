@@ -3,8 +3,8 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exponents::exponents;
-use crate::flow::Factor;
 use crate::linear::eigenvalues;
+use crate::motion::Factor;
 
 /// Moduli below this share of the largest entry of the section map are not resolved by it.
 const RESOLVED: f64 = 1e-9;
@@ -52,18 +52,16 @@ pub struct Floquet {
 /// because contacts stick, and the relative accuracy of Φ. `factors` of Φ, where given, tell apart what
 /// underflows in their product.
 #[must_use]
-pub fn floquet<const N: usize>(
-    monodromy: &[[f64; N]; N],
-    velocity: &[f64; N],
+pub fn floquet(
+    monodromy: &DMatrix<f64>,
+    velocity: &DVector<f64>,
     trace: Option<f64>,
     zeros: usize,
-    factors: &[Factor<N>],
+    factors: &[Factor],
     accuracy: f64,
 ) -> Floquet {
-    let phi = DMatrix::from_fn(N, N, |i, j| monodromy[i][j]);
-    let f = DVector::from_column_slice(velocity);
-    let trivial_error = (&phi * &f - &f).norm() / f.norm();
-    let section = section_map(&phi, &f);
+    let trivial_error = (monodromy * velocity - velocity).norm() / velocity.norm();
+    let section = section_map(monodromy, velocity);
     let size = section.amax();
     let mut found = eigenvalues(&section);
     found.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
@@ -105,11 +103,11 @@ fn section_map(phi: &DMatrix<f64>, f: &DVector<f64>) -> DMatrix<f64> {
 
 /// Liouville: the logarithms of all moduli add up to ∫ tr J. What the product of Φ cannot resolve
 /// is told apart by the factors, and their sum made to agree.
-fn supplement<const N: usize>(
+fn supplement(
     found: &mut [Complex<f64>],
     logs: &mut [Option<f64>],
     trace: f64,
-    factors: &[Factor<N>],
+    factors: &[Factor],
 ) {
     if found.len() == 1 {
         // One multiplier besides the trivial one: Liouville is exact and never worse.
@@ -175,9 +173,8 @@ mod tests {
             DMatrix::from_row_slice(3, 3, &[1.0, 0.3, -0.2, 0.5, 1.0, 0.1, -1.0, 0.4, 2.0]);
         let diagonal = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, -0.5, 2.0]));
         let phi = &change * diagonal * change.clone().try_inverse().unwrap();
-        let monodromy = std::array::from_fn(|i| std::array::from_fn(|j| phi[(i, j)]));
-        let velocity = std::array::from_fn(|i| change[(i, 0)]);
-        let verdict = floquet::<3>(&monodromy, &velocity, None, 0, &[], 1e-12);
+        let velocity = change.column(0).into_owned();
+        let verdict = floquet(&phi, &velocity, None, 0, &[], 1e-12);
         assert!((verdict.multipliers[0].re - 2.0).abs() < 1e-13);
         assert!((verdict.multipliers[1].re + 0.5).abs() < 1e-13);
         assert!(verdict.trivial_error < 1e-14);
@@ -189,9 +186,9 @@ mod tests {
 
     #[test]
     fn what_underflows_is_known_by_its_logarithm() {
-        let verdict = floquet::<2>(
-            &[[1.0, 3.0], [0.0, 0.0]],
-            &[1.0, 0.0],
+        let verdict = floquet(
+            &DMatrix::from_row_slice(2, 2, &[1.0, 3.0, 0.0, 0.0]),
+            &DVector::from_vec(vec![1.0, 0.0]),
             Some(-29_000.0),
             0,
             &[],
@@ -204,9 +201,9 @@ mod tests {
 
     #[test]
     fn too_close_to_the_circle_is_undecided() {
-        let verdict = floquet::<2>(
-            &[[1.0, 0.0], [0.0, 1.0 + 1e-9]],
-            &[1.0, 0.0],
+        let verdict = floquet(
+            &DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0 + 1e-9]),
+            &DVector::from_vec(vec![1.0, 0.0]),
             None,
             0,
             &[],

@@ -67,11 +67,7 @@ impl Codimension {
     }
 
     /// A function that changes sign there along a curve of this kind; `None` if there is no such point on one.
-    pub(super) fn test<const N: usize, Mode>(
-        self,
-        kind: Kind,
-        point: &CurvePoint<N, Mode>,
-    ) -> Option<f64> {
+    pub(super) fn test(self, kind: Kind, point: &CurvePoint) -> Option<f64> {
         let multipliers = &point.floquet().multipliers;
         match (kind, self) {
             (Kind::Fold, Self::Cusp) => Some(point.tangent[1]),

@@ -33,11 +33,11 @@ impl Condition {
 
     /// The condition for an orbit with this Φ and velocity at its start, states in units of `magnitude`.
     #[must_use]
-    pub fn value<const N: usize>(
+    pub fn value(
         &self,
-        monodromy: &[[f64; N]; N],
-        velocity: &[f64; N],
-        magnitude: &[f64; N],
+        monodromy: &DMatrix<f64>,
+        velocity: &DVector<f64>,
+        magnitude: &[f64],
     ) -> f64 {
         match (&self.border, self.kind) {
             (Some([b, c]), Kind::Fold | Kind::Flip) => {
@@ -51,12 +51,7 @@ impl Condition {
     }
 
     /// Takes the null vectors of A at an orbit as the new border.
-    pub fn align<const N: usize>(
-        &mut self,
-        monodromy: &[[f64; N]; N],
-        velocity: &[f64; N],
-        magnitude: &[f64; N],
-    ) {
+    pub fn align(&mut self, monodromy: &DMatrix<f64>, velocity: &DVector<f64>, magnitude: &[f64]) {
         if self.kind == Kind::Torus {
             return;
         }
@@ -77,20 +72,21 @@ impl Condition {
     }
 
     /// A, in units of the magnitudes.
-    fn matrix<const N: usize>(
+    fn matrix(
         &self,
-        monodromy: &[[f64; N]; N],
-        velocity: &[f64; N],
-        magnitude: &[f64; N],
+        monodromy: &DMatrix<f64>,
+        velocity: &DVector<f64>,
+        magnitude: &[f64],
     ) -> DMatrix<f64> {
-        let scaled = |i: usize, j: usize| monodromy[i][j] * magnitude[j] / magnitude[i];
-        let phi = DMatrix::from_fn(N, N, scaled);
+        let n = magnitude.len();
+        let scaled = |i: usize, j: usize| monodromy[(i, j)] * magnitude[j] / magnitude[i];
+        let phi = DMatrix::from_fn(n, n, scaled);
         if self.kind == Kind::Flip {
-            return phi + DMatrix::identity(N, N);
+            return phi + DMatrix::identity(n, n);
         }
-        let f = DVector::from_fn(N, |i, _| velocity[i] / magnitude[i]);
+        let f = DVector::from_fn(n, |i, _| velocity[i] / magnitude[i]);
         let square = f.norm_squared();
-        phi - DMatrix::identity(N, N) + &f * f.transpose() / square
+        phi - DMatrix::identity(n, n) + &f * f.transpose() / square
     }
 
     /// How far the multipliers are from what the condition says, were it met.
@@ -137,22 +133,25 @@ fn bordered(matrix: &DMatrix<f64>, b: &DVector<f64>, c: &DVector<f64>) -> f64 {
 mod tests {
     use super::*;
 
-    /// f = e₁ with multiplier 1, beside it ν.
+    /// Multipliers 1, ν and 0.2.
+    fn phi(nu: f64) -> DMatrix<f64> {
+        DMatrix::from_row_slice(3, 3, &[1.0, 0.3, 0.1, 0.0, nu, 0.7, 0.0, 0.0, 0.2])
+    }
+
+    /// e₁.
+    fn velocity() -> DVector<f64> {
+        DVector::from_vec(vec![1.0, 0.0, 0.0])
+    }
+
     fn value(condition: &Condition, nu: f64) -> f64 {
-        let phi = [[1.0, 0.3, 0.1], [0.0, nu, 0.7], [0.0, 0.0, 0.2]];
-        condition.value(&phi, &[1.0, 0.0, 0.0], &[1.0, 2.0, 0.5])
+        condition.value(&phi(nu), &velocity(), &[1.0, 2.0, 0.5])
     }
 
     #[test]
     fn it_passes_through_zero_with_a_slope() {
         for (kind, critical) in [(Kind::Fold, 1.0), (Kind::Flip, -1.0)] {
             let mut condition = Condition::of(kind).unwrap();
-            let phi = [
-                [1.0, 0.3, 0.1],
-                [0.0, critical + 0.01, 0.7],
-                [0.0, 0.0, 0.2],
-            ];
-            condition.align(&phi, &[1.0, 0.0, 0.0], &[1.0, 2.0, 0.5]);
+            condition.align(&phi(critical + 0.01), &velocity(), &[1.0, 2.0, 0.5]);
             assert!(value(&condition, critical).abs() < 1e-14);
             let slope =
                 (value(&condition, critical + 1e-4) - value(&condition, critical - 1e-4)) / 2e-4;

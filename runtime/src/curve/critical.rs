@@ -1,15 +1,15 @@
 //! The zero problem of an orbit with a multiplier on the unit circle.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::condition::Condition;
 use super::plane::Plane;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
-use crate::flow::{Flow, FlowError, Place, Steered, Want};
+use crate::field::exact::Mode;
+use crate::flow::{FlowError, Want};
+use crate::motion::Place;
 use crate::shooting::{OrbitProblem, Shot};
-
-type Mode<F, const N: usize> = <<F as crate::flow::Family<N>>::Flow as Flow<N>>::Mode;
 
 /// Step of the differences that give the slopes of the condition, relative to the scales: Φ itself is
 /// exact for the steps of the integrator, but not smooth below its tolerance.
@@ -17,10 +17,10 @@ const DIFFERENCE: f64 = 2e-6;
 
 /// Unknowns are those of the orbit and p; q is the design variable. The last equation is the condition.
 #[derive(Debug, Clone)]
-pub struct CriticalProblem<F: Steered<N>, const N: usize> {
+pub struct CriticalProblem {
     /// The flows.
-    pub plane: Plane<F>,
-    orbit: OrbitProblem<F, N>,
+    pub plane: Plane,
+    orbit: OrbitProblem,
     condition: Condition,
     /// Usual magnitudes of p and q.
     scales: [f64; 2],
@@ -29,21 +29,16 @@ pub struct CriticalProblem<F: Steered<N>, const N: usize> {
 
 /// One evaluation: the motion once around, and the condition.
 #[derive(Debug, Clone)]
-pub struct CriticalShot<const N: usize, Mode> {
+pub struct CriticalShot {
     /// The motion.
-    pub shot: Shot<N, Mode>,
+    pub shot: Shot,
     /// The condition.
     pub test: f64,
 }
 
-impl<F: Steered<N>, const N: usize> CriticalProblem<F, N> {
+impl CriticalProblem {
     /// The problem near an orbit that nearly meets the condition.
-    pub fn new(
-        plane: Plane<F>,
-        orbit: OrbitProblem<F, N>,
-        condition: Condition,
-        scales: [f64; 2],
-    ) -> Self {
+    pub fn new(plane: Plane, orbit: OrbitProblem, condition: Condition, scales: [f64; 2]) -> Self {
         Self {
             plane,
             orbit,
@@ -79,28 +74,29 @@ impl<F: Steered<N>, const N: usize> CriticalProblem<F, N> {
         work
     }
 
-    fn align_with(&mut self, shot: &Shot<N, Mode<F, N>>) {
+    fn align_with(&mut self, shot: &Shot) {
         let (phi, _) = shot.monodromy();
         self.condition
             .align(&phi, &shot.velocity.f, &self.orbit.magnitude);
     }
 
     /// The condition at unknowns, without the derivatives of the orbit's equations.
-    fn test(&mut self, z: &DVector<f64>, q: f64, mode: Mode<F, N>) -> Result<f64, FlowError> {
-        let flow = self.plane.at(z[N + 1], q)?;
+    fn test(&mut self, z: &DVector<f64>, q: f64, modes: &[Mode]) -> Result<f64, FlowError> {
+        let n = z.len() - 2;
+        let flow = self.plane.at(z[n + 1], q)?;
         let place = Place {
-            state: std::array::from_fn(|j| z[j]),
-            mode,
+            state: z.as_slice()[..n].to_vec(),
+            modes: modes.to_vec(),
         };
         let want = Want {
             derivatives: true,
             ..Want::default()
         };
-        let passage = flow.advance(&place, z[N], want)?;
+        let passage = flow.advance(&place, z[n], want)?;
         self.work += passage.work;
         let velocity = flow.velocity(&place)?.f;
-        let identity = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
-        let phi = passage.derivatives.map_or(identity, |d| d.state);
+        let identity = || DMatrix::identity(n, n);
+        let phi = passage.derivatives.map_or_else(identity, |d| d.state);
         Ok(self.condition.value(&phi, &velocity, &self.orbit.magnitude))
     }
 
@@ -109,7 +105,7 @@ impl<F: Steered<N>, const N: usize> CriticalProblem<F, N> {
         &mut self,
         z: &DVector<f64>,
         q: f64,
-        mode: Mode<F, N>,
+        modes: &[Mode],
     ) -> Result<(DVector<f64>, f64), FlowError> {
         let scale = self.scale();
         let mut gradient = DVector::zeros(z.len());
@@ -118,12 +114,12 @@ impl<F: Steered<N>, const N: usize> CriticalProblem<F, N> {
             let (mut low, mut high) = (z.clone(), z.clone());
             low[i] -= step;
             high[i] += step;
-            let rise = self.test(&high, q, mode)? - self.test(&low, q, mode)?;
+            let rise = self.test(&high, q, modes)? - self.test(&low, q, modes)?;
             gradient[i] = rise / (high[i] - low[i]);
         }
         let step = DIFFERENCE * self.scales[1];
         let (low, high) = (q - step, q + step);
-        let rise = self.test(z, high, mode)? - self.test(z, low, mode)?;
+        let rise = self.test(z, high, modes)? - self.test(z, low, modes)?;
         Ok((gradient, rise / (high - low)))
     }
 }
@@ -139,9 +135,9 @@ pub(super) fn joined(orbit: &DVector<f64>, p: f64) -> DVector<f64> {
     orbit.push(p)
 }
 
-impl<F: Steered<N>, const N: usize> ZeroProblem for CriticalProblem<F, N> {
+impl ZeroProblem for CriticalProblem {
     type Error = FlowError;
-    type Extra = CriticalShot<N, Mode<F, N>>;
+    type Extra = CriticalShot;
 
     fn evaluate(
         &mut self,
@@ -154,12 +150,11 @@ impl<F: Steered<N>, const N: usize> ZeroProblem for CriticalProblem<F, N> {
         self.orbit.family = self.plane.along_p(q);
         let closing = self.orbit.evaluate(&orbit, p)?;
         let shot = closing.extra;
-        let mode = shot.start.mode;
         let (phi, _) = shot.monodromy();
         let test = self
             .condition
             .value(&phi, &shot.velocity.f, &self.orbit.magnitude);
-        let (gradient, design) = self.slopes(z, q, mode)?;
+        let (gradient, design) = self.slopes(z, q, &shot.start.modes)?;
         let n = z.len();
         let mut jacobian = closing.jacobian.resize(n, n, 0.0);
         jacobian
@@ -200,7 +195,7 @@ impl<F: Steered<N>, const N: usize> ZeroProblem for CriticalProblem<F, N> {
     /// Where along the orbit it starts means nothing; the period, p and q do.
     fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
         let mut lasting = tangent.clone();
-        lasting.rows_mut(0, N).fill(0.0);
+        lasting.rows_mut(0, tangent.len() - 3).fill(0.0);
         lasting
     }
 }

@@ -10,11 +10,8 @@ use super::point::CurvePoint;
 use crate::bifurcation::Kind;
 use crate::continuation::{Branch, Ending, Failure, Link, Point, Settings, root};
 use crate::field::Work;
-use crate::flow::{Flow, FlowError, Steered};
+use crate::flow::FlowError;
 use crate::shooting::{Guess, Orbit, Solution, problem};
-
-type Mode<F, const N: usize> = <<F as crate::flow::Family<N>>::Flow as Flow<N>>::Mode;
-type Spot<F, const N: usize> = CurvePoint<N, Mode<F, N>>;
 
 /// A multiplier this far off has left the condition.
 const LOST: f64 = 1e-3;
@@ -23,13 +20,13 @@ const CUSP: f64 = 0.1;
 
 /// A curve that has been followed.
 #[derive(Debug, Clone)]
-pub struct Curve<const N: usize, Mode> {
+pub struct Curve {
     /// Which bifurcation it is one of.
     pub kind: Kind,
     /// Its points in the order in which they were found.
-    pub points: Vec<CurvePoint<N, Mode>>,
+    pub points: Vec<CurvePoint>,
     /// Points of codimension two, in the same order.
-    pub special: Vec<Found<N, Mode>>,
+    pub special: Vec<Found>,
     /// Why it ended.
     pub end: End,
     /// What it cost.
@@ -38,11 +35,11 @@ pub struct Curve<const N: usize, Mode> {
 
 /// A point of codimension two.
 #[derive(Debug, Clone)]
-pub struct Found<const N: usize, Mode> {
+pub struct Found {
     /// Which.
     pub codimension: Codimension,
     /// Where.
-    pub point: CurvePoint<N, Mode>,
+    pub point: CurvePoint,
 }
 
 /// Why a curve ended.
@@ -66,33 +63,31 @@ pub enum End {
 ///
 /// # Errors
 /// The first point cannot be converged on.
-pub fn follow<F: Steered<N>, const N: usize>(
-    plane: &Plane<F>,
+pub fn follow(
+    plane: &Plane,
     kind: Kind,
-    orbit: &Orbit<N, Mode<F, N>>,
+    orbit: &Orbit,
     window: [f64; 2],
     settings: Settings,
-    watch: &mut dyn FnMut(&Spot<F, N>) -> ControlFlow<()>,
-) -> Result<Option<Curve<N, Mode<F, N>>>, Failure<FlowError>> {
+    watch: &mut dyn FnMut(&CurvePoint) -> ControlFlow<()>,
+) -> Result<Option<Curve>, Failure<FlowError>> {
     let Some(condition) = Condition::of(kind) else {
         return Ok(None);
     };
-    let half = |j: usize| 0.5 * (orbit.max[j] - orbit.min[j]);
-    let magnitude = std::array::from_fn(|j| if half(j) > 0.0 { half(j) } else { 1.0 });
     let guess = Guess {
-        place: orbit.place,
+        place: orbit.place.clone(),
         period: orbit.period,
-        magnitude,
+        magnitude: orbit.magnitude(),
     };
     let (p, q) = (orbit.r, settings.from);
-    let family = plane.along_p(q).with_magnitude(magnitude);
+    let family = plane.along_p(q).with_magnitude(&guess.magnitude);
     let (mut orbit_problem, z) = problem(family, p, &guess, 1).map_err(Failure::Evaluation)?;
     orbit_problem
         .float(&orbit.place, p)
         .map_err(Failure::Evaluation)?;
     let plane = Plane {
-        family: plane.family.with_magnitude(magnitude),
-        ..plane.clone()
+        family: plane.family.with_magnitude(&guess.magnitude),
+        designs: plane.designs,
     };
     let scales = [
         (window[1] - window[0]).abs(),
@@ -121,25 +116,21 @@ pub fn follow<F: Steered<N>, const N: usize>(
     }))
 }
 
-type Shown<F, const N: usize> = Point<CriticalShot<N, Mode<F, N>>>;
+type Shown = Point<CriticalShot>;
 
 /// A curve on the way.
-struct Walk<F: Steered<N>, const N: usize> {
+struct Walk {
     kind: Kind,
     window: [f64; 2],
     accuracy: f64,
     scales: [f64; 2],
-    branch: Branch<CriticalProblem<F, N>>,
-    points: Vec<Spot<F, N>>,
-    special: Vec<Found<N, Mode<F, N>>>,
+    branch: Branch<CriticalProblem>,
+    points: Vec<CurvePoint>,
+    special: Vec<Found>,
 }
 
-impl<F: Steered<N>, const N: usize> Walk<F, N> {
-    fn run(
-        &mut self,
-        first: Shown<F, N>,
-        watch: &mut dyn FnMut(&Spot<F, N>) -> ControlFlow<()>,
-    ) -> End {
+impl Walk {
+    fn run(&mut self, first: Shown, watch: &mut dyn FnMut(&CurvePoint) -> ControlFlow<()>) -> End {
         let mut next = Some(first);
         while let Some(point) = next.take() {
             let mut spot = self.spot(&point);
@@ -167,13 +158,13 @@ impl<F: Steered<N>, const N: usize> Walk<F, N> {
     }
 
     /// Looks for what happens on the way to `spot`, and moves it to where the curve ends if it does.
-    fn examine(&mut self, spot: &mut Spot<F, N>) -> Option<End> {
+    fn examine(&mut self, spot: &mut CurvePoint) -> Option<End> {
         let before = self.points.last()?.clone();
         let mut link = self.branch.link()?.clone();
         let [low, high] = self.window;
         let mut end = None;
         for bound in [low, high] {
-            let past = |point: &Spot<F, N>| point.p - bound;
+            let past = |point: &CurvePoint| point.p - bound;
             if past(&before) * past(spot) < 0.0 {
                 let ends = [past(&before), past(spot)];
                 if let Some(found) = self.locate(&mut link, ends, &|point| Some(past(point))) {
@@ -183,7 +174,7 @@ impl<F: Steered<N>, const N: usize> Walk<F, N> {
             }
         }
         for codimension in Codimension::ALL {
-            let test = |point: &Spot<F, N>| codimension.test(self.kind, point);
+            let test = |point: &CurvePoint| codimension.test(self.kind, point);
             let (Some(a), Some(b)) = (test(&before), test(spot)) else {
                 continue;
             };
@@ -209,19 +200,19 @@ impl<F: Steered<N>, const N: usize> Walk<F, N> {
     }
 
     /// Whether the curve stands still in p too where it turns in q.
-    fn is_cusp(&self, before: &Spot<F, N>, found: &Spot<F, N>, after: &Spot<F, N>) -> bool {
-        let along_p = |point: &Spot<F, N>| point.tangent[0].abs();
+    fn is_cusp(&self, before: &CurvePoint, found: &CurvePoint, after: &CurvePoint) -> bool {
+        let along_p = |point: &CurvePoint| point.tangent[0].abs();
         along_p(found) <= CUSP * along_p(before).max(along_p(after))
     }
 
     /// The point of the last step at which `test` vanishes.
     fn locate(
         &self,
-        link: &mut Link<CriticalProblem<F, N>>,
+        link: &mut Link<CriticalProblem>,
         [a, b]: [f64; 2],
-        test: &dyn Fn(&Spot<F, N>) -> Option<f64>,
-    ) -> Option<Spot<F, N>> {
-        let mut best: Option<(f64, Spot<F, N>)> = None;
+        test: &dyn Fn(&CurvePoint) -> Option<f64>,
+    ) -> Option<CurvePoint> {
+        let mut best: Option<(f64, CurvePoint)> = None;
         root(a, b, |share| {
             let point = link.between(share).ok()?;
             let spot = self.spot(&point);
@@ -242,7 +233,7 @@ impl<F: Steered<N>, const N: usize> Walk<F, N> {
         best.map(|(_, spot)| spot)
     }
 
-    fn spot(&self, point: &Shown<F, N>) -> Spot<F, N> {
+    fn spot(&self, point: &Shown) -> CurvePoint {
         let (z, p) = split(&point.z);
         let family = self.branch.problem.plane.along_p(point.r);
         let solution = Solution {
@@ -252,12 +243,13 @@ impl<F: Steered<N>, const N: usize> Walk<F, N> {
             residual: point.residual,
         };
         let orbit = Orbit::read(&family, solution, self.accuracy, Work::default());
+        let last = point.tangent.len() - 1;
         CurvePoint {
             p,
             q: point.r,
             orbit,
             test: point.extra.test,
-            tangent: [point.tangent[N + 1], point.tangent[N + 2]],
+            tangent: [point.tangent[last - 1], point.tangent[last]],
         }
     }
 }

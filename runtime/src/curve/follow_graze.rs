@@ -7,30 +7,27 @@ use super::grazing::{Graze, GrazingProblem, GrazingShot};
 use super::plane::Plane;
 use crate::continuation::{Branch, Ending, Failure, Point, Settings, root};
 use crate::field::Work;
-use crate::flow::exact::Glide;
-use crate::flow::{Flow, FlowError, Steered};
+use crate::flow::FlowError;
 use crate::shooting::Orbit;
 
-type Mode<F, const N: usize> = <<F as crate::flow::Family<N>>::Flow as Flow<N>>::Mode;
-
 /// A grazing orbit, and where.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GrazingPoint<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrazingPoint {
     /// The first design variable.
     pub p: f64,
     /// The second one.
     pub q: f64,
     /// The orbit.
-    pub shot: GrazingShot<N>,
+    pub shot: GrazingShot,
     /// Norm of the residual of its equations.
     pub residual: f64,
 }
 
 /// A curve of grazing orbits.
 #[derive(Debug, Clone)]
-pub struct GrazingCurve<const N: usize> {
+pub struct GrazingCurve {
     /// Its points in the order in which they were found.
-    pub points: Vec<GrazingPoint<N>>,
+    pub points: Vec<GrazingPoint>,
     /// Why it ended.
     pub end: End,
     /// What it cost.
@@ -42,17 +39,14 @@ pub struct GrazingCurve<const N: usize> {
 ///
 /// # Errors
 /// The first point cannot be converged on.
-pub fn follow_graze<F: Steered<N>, const N: usize>(
-    plane: &Plane<F>,
-    orbit: &Orbit<N, Mode<F, N>>,
+pub fn follow_graze(
+    plane: &Plane,
+    orbit: &Orbit,
     p: f64,
     window: [f64; 2],
     settings: Settings,
-    watch: &mut dyn FnMut(&GrazingPoint<N>) -> ControlFlow<()>,
-) -> Result<Option<GrazingCurve<N>>, Failure<FlowError>>
-where
-    F::Flow: Glide<N>,
-{
+    watch: &mut dyn FnMut(&GrazingPoint) -> ControlFlow<()>,
+) -> Result<Option<GrazingCurve>, Failure<FlowError>> {
     let Some(graze) = Graze::of(orbit) else {
         return Ok(None);
     };
@@ -61,14 +55,14 @@ where
         (settings.to - settings.from).abs(),
     ];
     let plane = Plane {
-        family: plane.family.with_magnitude(orbit.magnitude()),
-        ..plane.clone()
+        family: plane.family.with_magnitude(&orbit.magnitude()),
+        designs: plane.designs,
     };
     let problem = GrazingProblem::new(plane, orbit, graze, scales);
     let z = problem.unknowns(p);
     let (mut branch, first) = Branch::start(problem, z, settings)?;
     let bounds = [window[0].min(window[1]), window[0].max(window[1])];
-    let mut points: Vec<GrazingPoint<N>> = Vec::new();
+    let mut points: Vec<GrazingPoint> = Vec::new();
     let mut next = Some(first);
     let mut end = None;
     while let (Some(point), None) = (next.take(), &end) {
@@ -105,11 +99,11 @@ where
     }))
 }
 
-fn grazing<const N: usize>(point: &Point<GrazingShot<N>>) -> GrazingPoint<N> {
+fn grazing(point: &Point<GrazingShot>) -> GrazingPoint {
     GrazingPoint {
-        p: point.z[N + 1],
+        p: point.z[point.z.len() - 1],
         q: point.r,
-        shot: point.extra,
+        shot: point.extra.clone(),
         residual: point.residual,
     }
 }

@@ -4,22 +4,21 @@ use std::ops::ControlFlow;
 
 use nalgebra::DVector;
 
+use super::EquilibriumProblem;
 use super::locate::{Locator, spot};
 use super::special::{Found, Kind, Spot};
-use super::{Confined, EquilibriumProblem};
 use crate::continuation::{self, Ending, Failure, Settings};
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Place, Velocity};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use crate::flow::FlowError;
+use crate::motion::{Family, Modes, Place, Velocity};
 
 /// A branch that has been followed.
 #[derive(Debug, Clone)]
-pub struct Branch<const N: usize> {
+pub struct Branch {
     /// Its points in the order in which they were found.
-    pub points: Vec<Spot<N>>,
+    pub points: Vec<Spot>,
     /// What happens on it, in the same order.
-    pub special: Vec<Found<N>>,
+    pub special: Vec<Found>,
     /// Why it ended.
     pub end: End,
     /// What it cost.
@@ -43,16 +42,13 @@ pub enum End {
 ///
 /// # Errors
 /// There is no equilibrium to begin with.
-pub fn follow<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    from: &Place<N, Mode<F, N>>,
+pub fn follow(
+    family: &Family,
+    from: &Place,
     settings: Settings,
-    watch: &mut dyn FnMut(&Spot<N>) -> ControlFlow<()>,
-) -> Result<Branch<N>, Failure<FlowError>>
-where
-    F::Flow: Confined<N>,
-{
-    let problem = EquilibriumProblem::new(family.clone(), from.mode, &from.state);
+    watch: &mut dyn FnMut(&Spot) -> ControlFlow<()>,
+) -> Result<Branch, Failure<FlowError>> {
+    let problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = DVector::from_column_slice(&from.state);
     let (mut branch, first) = continuation::Branch::start(problem, z, settings)?;
     let mut walk = Walk {
@@ -83,25 +79,23 @@ where
 }
 
 /// A branch on the way.
-struct Walk<const N: usize> {
+struct Walk {
     r_scale: f64,
     accuracy: f64,
-    points: Vec<Spot<N>>,
-    special: Vec<Found<N>>,
+    points: Vec<Spot>,
+    special: Vec<Found>,
 }
 
-impl<const N: usize> Walk<N> {
+impl Walk {
     /// Takes in the next point; `Some` if the branch ends with it.
-    fn on<F: Family<N>>(
+    fn on(
         &mut self,
-        problem: &mut EquilibriumProblem<F, N>,
-        point: &continuation::Point<Velocity<N>>,
-    ) -> Option<End>
-    where
-        F::Flow: Confined<N>,
-    {
+        problem: &mut EquilibriumProblem,
+        point: &continuation::Point<Velocity>,
+    ) -> Option<End> {
         let continuation::Point { z, r, extra, .. } = point;
-        let mut here = spot(problem, z, *r, extra, point.tangent[N], point.residual)?;
+        let tangent_r = point.tangent[z.len()];
+        let mut here = spot(problem, z, *r, extra, tangent_r, point.residual)?;
         let mut locator = Locator {
             problem,
             r_scale: self.r_scale,
@@ -141,12 +135,13 @@ pub fn settings(from: f64, to: f64) -> Settings {
     }
 }
 
-impl<const N: usize> Spot<N> {
-    /// The place of this point in `mode`.
-    pub fn place<Mode>(&self, mode: Mode) -> Place<N, Mode> {
+impl Spot {
+    /// The place of this point in these modes.
+    #[must_use]
+    pub fn place(&self, modes: Modes) -> Place {
         Place {
-            state: self.state,
-            mode,
+            state: self.state.clone(),
+            modes,
         }
     }
 }

@@ -3,9 +3,9 @@
 use nalgebra::DMatrix;
 
 use super::newton::near;
-use crate::field::{Enclosed, EnclosedField, Unenclosed};
+use crate::field::Unenclosed;
 use crate::math::interval::Interval;
-use crate::model::Model;
+use crate::motion::{Enclosed, Enclosure};
 
 /// The first box, over the correction that Newton would make.
 const WIDER: f64 = 2.0;
@@ -62,18 +62,21 @@ pub enum Unproven {
 ///
 /// # Errors
 /// See [`Unproven`]: that says nothing about whether there is one.
-pub fn prove<M: Model<N>, const N: usize>(
-    field: &EnclosedField<M, N>,
-    state: &[f64; N],
-) -> Result<Proof, Unproven> {
-    let here = field.over(&state.map(Interval::from))?;
-    let slopes = DMatrix::from_fn(N, N, |i, j| here.jacobian[i][j].middle());
+pub fn prove(field: &dyn Enclosure, state: &[f64]) -> Result<Proof, Unproven> {
+    let order = field.order();
+    let state: Vec<f64> = (0..order)
+        .map(|j| state.get(j).copied().unwrap_or(f64::NAN))
+        .collect();
+    let point: Vec<Interval> = state.iter().map(|y| Interval::from(*y)).collect();
+    let here = field.over(&point)?;
+    let slopes = DMatrix::from_fn(order, order, |i, j| here.jacobian[i][j].middle());
     let inverse = slopes.try_inverse().ok_or(Unproven::Singular)?;
     if !inverse.iter().all(|entry| entry.is_finite()) {
         return Err(Unproven::Singular);
     }
-    let newton: [Interval; N] =
-        std::array::from_fn(|i| -dot(N, |k| Interval::from(inverse[(i, k)]) * here.f[k]));
+    let newton = (0..order)
+        .map(|i| -dot(order, |k| Interval::from(inverse[(i, k)]) * here.f[k]))
+        .collect();
     let operator = Operator {
         state,
         inverse,
@@ -83,40 +86,43 @@ pub fn prove<M: Model<N>, const N: usize>(
 }
 
 /// Krawczyk's operator around a state.
-struct Operator<'a, const N: usize> {
-    state: &'a [f64; N],
+struct Operator {
+    state: Vec<f64>,
     inverse: DMatrix<f64>,
     /// −C f(y).
-    newton: [Interval; N],
+    newton: Vec<Interval>,
 }
 
-impl<const N: usize> Operator<'_, N> {
-    fn prove<M: Model<N>>(&self, field: &EnclosedField<M, N>) -> Result<Proof, Unproven> {
-        let rounding = self.state.map(|y| ROUNDING * f64::EPSILON * y.abs());
-        let mut reach: [f64; N] = std::array::from_fn(|i| {
-            WIDER * self.newton[i].magnitude() + rounding[i] + f64::MIN_POSITIVE
-        });
+impl Operator {
+    fn prove(&self, field: &dyn Enclosure) -> Result<Proof, Unproven> {
+        let order = self.state.len();
+        let first = |(y, step): (&f64, &Interval)| {
+            let rounding = ROUNDING * f64::EPSILON * y.abs();
+            WIDER * step.magnitude() + rounding + f64::MIN_POSITIVE
+        };
+        let mut reach: Vec<f64> = self.state.iter().zip(&self.newton).map(first).collect();
         let mut last = None;
         for _ in 0..BOXES {
             if !reach.iter().all(|reach| reach.is_finite()) {
                 break;
             }
-            let ball = reach.map(|reach| Interval::around(0.0, reach));
-            let over: [Interval; N] =
-                std::array::from_fn(|j| Interval::from(self.state[j]) + ball[j]);
+            let ball: Vec<Interval> = reach.iter().map(|y| Interval::around(0.0, *y)).collect();
             // A box that was mapped too far and now meets a kink that it did not meet before is too large.
-            let field = match (field.over(&over), last) {
+            let field = match (field.over(&self.around(&ball)), last) {
                 (Ok(field), _) => field,
                 (Err(_), Some(failed)) => return Err(failed),
                 (Err(error), None) => return Err(error.into()),
             };
             let rest = self.rest(&field);
-            let image: [Interval; N] =
-                std::array::from_fn(|i| self.newton[i] + dot(N, |j| rest[i][j] * ball[j]));
-            if (0..N).all(|i| image[i].is_inside(ball[i])) {
-                let image: [Interval; N] =
-                    std::array::from_fn(|i| Interval::from(self.state[i]) + image[i]);
-                return self.verdict(image);
+            let image: Vec<Interval> = (0..order)
+                .map(|i| self.newton[i] + dot(order, |j| rest[i][j] * ball[j]))
+                .collect();
+            if image
+                .iter()
+                .zip(&ball)
+                .all(|(image, ball)| image.is_inside(*ball))
+            {
+                return self.verdict(&self.around(&image));
             }
             last = Some(self.failed(&reach, &image, &rest));
             for (reach, image) in reach.iter_mut().zip(&image) {
@@ -126,44 +132,46 @@ impl<const N: usize> Operator<'_, N> {
         Err(last.unwrap_or(Unproven::Singular))
     }
 
+    /// The state, moved by these.
+    fn around(&self, moves: &[Interval]) -> Vec<Interval> {
+        let moved = |(y, by): (&f64, &Interval)| Interval::from(*y) + *by;
+        self.state.iter().zip(moves).map(moved).collect()
+    }
+
     /// The proven box, if it is one of the equilibrium that was meant.
-    fn verdict(&self, image: [Interval; N]) -> Result<Proof, Unproven> {
-        let proven = image.map(Interval::middle);
-        if !near(&proven, self.state) {
-            let state = proven.to_vec();
+    fn verdict(&self, image: &[Interval]) -> Result<Proof, Unproven> {
+        let each = |read: fn(Interval) -> f64| image.iter().map(|y| read(*y)).collect();
+        let state: Vec<f64> = each(Interval::middle);
+        if !near(&state, &self.state) {
             return Err(Unproven::Elsewhere { state });
         }
         Ok(Proof {
-            low: image.map(Interval::low).to_vec(),
-            high: image.map(Interval::high).to_vec(),
+            low: each(Interval::low),
+            high: each(Interval::high),
         })
     }
 
     /// 1 − C J(Y).
-    fn rest(&self, field: &Enclosed<N>) -> [[Interval; N]; N] {
-        std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                let product = dot(N, |k| {
-                    Interval::from(self.inverse[(i, k)]) * field.jacobian[k][j]
-                });
-                Interval::from(f64::from(i == j)) - product
-            })
-        })
+    fn rest(&self, field: &Enclosed) -> Vec<Vec<Interval>> {
+        let order = self.state.len();
+        let entry = |i: usize, j: usize| {
+            let product = dot(order, |k| {
+                Interval::from(self.inverse[(i, k)]) * field.jacobian[k][j]
+            });
+            Interval::from(f64::from(i == j)) - product
+        };
+        (0..order)
+            .map(|i| (0..order).map(|j| entry(i, j)).collect())
+            .collect()
     }
 
-    fn failed(
-        &self,
-        reach: &[f64; N],
-        image: &[Interval; N],
-        rest: &[[Interval; N]; N],
-    ) -> Unproven {
+    fn failed(&self, reach: &[f64], image: &[Interval], rest: &[Vec<Interval>]) -> Unproven {
         let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-        let rows = rest
-            .iter()
-            .map(|row| row.iter().map(|entry| entry.magnitude()).sum());
+        let sum = |row: &Vec<Interval>| row.iter().map(|entry| entry.magnitude()).sum();
+        let beyond = |(image, reach): (&Interval, &f64)| image.magnitude() / reach;
         Unproven::NotContracting {
-            reach: most(&mut (0..N).map(|i| image[i].magnitude() / reach[i])),
-            contraction: most(&mut rows.into_iter()),
+            reach: most(&mut image.iter().zip(reach).map(beyond)),
+            contraction: most(&mut rest.iter().map(sum)),
             step: most(&mut self.newton.iter().map(|step| step.magnitude())),
             width: most(&mut reach.iter().copied()),
         }

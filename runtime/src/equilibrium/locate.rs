@@ -1,38 +1,30 @@
 //! Special points between two points of a branch, located on the branch itself.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::special::{Found, Kind, Spot};
-use super::{Confined, EquilibriumProblem, Spectrum};
+use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem, correct, root, tangent};
-use crate::flow::{Family, Velocity};
+use crate::motion::Velocity;
 
 /// Bisections of a step within which every change of stability must be explained.
 const DEPTH: usize = 16;
 
 /// A problem, and in what units its branch is measured.
-pub(super) struct Locator<'a, F: Family<N>, const N: usize> {
-    pub(super) problem: &'a mut EquilibriumProblem<F, N>,
+pub(super) struct Locator<'a> {
+    pub(super) problem: &'a mut EquilibriumProblem,
     pub(super) r_scale: f64,
     pub(super) accuracy: f64,
 }
 
-impl<F: Family<N>, const N: usize> Locator<'_, F, N>
-where
-    F::Flow: Confined<N>,
-{
+impl Locator<'_> {
     /// What happens from `a` to `b`, in this order; `Err` with the narrowest stretch over which the stability changes
     /// without a reason that was found.
-    pub(super) fn events(&mut self, a: &Spot<N>, b: &Spot<N>) -> Result<Vec<Found<N>>, (f64, f64)> {
+    pub(super) fn events(&mut self, a: &Spot, b: &Spot) -> Result<Vec<Found>, (f64, f64)> {
         self.search(a, b, DEPTH)
     }
 
-    fn search(
-        &mut self,
-        a: &Spot<N>,
-        b: &Spot<N>,
-        depth: usize,
-    ) -> Result<Vec<Found<N>>, (f64, f64)> {
+    fn search(&mut self, a: &Spot, b: &Spot, depth: usize) -> Result<Vec<Found>, (f64, f64)> {
         let found = self.crossings(a, b);
         let crossings = found.iter().filter_map(|found| found.kind.crossing());
         let change = a.spectrum.unstable.abs_diff(b.spectrum.unstable);
@@ -48,7 +40,7 @@ where
     }
 
     /// Every kind whose test function changes its sign, located once.
-    fn crossings(&mut self, a: &Spot<N>, b: &Spot<N>) -> Vec<Found<N>> {
+    fn crossings(&mut self, a: &Spot, b: &Spot) -> Vec<Found> {
         let mut found = Vec::new();
         let turns = turns(a, b);
         for kind in [Kind::Fold, Kind::BranchPoint, Kind::Hopf] {
@@ -70,7 +62,7 @@ where
     }
 
     /// The zero of the test function of `kind` between `a` and `b`, on different sides of it.
-    pub(super) fn locate(&mut self, a: &Spot<N>, b: &Spot<N>, kind: Kind) -> Spot<N> {
+    pub(super) fn locate(&mut self, a: &Spot, b: &Spot, kind: Kind) -> Spot {
         let mut best = if a.test(kind).abs() < b.test(kind).abs() {
             a.clone()
         } else {
@@ -90,9 +82,10 @@ where
     /// The point of the branch over this share of the way from `a` to `b`.
     ///
     /// Between points without a fold r itself measures the way: a branch may bend back over its chord.
-    fn between(&mut self, a: &Spot<N>, b: &Spot<N>, share: f64) -> Option<Spot<N>> {
-        let mut normal = DVector::zeros(N + 1);
-        normal[N] = (b.r - a.r).signum();
+    fn between(&mut self, a: &Spot, b: &Spot, share: f64) -> Option<Spot> {
+        let order = a.state.len();
+        let mut normal = DVector::zeros(order + 1);
+        normal[order] = (b.r - a.r).signum();
         let straight = !turns(a, b) && a.r != b.r;
         let direct = straight.then(|| self.across(&normal, a, b, share));
         direct
@@ -100,73 +93,64 @@ where
             .or_else(|| self.across(&self.chord(a, b), a, b, share))
     }
 
-    fn chord(&self, a: &Spot<N>, b: &Spot<N>) -> DVector<f64> {
+    fn chord(&self, a: &Spot, b: &Spot) -> DVector<f64> {
         let step = (b.unknowns() - a.unknowns()).component_div(&self.problem.scale());
-        let mut chord = DVector::zeros(N + 1);
-        chord.rows_mut(0, N).copy_from(&step);
-        chord[N] = (b.r - a.r) / self.r_scale;
+        let order = step.len();
+        let mut chord = DVector::zeros(order + 1);
+        chord.rows_mut(0, order).copy_from(&step);
+        chord[order] = (b.r - a.r) / self.r_scale;
         chord.normalize()
     }
 
     /// The point of the branch on the plane across `normal` through this share of the chord.
-    fn across(
-        &mut self,
-        normal: &DVector<f64>,
-        a: &Spot<N>,
-        b: &Spot<N>,
-        share: f64,
-    ) -> Option<Spot<N>> {
+    fn across(&mut self, normal: &DVector<f64>, a: &Spot, b: &Spot, share: f64) -> Option<Spot> {
         let (from, to) = (a.unknowns(), b.unknowns());
         let z = &from + (&to - &from) * share;
         let r = a.r + (b.r - a.r) * share;
         let scale = self.problem.scale();
         let there = correct(self.problem, z, r, normal, self.r_scale, self.accuracy).ok()?;
         let along = tangent(&there.linearisation, &scale, self.r_scale, normal)?;
-        self.spot(&there.z, there.r, &there.linearisation, along[N])
+        self.spot(&there.z, there.r, &there.linearisation, along[scale.len()])
     }
 
     fn spot(
         &self,
         z: &DVector<f64>,
         r: f64,
-        at: &Linearisation<Velocity<N>>,
+        at: &Linearisation<Velocity>,
         tangent_r: f64,
-    ) -> Option<Spot<N>> {
+    ) -> Option<Spot> {
         spot(self.problem, z, r, &at.extra, tangent_r, at.residual.norm())
     }
 }
 
 /// A converged point with all that is told of it.
-pub(super) fn spot<F: Family<N>, const N: usize>(
-    problem: &EquilibriumProblem<F, N>,
+pub(super) fn spot(
+    problem: &EquilibriumProblem,
     z: &DVector<f64>,
     r: f64,
-    velocity: &Velocity<N>,
+    velocity: &Velocity,
     tangent_r: f64,
     residual: f64,
-) -> Option<Spot<N>>
-where
-    F::Flow: Confined<N>,
-{
+) -> Option<Spot> {
     let place = problem.place(z);
-    let jacobian = DMatrix::from_fn(N, N, |i, j| velocity.jacobian[i][j]);
     Some(Spot {
-        state: place.state,
-        r,
-        spectrum: Spectrum::of(&jacobian),
+        spectrum: Spectrum::of(&velocity.jacobian),
         residual,
         margins: problem.family.at(r).ok()?.margins(&place),
+        state: place.state,
+        r,
         tangent_r,
-        determinant: Spot::<N>::determinant_of(&jacobian),
+        determinant: Spot::determinant_of(&velocity.jacobian),
     })
 }
 
-fn changes<const N: usize>(a: &Spot<N>, b: &Spot<N>, kind: Kind) -> bool {
+fn changes(a: &Spot, b: &Spot, kind: Kind) -> bool {
     (a.test(kind) >= 0.0) != (b.test(kind) >= 0.0)
 }
 
 /// Whether the branch turns: at a sharp corner the tangent alone may point backwards, but no eigenvalue passes zero.
-fn turns<const N: usize>(a: &Spot<N>, b: &Spot<N>) -> bool {
+fn turns(a: &Spot, b: &Spot) -> bool {
     changes(a, b, Kind::Fold) && changes(a, b, Kind::BranchPoint)
 }
 

@@ -4,7 +4,6 @@
 //! system as long as its contacts slide the way the mode says.
 
 mod branch;
-mod confined;
 mod krawczyk;
 mod locate;
 mod newton;
@@ -15,7 +14,6 @@ mod starts;
 mod sticking;
 
 pub use branch::{Branch, End, follow, settings};
-pub use confined::Confined;
 pub use krawczyk::{Proof, Unproven, prove};
 pub use newton::{Equilibrium, find, settle};
 pub use problem::EquilibriumProblem;

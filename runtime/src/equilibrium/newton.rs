@@ -1,12 +1,10 @@
 //! Equilibria at one value of the design variable: Newton, damped, from many places.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-use super::{Confined, EquilibriumProblem, Spectrum};
+use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::ZeroProblem;
-use crate::flow::{Family, Flow, Place};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use crate::motion::{Family, Modes, Place};
 
 const ITERATIONS: usize = 100;
 /// Newton's step is halved at most down to this share.
@@ -20,35 +18,27 @@ const SAME: f64 = 1e-7;
 
 /// An equilibrium.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Equilibrium<const N: usize, Mode> {
-    /// Where, and in which mode.
-    pub place: Place<N, Mode>,
+pub struct Equilibrium {
+    /// Where, and in which modes.
+    pub place: Place,
     /// Its eigenvalues.
     pub spectrum: Spectrum,
 }
 
 /// Every equilibrium at r that Newton reaches from one of `starts` in one of `modes`, each once, and only those
 /// whose contacts slide as the mode says. `modes` gives the modes worth trying from a start.
-pub fn find<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub fn find(
+    family: &Family,
     r: f64,
-    starts: &[[f64; N]],
-    modes: impl Fn(&[f64; N]) -> Vec<Mode<F, N>>,
-) -> Vec<Equilibrium<N, Mode<F, N>>>
-where
-    F::Flow: Confined<N>,
-{
-    let mut found: Vec<Equilibrium<N, Mode<F, N>>> = Vec::new();
+    starts: &[Vec<f64>],
+    modes: impl Fn(&[f64]) -> Vec<Modes>,
+) -> Vec<Equilibrium> {
+    let mut found: Vec<Equilibrium> = Vec::new();
     for start in starts {
-        for mode in modes(start) {
-            if let Some(new) = settle(
-                family,
-                r,
-                &Place {
-                    state: *start,
-                    mode,
-                },
-            ) && !found.iter().any(|old| same(&old.place, &new.place))
+        for modes in modes(start) {
+            let state = start.clone();
+            if let Some(new) = settle(family, r, &Place { state, modes })
+                && !found.iter().any(|old| same(&old.place, &new.place))
             {
                 found.push(new);
             }
@@ -59,15 +49,9 @@ where
 
 /// The equilibrium that Newton reaches from a place, staying in its mode; `None` if there is none, or if its
 /// contacts do not slide as the mode says.
-pub fn settle<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    r: f64,
-    from: &Place<N, Mode<F, N>>,
-) -> Option<Equilibrium<N, Mode<F, N>>>
-where
-    F::Flow: Confined<N>,
-{
-    let mut problem = EquilibriumProblem::new(family.clone(), from.mode, &from.state);
+#[must_use]
+pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
+    let mut problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = newton(&mut problem, DVector::from_column_slice(&from.state), r)?;
     let place = problem.place(&z);
     let flow = family.at(r).ok()?;
@@ -76,19 +60,19 @@ where
     let jacobian = flow.velocity(&place).ok()?.jacobian;
     inside.then(|| Equilibrium {
         place,
-        spectrum: Spectrum::of(&DMatrix::from_fn(N, N, |i, j| jacobian[i][j])),
+        spectrum: Spectrum::of(&jacobian),
     })
 }
 
-fn same<const N: usize, Mode: PartialEq>(a: &Place<N, Mode>, b: &Place<N, Mode>) -> bool {
-    a.mode == b.mode && near(&a.state, &b.state)
+fn same(a: &Place, b: &Place) -> bool {
+    a.modes == b.modes && near(&a.state, &b.state)
 }
 
 /// Whether two equilibria of one mode are one, as far as numbers can tell.
-pub(super) fn near<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
-    (0..N).all(|j| {
-        let size = a[j].abs().max(b[j].abs()).max(1.0);
-        (a[j] - b[j]).abs() <= SAME * size
+pub(super) fn near(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| {
+        let size = a.abs().max(b.abs()).max(1.0);
+        (a - b).abs() <= SAME * size
     })
 }
 

@@ -2,54 +2,53 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Confined;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Place, Velocity};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use crate::flow::FlowError;
+use crate::motion::{Family, Modes, Place, Velocity};
 
 /// Unknowns are the states; the equations are their rates.
 #[derive(Debug, Clone)]
-pub struct EquilibriumProblem<F: Family<N>, const N: usize> {
+pub struct EquilibriumProblem {
     /// The flows.
-    pub family: F,
-    /// The mode of the contacts.
-    pub mode: Mode<F, N>,
+    pub family: Family,
+    /// The modes of the contacts.
+    pub modes: Modes,
     /// Evaluations so far.
     pub work: Work,
-    magnitude: [f64; N],
-    rates: [f64; N],
+    magnitude: Vec<f64>,
+    rates: Vec<f64>,
 }
 
-impl<F: Family<N>, const N: usize> EquilibriumProblem<F, N> {
+impl EquilibriumProblem {
     /// The problem of an equilibrium near `state`.
-    pub fn new(family: F, mode: Mode<F, N>, state: &[f64; N]) -> Self {
+    #[must_use]
+    pub fn new(family: Family, modes: Modes, state: &[f64]) -> Self {
+        let usual = |y: &f64| if y.abs() > TINY { y.abs() } else { 1.0 };
         Self {
             family,
-            mode,
+            modes,
             work: Work::default(),
-            magnitude: state.map(|y| if y.abs() > TINY { y.abs() } else { 1.0 }),
-            rates: [0.0; N],
+            magnitude: state.iter().map(usual).collect(),
+            rates: vec![0.0; state.len()],
         }
     }
 
     /// The place of these unknowns.
     #[must_use]
-    pub fn place(&self, z: &DVector<f64>) -> Place<N, Mode<F, N>> {
+    pub fn place(&self, z: &DVector<f64>) -> Place {
         Place {
-            state: std::array::from_fn(|j| z[j]),
-            mode: self.mode,
+            state: z.as_slice().to_vec(),
+            modes: self.modes.clone(),
         }
     }
 
     /// What errors of the equations weigh, from the first evaluation: how much the usual states change them.
-    fn weigh(&mut self, jacobian: &[[f64; N]; N]) {
+    fn weigh(&mut self, jacobian: &DMatrix<f64>) {
         for (i, rate) in self.rates.iter_mut().enumerate() {
             if *rate == 0.0 {
-                *rate = (0..N)
-                    .map(|j| (jacobian[i][j] * self.magnitude[j]).abs())
-                    .sum();
+                let terms = self.magnitude.iter().enumerate();
+                *rate = terms.map(|(j, y)| (jacobian[(i, j)] * y).abs()).sum();
             }
         }
     }
@@ -66,26 +65,22 @@ impl<F: Family<N>, const N: usize> EquilibriumProblem<F, N> {
 /// A state below this is rounding error, and its usual magnitude unknown.
 const TINY: f64 = 1e-12;
 
-impl<F: Family<N>, const N: usize> ZeroProblem for EquilibriumProblem<F, N>
-where
-    F::Flow: Confined<N>,
-{
+impl ZeroProblem for EquilibriumProblem {
     type Error = FlowError;
-    type Extra = Velocity<N>;
+    type Extra = Velocity;
 
-    fn evaluate(
-        &mut self,
-        z: &DVector<f64>,
-        r: f64,
-    ) -> Result<Linearisation<Velocity<N>>, FlowError> {
+    fn evaluate(&mut self, z: &DVector<f64>, r: f64) -> Result<Linearisation<Velocity>, FlowError> {
         let velocity = self.family.at(r)?.velocity(&self.place(z))?;
         self.work.linearisations += 1;
         self.work.newton += 1;
         self.weigh(&velocity.jacobian);
+        let order = z.len();
         Ok(Linearisation {
-            residual: DVector::from_fn(N, |i, _| velocity.f[i] / self.rate(i)),
-            jacobian: DMatrix::from_fn(N, N, |i, j| velocity.jacobian[i][j] / self.rate(i)),
-            design: DVector::from_fn(N, |i, _| velocity.design[i] / self.rate(i)),
+            residual: DVector::from_fn(order, |i, _| velocity.f[i] / self.rate(i)),
+            jacobian: DMatrix::from_fn(order, order, |i, j| {
+                velocity.jacobian[(i, j)] / self.rate(i)
+            }),
+            design: DVector::from_fn(order, |i, _| velocity.design[i] / self.rate(i)),
             extra: velocity,
         })
     }
@@ -98,7 +93,7 @@ where
         &mut self,
         z: &DVector<f64>,
         r: f64,
-        _velocity: &Velocity<N>,
+        _velocity: &Velocity,
     ) -> Result<Option<DVector<f64>>, FlowError> {
         self.family.at(r)?.check(&self.place(z))?;
         for (magnitude, y) in self.magnitude.iter_mut().zip(z) {

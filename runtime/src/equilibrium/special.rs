@@ -52,16 +52,16 @@ impl Kind {
 
 /// A point of a branch of equilibria.
 #[derive(Debug, Clone)]
-pub struct Spot<const N: usize> {
+pub struct Spot {
     /// The state.
-    pub state: [f64; N],
+    pub state: Vec<f64>,
     /// The design variable.
     pub r: f64,
     /// Its eigenvalues.
     pub spectrum: Spectrum,
     /// Norm of the residual.
     pub residual: f64,
-    /// Of each sliding contact, see [`super::Confined::margins`].
+    /// Of each sliding contact, see [`Flow::margins`](crate::motion::Flow::margins).
     pub margins: Vec<(usize, f64)>,
     /// r-component of the unit tangent: changes sign at a fold.
     pub(super) tangent_r: f64,
@@ -69,7 +69,7 @@ pub struct Spot<const N: usize> {
     pub(super) determinant: f64,
 }
 
-impl<const N: usize> Spot<N> {
+impl Spot {
     /// The test function of a kind; it changes sign there.
     pub(super) fn test(&self, kind: Kind) -> f64 {
         match kind {
@@ -102,9 +102,9 @@ impl<const N: usize> Spot<N> {
 
 /// A special point.
 #[derive(Debug, Clone)]
-pub struct Found<const N: usize> {
+pub struct Found {
     /// What it is.
     pub kind: Kind,
     /// Where it is.
-    pub spot: Spot<N>,
+    pub spot: Spot,
 }

@@ -5,18 +5,24 @@ const SPREAD: usize = 24;
 
 /// `first`, the origin, and places spread evenly around both: the same ones every time.
 #[must_use]
-pub fn starts<const N: usize>(first: [f64; N]) -> Vec<[f64; N]> {
+pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
+    let order = first.len();
     let reach = first.iter().fold(1.0_f64, |most, y| most.max(y.abs()));
-    let mut places = vec![first, [0.0; N], first.map(|y| -y)];
-    places.extend((1..=SPREAD).map(|i| spread(i).map(|share| 2.0 * reach * share)));
+    let mut places = vec![
+        first.to_vec(),
+        vec![0.0; order],
+        first.iter().map(|y| -y).collect(),
+    ];
+    let scaled = |i: usize| spread(i, order).map(|share| 2.0 * reach * share).collect();
+    places.extend((1..=SPREAD).map(scaled));
     places
 }
 
-/// Point number `i` of Roberts' sequence in [−1, 1]ᴺ.
-fn spread<const N: usize>(i: usize) -> [f64; N] {
-    // The positive root of xᴺ⁺¹ = x + 1 by fixed-point iteration.
-    let root = (0..64).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (N as f64 + 1.0)));
-    std::array::from_fn(|j| {
+/// Point number `i` of Roberts' sequence in [−1, 1]ⁿ.
+fn spread(i: usize, order: usize) -> impl Iterator<Item = f64> {
+    // The positive root of xⁿ⁺¹ = x + 1 by fixed-point iteration.
+    let root = (0..64).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (order as f64 + 1.0)));
+    (0..order).map(move |j| {
         let step = root.powi(-(j as i32 + 1));
         2.0 * (0.5 + step * i as f64).fract() - 1.0
     })

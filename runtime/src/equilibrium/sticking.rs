@@ -3,11 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
-use crate::field::exact::{ExactSystem, Mode, Modes};
-use crate::flow::FlowError;
-use crate::model::Model;
-use crate::scalar::Lanes;
-use num_dual::DualStruct;
+use crate::field::exact::Mode;
+use crate::motion::{Contacts, Flow, Modes, Place, Row, sticking};
 
 const ITERATIONS: usize = 60;
 /// Equations are fulfilled to this, relative to their terms.
@@ -18,90 +15,69 @@ const RANK: f64 = 1e-9;
 const CORNERS: usize = 6;
 
 /// All equilibria in one mode in which contacts stick.
-#[derive(Clone, PartialEq)]
-pub struct StickingSet<M: Model<N>, const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct StickingSet {
     /// The mode of each contact.
-    pub mode: Modes<M, N>,
+    pub modes: Modes,
     /// How many directions it has: 0 for a single state, 1 for an interval.
     pub dimension: usize,
     /// A state in it.
-    pub state: [f64; N],
+    pub state: Vec<f64>,
     /// Smallest value of each state at its corners, where every sticking contact is at its limit.
-    pub low: [f64; N],
+    pub low: Vec<f64>,
     /// Largest value of each state there.
-    pub high: [f64; N],
+    pub high: Vec<f64>,
     /// Eigenvalues for motions that leave the set while the contacts stick.
     pub spectrum: Spectrum,
 }
 
-/// The sticking equilibria of `model`, looked for from each of `starts` in each of `modes`; a mode is reported once.
-///
-/// # Errors
-/// A parameter is outside its bounds, or a friction force does not oppose its speed.
-pub fn sticking_sets<M: Model<N>, const N: usize>(
-    model: &M,
-    starts: &[[f64; N]],
-    modes: &[Modes<M, N>],
-) -> Result<Vec<StickingSet<M, N>>, FlowError> {
-    M::INFO.check(model.values().as_ref())?;
-    let system = ExactSystem::new(model, None);
-    system.check()?;
-    let sets = modes.iter().filter_map(|mode| {
-        let sought = Sought {
-            system: &system,
-            mode: *mode,
-        };
-        starts.iter().find_map(|start| sought.set(*start))
-    });
-    Ok(sets.collect())
+/// The sticking equilibria of `flow`, looked for from each of `starts` in each of `modes`; a mode is reported once.
+#[must_use]
+pub fn sticking_sets(flow: &dyn Flow, starts: &[Vec<f64>], modes: &[Modes]) -> Vec<StickingSet> {
+    let set = |modes: &Modes| {
+        let sought = Sought { flow, modes };
+        starts.iter().find_map(|start| sought.set(start))
+    };
+    modes.iter().filter_map(set).collect()
 }
 
-struct Sought<'a, M: Model<N>, const N: usize> {
-    system: &'a ExactSystem<M, N>,
-    mode: Modes<M, N>,
+struct Sought<'a> {
+    flow: &'a dyn Flow,
+    modes: &'a Modes,
 }
 
-/// Equations with their gradients, and what each is measured against.
-type Equation<const N: usize> = (f64, [f64; N]);
-
-impl<M: Model<N>, const N: usize> Sought<'_, M, N> {
-    fn set(&self, start: [f64; N]) -> Option<StickingSet<M, N>> {
-        let sticking = self.mode.sticking().count();
+impl Sought<'_> {
+    fn set(&self, start: &[f64]) -> Option<StickingSet> {
+        let sticking = sticking(self.modes);
         let inside = self.solve(start, &[])?;
-        let equations = self.equations(&inside, &[])?;
-        let matrix = DMatrix::from_fn(equations.len(), N, |i, j| equations[i].1[j]);
-        let values = matrix.singular_values();
-        let rank = values
-            .iter()
-            .filter(|value| **value > RANK * values.max())
-            .count();
-        let dimension = N - rank;
-        let corners = self.corners(inside, if dimension == 0 { 0 } else { sticking });
-        let state: [f64; N] = if corners.is_empty() {
-            inside
-        } else {
-            std::array::from_fn(|j| {
-                corners.iter().map(|c| c[j]).sum::<f64>() / corners.len() as f64
-            })
-        };
-        let state = self.solve(state, &[])?;
+        let dimension = inside.len() - self.rank(&inside)?;
+        let corners = self.corners(&inside, if dimension == 0 { 0 } else { sticking });
+        let state = self.solve(&middle(&corners).unwrap_or(inside), &[])?;
         let extreme = |pick: fn(f64, f64) -> f64| {
-            std::array::from_fn(|j| corners.iter().map(|c| c[j]).fold(state[j], pick))
+            let most = |(j, y): (usize, &f64)| corners.iter().map(|c| c[j]).fold(*y, pick);
+            state.iter().enumerate().map(most).collect()
         };
-        let field = self.system.linear(&state, &self.mode).ok()?.field;
-        let jacobian = DMatrix::from_fn(N, N, |i, j| field[i].slopes().0[j]);
-        self.admissible(&state).then(|| StickingSet {
-            mode: self.mode,
+        let (low, high) = (extreme(f64::min), extreme(f64::max));
+        let at = self.at(&state)?;
+        self.admissible(&state, &at).then(|| StickingSet {
+            modes: self.modes.clone(),
             dimension,
+            low,
+            high,
+            spectrum: Spectrum::across(&at.jacobian, sticking + dimension),
             state,
-            low: extreme(f64::min),
-            high: extreme(f64::max),
-            spectrum: Spectrum::across(&jacobian, sticking + dimension),
         })
     }
 
+    fn rank(&self, inside: &[f64]) -> Option<usize> {
+        let (matrix, _) = self.equations(inside, &[])?;
+        let values = matrix.singular_values();
+        let least = RANK * values.max();
+        Some(values.iter().filter(|value| **value > least).count())
+    }
+
     /// States at which each sticking contact bears its limit, one way or the other.
-    fn corners(&self, inside: [f64; N], sticking: usize) -> Vec<[f64; N]> {
+    fn corners(&self, inside: &[f64], sticking: usize) -> Vec<Vec<f64>> {
         if sticking == 0 || sticking > CORNERS {
             return Vec::new();
         }
@@ -110,46 +86,65 @@ impl<M: Model<N>, const N: usize> Sought<'_, M, N> {
         (0..1 << sticking).filter_map(corner).collect()
     }
 
-    /// Whether every force can be had, and every sliding contact slides its way.
-    fn admissible(&self, state: &[f64; N]) -> bool {
-        let Ok(contacts) = self.system.contact_states(state, &self.mode) else {
-            return false;
-        };
-        let modes = self.mode.as_slice().iter();
-        modes
-            .zip(contacts.as_ref())
-            .all(|(mode, contact)| match mode {
-                Mode::Stick => contact.stick > 0.0 && contact.force.abs() <= contact.stick,
-                sliding => contact.speed * sliding.sign() > 0.0,
+    /// Whether every force can be had and read, and every sliding contact slides its way.
+    fn admissible(&self, state: &[f64], at: &Contacts) -> bool {
+        let holds = self.flow.read(&self.place(state)).is_ok();
+        holds
+            && self.modes.iter().zip(&at.all).all(|(mode, contact)| {
+                let stick = contact.stick.value;
+                match mode {
+                    Mode::Stick => stick > 0.0 && contact.force.value.abs() <= stick,
+                    sliding => contact.speed.value * sliding.sign() > 0.0,
+                }
             })
     }
 
-    /// f = 0, w = 0 of the sticking contacts, and, for signs given, their forces at the limit.
-    fn equations(&self, state: &[f64; N], signs: &[f64]) -> Option<Vec<Equation<N>>> {
-        let at = self.system.linear(state, &self.mode).ok()?;
-        let mut all: Vec<M::Lanes> = at.field.to_vec();
-        all.extend(self.mode.sticking().map(|i| at.speed.as_ref()[i]));
-        let held = self.mode.sticking().zip(signs);
-        all.extend(held.map(|(i, sign)| at.force.as_ref()[i] - at.stick.as_ref()[i] * *sign));
-        Some(
-            all.iter()
-                .map(|lane| (lane.re(), lane.slopes().0))
-                .collect(),
-        )
+    fn place(&self, state: &[f64]) -> Place {
+        Place {
+            state: state.to_vec(),
+            modes: self.modes.clone(),
+        }
+    }
+
+    fn at(&self, state: &[f64]) -> Option<Contacts> {
+        self.flow.contacts(&self.place(state)).ok()
+    }
+
+    /// f = 0, w = 0 of the sticking contacts, and, for signs given, their forces at the limit: as a matrix of slopes,
+    /// and what is missing.
+    fn equations(&self, state: &[f64], signs: &[f64]) -> Option<(DMatrix<f64>, DVector<f64>)> {
+        let Contacts { f, jacobian, all } = self.at(state)?;
+        let stuck = || {
+            let pairs = self.modes.iter().zip(&all);
+            pairs.filter_map(|(mode, contact)| (*mode == Mode::Stick).then_some(contact))
+        };
+        let held = stuck().zip(signs);
+        let limits = held.map(|(contact, sign)| limit(&contact.force, &contact.stick, *sign));
+        let speeds = stuck().map(|contact| contact.speed.clone());
+        let more: Vec<Row> = speeds.chain(limits).collect();
+        let order = f.len();
+        let matrix = DMatrix::from_fn(order + more.len(), order, |i, j| {
+            match i.checked_sub(order) {
+                None => jacobian[(i, j)],
+                Some(i) => more[i].slopes[j],
+            }
+        });
+        let values = f.iter().copied().chain(more.iter().map(|row| row.value));
+        let missing = values.map(|value| -value).collect::<Vec<f64>>();
+        Some((matrix, DVector::from_vec(missing)))
     }
 
     /// Gauss and Newton's shortest steps; `None` unless every equation is fulfilled in the end.
-    fn solve(&self, mut state: [f64; N], signs: &[f64]) -> Option<[f64; N]> {
+    fn solve(&self, start: &[f64], signs: &[f64]) -> Option<Vec<f64>> {
+        let mut state = start.to_vec();
         for _ in 0..ITERATIONS {
-            let equations = self.equations(&state, signs)?;
-            let matrix = DMatrix::from_fn(equations.len(), N, |i, j| equations[i].1[j]);
-            let right = DVector::from_fn(equations.len(), |i, _| -equations[i].0);
+            let (matrix, right) = self.equations(&state, signs)?;
             if !matrix.iter().chain(&right).all(|number| number.is_finite()) {
                 return None;
             }
-            let done = (0..equations.len()).all(|i| {
-                let terms: f64 = (0..N).map(|j| (matrix[(i, j)] * state[j]).abs()).sum();
-                right[i].abs() <= FULFILLED * terms.max(matrix.row(i).norm())
+            let done = matrix.row_iter().zip(&right).all(|(row, right)| {
+                let terms: f64 = row.iter().zip(&state).map(|(g, y)| (g * y).abs()).sum();
+                right.abs() <= FULFILLED * terms.max(row.norm())
             });
             if done {
                 return Some(state);
@@ -162,4 +157,20 @@ impl<M: Model<N>, const N: usize> Sought<'_, M, N> {
         }
         None
     }
+}
+
+/// λ − sign · stick.
+fn limit(force: &Row, stick: &Row, sign: f64) -> Row {
+    let slopes = force.slopes.iter().zip(&stick.slopes);
+    Row {
+        value: force.value - stick.value * sign,
+        slopes: slopes.map(|(force, stick)| force - stick * sign).collect(),
+    }
+}
+
+/// The mean of some states; `None` if there is none.
+fn middle(corners: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let count = corners.len() as f64;
+    let mean = |j: usize| corners.iter().map(|c| c[j]).sum::<f64>() / count;
+    Some((0..corners.first()?.len()).map(mean).collect())
 }

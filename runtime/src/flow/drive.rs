@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Extremum, Flow, FlowError};
+use super::{Extremum, FlowError};
 use crate::field::Frictionless;
 use crate::model::Model;
 
@@ -32,14 +32,6 @@ pub(crate) fn strobes<const N: usize>(
         }
         turns += 1.0;
     }
-}
-
-/// The state with its phase between 0 and 2π.
-pub(crate) fn wrapped<F: Flow<N>, const N: usize>(mut state: [f64; N]) -> [f64; N] {
-    if let Some(index) = F::PHASE {
-        state[index] = state[index].rem_euclid(TAU);
-    }
-    state
 }
 
 /// Whether the drive of a model does not advance.

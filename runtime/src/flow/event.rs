@@ -5,7 +5,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use crate::field::exact::Mode;
 
 /// Something that happened at a contact.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event<const N: usize> {
     /// What.
     pub kind: EventKind,
@@ -19,14 +19,6 @@ pub struct Event<const N: usize> {
     pub state: [f64; N],
     /// Rate at which the guard of the contact fell; 0 where it only came near, or where others made it switch.
     pub rate: f64,
-}
-
-impl<const N: usize> Event<N> {
-    /// Whether the mode of the contact changed.
-    #[must_use]
-    pub fn is_switch(&self) -> bool {
-        !matches!(self.kind, EventKind::Nearest { .. })
-    }
 }
 
 /// What can happen at a contact.
@@ -56,4 +48,12 @@ pub enum EventKind {
         /// That minimum.
         margin: f64,
     },
+}
+
+impl EventKind {
+    /// Whether the mode of the contact changes.
+    #[must_use]
+    pub fn is_switch(&self) -> bool {
+        !matches!(self, Self::Nearest { .. })
+    }
 }

@@ -9,6 +9,7 @@ mod glide;
 mod guard;
 mod observe;
 mod passing;
+mod reading;
 mod release;
 mod run;
 mod settle;
@@ -20,7 +21,6 @@ use crate::integrate::explicit::Settings;
 use crate::integrate::{Motion, Tolerance};
 use crate::model::{Model, ModelInfo, ParamId};
 use crate::scalar::{Inline, Lanes};
-pub use glide::Glide;
 use run::Run;
 pub use settle::Arrival;
 use settle::Rest;
@@ -73,6 +73,11 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             settings,
             arrival: Arrival::default(),
         })
+    }
+
+    /// The equations that it follows.
+    pub(crate) fn system(&self) -> &ExactSystem<M, N> {
+        &self.system
     }
 
     /// The same flow, its states measured against these magnitudes where they pass through zero.

@@ -8,16 +8,12 @@ mod family;
 pub(crate) mod saltation;
 mod smooth;
 mod steered;
-mod tape;
-mod word;
 
-pub(crate) use drive::{standing, strobes, wrapped};
+pub(crate) use drive::{standing, strobes};
 pub use event::{Event, EventKind};
 pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
 pub use steered::Steered;
-pub use tape::{Tape, Taped, TapedFlow};
-pub use word::word;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 
@@ -67,7 +63,7 @@ pub trait Flow<const N: usize> {
 }
 
 /// A point of phase space from which a motion continues in one way only.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place<const N: usize, Mode> {
     /// The state.
     pub state: [f64; N],
@@ -102,7 +98,7 @@ pub struct Want {
 }
 
 /// One motion from a place to another.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Passage<const N: usize, Mode> {
     /// Where it ended.
     pub end: Place<N, Mode>,
@@ -126,7 +122,7 @@ pub struct Passage<const N: usize, Mode> {
 ///
 /// Next to a short step something is about to happen, or has just happened: a start there would
 /// soon fall before it or behind it as the design variable changes.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Calm<const N: usize, Mode> {
     /// When, from the beginning of the passage.
     pub time: f64,
@@ -172,7 +168,7 @@ impl<const N: usize, Mode: Copy> Calm<N, Mode> {
 }
 
 /// How the end of a passage depends on its beginning, on the design variable and on its duration.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Derivatives<const N: usize> {
     /// Φ = ∂φ/∂y.
     pub state: [[f64; N]; N],
@@ -190,7 +186,7 @@ pub struct Derivatives<const N: usize> {
 }
 
 /// A factor of Φ over one stretch of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factor<const N: usize> {
     /// ∂(end)/∂(beginning) of the stretch.
     pub state: [[f64; N]; N],
@@ -199,7 +195,7 @@ pub struct Factor<const N: usize> {
 }
 
 /// A local extremum of one state along a motion.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extremum<const N: usize> {
     /// Which state.
     pub index: usize,
@@ -212,7 +208,7 @@ pub struct Extremum<const N: usize> {
 }
 
 /// A stretch of a motion in constant mode.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment<Mode> {
     /// The modes of the contacts during it.
     pub mode: Mode,
@@ -221,7 +217,7 @@ pub struct Segment<Mode> {
 }
 
 /// A state on a motion.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample<const N: usize> {
     /// Time from the beginning of the passage.
     pub time: f64,

@@ -3,7 +3,10 @@
 //! The tangent passes events through their saltation matrices, as all derivatives do (Müller 1995,
 //! Chaos, Solitons & Fractals 5, 1671).
 
-use crate::flow::{Flow, FlowError, Passage, Place, Want};
+use nalgebra::DVector;
+
+use crate::flow::{FlowError, Want};
+use crate::motion::{Flow, Passage, Place, sticking};
 
 /// Growth in one lap, relative to the largest entry of Φ, that rounding errors decide.
 const UNRESOLVED: f64 = 1e-13;
@@ -32,9 +35,9 @@ pub struct Lyapunov {
 ///
 /// # Errors
 /// The motion cannot be followed, or has no derivative on the way.
-pub fn lyapunov<F: Flow<N>, const N: usize>(
-    flow: &F,
-    mut place: Place<N, F::Mode>,
+pub fn lyapunov(
+    flow: &dyn Flow,
+    mut place: Place,
     lap: f64,
     laps: usize,
 ) -> Result<Lyapunov, FlowError> {
@@ -42,14 +45,14 @@ pub fn lyapunov<F: Flow<N>, const N: usize>(
         derivatives: true,
         ..Want::default()
     };
-    let mut tangent: [f64; N] = std::array::from_fn(|j| 1.0 / (1.0 + j as f64).sqrt());
+    let mut tangent = DVector::from_fn(flow.order(), |j, _| 1.0 / (1.0 + j as f64).sqrt());
     let warm_up = (WARM_UP * laps as f64).ceil() as usize;
     let mut rates = Vec::with_capacity(laps);
     for k in 0..laps + warm_up {
         let passage = flow.advance(&place, lap, want)?;
-        let growth = match area::<F, N>(flow, &place, &passage)? {
+        let growth = match area(flow, &place, &passage)? {
             Some(growth) => Some(growth),
-            None => carry::<F, N>(flow, &mut tangent, &passage)?,
+            None => carry(flow, &mut tangent, &passage)?,
         };
         let Some(growth) = growth else {
             return Ok(Lyapunov {
@@ -71,60 +74,48 @@ pub fn lyapunov<F: Flow<N>, const N: usize>(
 }
 
 /// ln of the growth across a smooth motion in the plane, by Liouville: no rounding error hides it.
-fn area<F: Flow<N>, const N: usize>(
-    flow: &F,
-    from: &Place<N, F::Mode>,
-    passage: &Passage<N, F::Mode>,
-) -> Result<Option<f64>, FlowError> {
-    let smooth = passage.events.iter().all(|event| !event.is_switch());
-    let sticking = F::sticking(&from.mode) > 0;
+fn area(flow: &dyn Flow, from: &Place, passage: &Passage) -> Result<Option<f64>, FlowError> {
+    let smooth = passage.events.iter().all(|event| !event.kind.is_switch());
+    let sticks = sticking(&from.modes) > 0;
     let Some(derivatives) = &passage.derivatives else {
         return Ok(None);
     };
-    if N != 2 || !smooth || sticking || derivatives.lost > 0 {
+    if flow.order() != 2 || !smooth || sticks || derivatives.lost > 0 {
         return Ok(None);
     }
-    let before = norm(&flow.velocity(from)?.f);
-    let along = (norm(&derivatives.time) / before).ln();
+    let before = flow.velocity(from)?.f.norm();
+    let along = (derivatives.time.norm() / before).ln();
     let growth = derivatives.trace - along;
     Ok(growth.is_finite().then_some(growth))
 }
 
 /// Carries a tangent through one passage; ln of its growth, `None` if nothing is left of it.
-fn carry<F: Flow<N>, const N: usize>(
-    flow: &F,
-    tangent: &mut [f64; N],
-    passage: &Passage<N, F::Mode>,
+fn carry(
+    flow: &dyn Flow,
+    tangent: &mut DVector<f64>,
+    passage: &Passage,
 ) -> Result<Option<f64>, FlowError> {
     let Some(derivatives) = &passage.derivatives else {
         return Ok(None);
     };
-    let stuck = passage.segments.iter().map(|s| F::sticking(&s.mode));
-    if stuck.max().unwrap_or(0).max(derivatives.lost) + 1 >= N {
+    let stuck = passage.segments.iter().map(|s| sticking(&s.modes));
+    if stuck.max().unwrap_or(0).max(derivatives.lost) + 1 >= flow.order() {
         return Ok(None);
     }
     let phi = &derivatives.state;
-    let mut next: [f64; N] = std::array::from_fn(|i| dot(&phi[i], tangent));
+    let mut next = phi * &*tangent;
     let velocity = flow.velocity(&passage.end)?.f;
-    let share = dot(&next, &velocity) / dot(&velocity, &velocity);
+    let share = next.dot(&velocity) / velocity.norm_squared();
     if share.is_finite() {
-        next = std::array::from_fn(|j| next[j] - share * velocity[j]);
+        next -= share * velocity;
     }
-    let growth = norm(&next);
-    let largest = phi.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let growth = next.norm();
+    let largest = phi.amax();
     if !growth.is_finite() || growth <= UNRESOLVED * largest {
         return Ok(None);
     }
-    *tangent = next.map(|component| component / growth);
+    *tangent = next / growth;
     Ok(Some(growth.ln()))
-}
-
-fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn norm<const N: usize>(a: &[f64; N]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 fn mean(series: &[f64]) -> f64 {

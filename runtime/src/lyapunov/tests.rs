@@ -71,15 +71,15 @@ fn smooth<M: Model<N>, const N: usize>(accuracy: f64) -> SmoothFlow<M, N> {
 /// After a time for the transient to die out.
 fn exponent<M: Model<N>, const N: usize>(lap: f64, laps: usize) -> Lyapunov {
     let flow = smooth::<M, N>(1e-8);
-    let start = std::array::from_fn(|j| M::INFO.states[j].start);
-    let settled = flow.advance(&flow.place(start).unwrap(), 50.0, Want::default());
+    let start: Vec<f64> = M::INFO.states.iter().map(|state| state.start).collect();
+    let settled = flow.advance(&flow.place(&start).unwrap(), 50.0, Want::default());
     lyapunov(&flow, settled.unwrap().end, lap, laps).unwrap()
 }
 
 #[test]
 fn a_damped_motion_decays_at_its_damping() {
     let flow = smooth::<Damped, 3>(1e-12);
-    let start = flow.place([1.0, 0.0, 1.0]).unwrap();
+    let start = flow.place(&[1.0, 0.0, 1.0]).unwrap();
     let turn = std::f64::consts::TAU / (1.0_f64 - 0.05 * 0.05).sqrt();
     let found = lyapunov(&flow, start, turn, 10).unwrap();
     assert!((found.exponent.unwrap() + 0.05).abs() < 1e-6, "{found:?}");
@@ -111,7 +111,7 @@ fn published_exponents_lie_within_the_error() {
 fn one_mass_that_sticks_is_superstable() {
     let tolerance = Tolerance::for_accuracy(1e-9).explicit();
     let flow = ExactFlow::new(&Belt::default(), None, tolerance).unwrap();
-    let start = flow.place([1.0, 0.2]).unwrap();
+    let start = flow.place(&[1.0, 0.2]).unwrap();
     let found = lyapunov(&flow, start, 12.0, 20).unwrap();
     assert_eq!(found.exponent, None);
 }
@@ -121,7 +121,7 @@ fn one_mass_that_sticks_is_superstable() {
 fn two_masses_that_stick_are_not() {
     let tolerance = Tolerance::for_accuracy(1e-9).explicit();
     let flow = ExactFlow::new(&Pair::default(), None, tolerance).unwrap();
-    let start = flow.place([-0.5976, 0.0, -0.4604, -0.1607]).unwrap();
+    let start = flow.place(&[-0.5976, 0.0, -0.4604, -0.1607]).unwrap();
     let settled = flow.advance(&start, 400.0, Want::default()).unwrap().end;
     let found = lyapunov(&flow, settled, 16.0, 50).unwrap();
     assert!(found.exponent.is_some_and(|value| value < 0.0), "{found:?}");

@@ -6,7 +6,8 @@ use super::radian;
 use super::section::{Section, Surface};
 use super::turns::Turns;
 use crate::field::Work;
-use crate::flow::{Flow, FlowError, Passage, Place, Want};
+use crate::flow::{FlowError, Want};
+use crate::motion::{Extremum, Flow, Passage, Place};
 
 /// Passages without a crossing, each twice as long as the one before, after which no more are awaited.
 const SILENCE: u32 = 12;
@@ -19,12 +20,12 @@ const INSTANT: f64 = 1e-6;
 const ITERATIONS: usize = 80;
 
 /// A point where a motion crosses a section.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crossing<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Crossing {
     /// When, from the beginning of the motion.
     pub time: f64,
     /// Where.
-    pub state: [f64; N],
+    pub state: Vec<f64>,
     /// Whether the function that vanishes there grows.
     pub rising: bool,
 }
@@ -33,29 +34,29 @@ pub struct Crossing<const N: usize> {
 ///
 /// It ends when the motion has crossed nothing for a long time, as one that has come to rest. A
 /// motion that begins on the section has not crossed it.
-pub struct Crossings<'f, F: Flow<N>, const N: usize> {
-    flow: &'f F,
+pub struct Crossings<'f> {
+    flow: &'f dyn Flow,
     section: Section,
-    place: Place<N, F::Mode>,
+    place: Place,
     time: f64,
     chunk: f64,
     silent: u32,
-    ready: VecDeque<Crossing<N>>,
-    turns: Turns<N>,
+    ready: VecDeque<Crossing>,
+    turns: Turns,
     /// Sign of the state less its level where it was last not zero.
     side: f64,
-    low: [f64; N],
-    high: [f64; N],
+    low: Vec<f64>,
+    high: Vec<f64>,
     /// Work of all passages.
     pub work: Work,
 }
 
-impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
+impl<'f> Crossings<'f> {
     /// From `place` on.
     ///
     /// # Errors
     /// The field is not finite there.
-    pub fn new(flow: &'f F, place: Place<N, F::Mode>, section: Section) -> Result<Self, FlowError> {
+    pub fn new(flow: &'f dyn Flow, place: Place, section: Section) -> Result<Self, FlowError> {
         let side = match section.surface {
             Surface::Level { state, value } => side(&place.state, state, value),
             Surface::Rate(_) => 0.0,
@@ -63,34 +64,35 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
         Ok(Self {
             flow,
             section,
-            place,
             time: 0.0,
             chunk: radian(flow, &place)?,
             silent: 0,
             ready: VecDeque::new(),
             turns: Turns::of(section.surface.state()),
             side,
-            low: place.state,
-            high: place.state,
+            low: place.state.clone(),
+            high: place.state.clone(),
+            place,
             work: Work::default(),
         })
     }
 
     /// How far the motion has been followed: at least to the last crossing.
     #[must_use]
-    pub fn place(&self) -> (f64, Place<N, F::Mode>) {
-        (self.time, self.place)
+    pub fn place(&self) -> (f64, Place) {
+        (self.time, self.place.clone())
     }
 
     /// Smallest and largest value of each state since the beginning, or since the last [`Crossings::forget`].
     #[must_use]
-    pub fn range(&self) -> ([f64; N], [f64; N]) {
-        (self.low, self.high)
+    pub fn range(&self) -> (Vec<f64>, Vec<f64>) {
+        (self.low.clone(), self.high.clone())
     }
 
     /// Forgets the range, to measure it anew from here.
     pub fn forget(&mut self) {
-        (self.low, self.high) = (self.place.state, self.place.state);
+        self.low.clone_from(&self.place.state);
+        self.high.clone_from(&self.place.state);
     }
 
     /// Follows the motion for one more passage, whether it crosses or not.
@@ -126,10 +128,12 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
     }
 
     /// Where the state is extremal, its rate vanishes.
-    fn turn(&mut self, passage: &Passage<N, F::Mode>) {
-        for &extremum in &passage.extrema {
-            let mut absolute = extremum;
-            absolute.time += self.time;
+    fn turn(&mut self, passage: &Passage) {
+        for extremum in &passage.extrema {
+            let absolute = Extremum {
+                time: self.time + extremum.time,
+                ..extremum.clone()
+            };
             if let Some(turn) = self.turns.take(absolute) {
                 self.note(Crossing {
                     time: turn.time,
@@ -141,24 +145,18 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
     }
 
     /// Between its extrema the state is monotonic: it meets a level at most once.
-    fn cross(
-        &mut self,
-        passage: &Passage<N, F::Mode>,
-        state: usize,
-        level: f64,
-    ) -> Result<(), FlowError> {
-        let start = (0.0, self.place.state);
+    fn cross(&mut self, passage: &Passage, state: usize, level: f64) -> Result<(), FlowError> {
         let extrema = passage.extrema.iter().filter(|e| e.index == state);
-        let turns = extrema.map(|extremum| (extremum.time, extremum.state));
-        let stops = turns.chain([(self.chunk, passage.end.state)]);
-        let mut from = start;
-        for stop in stops {
-            let side = side(&stop.1, state, level);
+        let turns = extrema.map(|extremum| (extremum.time, &extremum.state));
+        let stops = turns.chain([(self.chunk, &passage.end.state)]);
+        let mut from = 0.0;
+        for (until, there) in stops {
+            let side = side(there, state, level);
             if side == 0.0 {
                 continue;
             }
             if side * self.side < 0.0 {
-                let (time, place) = self.meet(state, level, from.0, stop)?;
+                let (time, place) = self.meet(state, level, from, (until, there))?;
                 self.note(Crossing {
                     time: self.time + time,
                     state: place,
@@ -166,7 +164,7 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
                 });
             }
             self.side = side;
-            from = stop;
+            from = until;
         }
         Ok(())
     }
@@ -178,15 +176,14 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
         index: usize,
         level: f64,
         from: f64,
-        until: (f64, [f64; N]),
-    ) -> Result<(f64, [f64; N]), FlowError> {
-        let mut low = (0.0, self.place);
+        until: (f64, &[f64]),
+    ) -> Result<(f64, Vec<f64>), FlowError> {
+        let mut low = (from, self.place.clone());
         if from > 0.0 {
-            let start = self.place;
-            low = (from, self.ahead(&start, from)?);
+            low.1 = self.ahead(&low.1, from)?;
         }
-        let lack = |state: &[f64; N]| state[index] - level;
-        let (mut high, mut best) = (until.0, until);
+        let lack = |state: &[f64]| state[index] - level;
+        let (mut high, mut best) = (until.0, (until.0, until.1.to_vec()));
         let rise = lack(&best.1).signum();
         let mut time = secant((low.0, lack(&low.1.state)), (high, lack(&best.1)));
         for _ in 0..ITERATIONS {
@@ -198,37 +195,34 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
             }
             let place = self.ahead(&low.1, time - low.0)?;
             let short = lack(&place.state);
-            best = (time, place.state);
+            best = (time, place.state.clone());
             if side(&place.state, index, level) == 0.0 {
                 break;
             }
+            let slope = self.flow.velocity(&place)?.f[index];
             if short * rise < 0.0 {
                 low = (time, place);
             } else {
                 high = time;
             }
-            time -= short / self.flow.velocity(&place)?.f[index];
+            time -= short / slope;
         }
         Ok(best)
     }
 
-    fn ahead(
-        &mut self,
-        from: &Place<N, F::Mode>,
-        time: f64,
-    ) -> Result<Place<N, F::Mode>, FlowError> {
+    fn ahead(&mut self, from: &Place, time: f64) -> Result<Place, FlowError> {
         let passage = self.flow.advance(from, time, Want::default())?;
         self.work += passage.work;
         Ok(passage.end)
     }
 
-    fn note(&mut self, crossing: Crossing<N>) {
+    fn note(&mut self, crossing: Crossing) {
         if self.section.direction.admits(crossing.rising) {
             self.ready.push_back(crossing);
         }
     }
 
-    fn widen(&mut self, passage: &Passage<N, F::Mode>) {
+    fn widen(&mut self, passage: &Passage) {
         let extrema = passage.extrema.iter().map(|extremum| &extremum.state);
         for state in extrema.chain([&passage.end.state]) {
             for (j, &value) in state.iter().enumerate() {
@@ -240,7 +234,7 @@ impl<'f, F: Flow<N>, const N: usize> Crossings<'f, F, N> {
 }
 
 /// Sign of a state less a level, 0 within rounding.
-fn side<const N: usize>(state: &[f64; N], index: usize, level: f64) -> f64 {
+fn side(state: &[f64], index: usize, level: f64) -> f64 {
     let lack = state[index] - level;
     if lack.abs() <= ROUNDING * state[index].abs().max(level.abs()) {
         0.0
@@ -253,8 +247,8 @@ fn secant(low: (f64, f64), high: (f64, f64)) -> f64 {
     low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)
 }
 
-impl<F: Flow<N>, const N: usize> Iterator for Crossings<'_, F, N> {
-    type Item = Result<Crossing<N>, FlowError>;
+impl Iterator for Crossings<'_> {
+    type Item = Result<Crossing, FlowError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         while self.ready.is_empty() && self.silent < SILENCE {
@@ -271,12 +265,12 @@ impl<F: Flow<N>, const N: usize> Iterator for Crossings<'_, F, N> {
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub fn until<F: Flow<N>, const N: usize>(
-    flow: &F,
-    place: Place<N, F::Mode>,
+pub fn until(
+    flow: &dyn Flow,
+    place: Place,
     section: Section,
     time: f64,
-) -> Result<Vec<Crossing<N>>, FlowError> {
+) -> Result<Vec<Crossing>, FlowError> {
     let mut crossings = Crossings::new(flow, place, section)?;
     let mut found = Vec::new();
     for crossing in &mut crossings {
@@ -293,12 +287,12 @@ pub fn until<F: Flow<N>, const N: usize>(
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub fn once_around<F: Flow<N>, const N: usize>(
-    flow: &F,
-    place: Place<N, F::Mode>,
+pub fn once_around(
+    flow: &dyn Flow,
+    place: Place,
     section: Section,
     period: f64,
-) -> Result<Vec<Crossing<N>>, FlowError> {
+) -> Result<Vec<Crossing>, FlowError> {
     let near = INSTANT * period;
     let mut found = until(flow, place, section, period + near)?;
     // A start on the section is met at the end, not at the beginning.

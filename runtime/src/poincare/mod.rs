@@ -12,16 +12,14 @@ pub use crossings::{Crossing, Crossings, once_around, until};
 pub use recurrence::recurrence;
 pub use section::{Direction, Section, Surface};
 
-use crate::flow::{Flow, FlowError, Place};
+use crate::flow::FlowError;
+use crate::motion::{Flow, Place};
 
 /// A time in which the motion linearised at `place` turns by about a radian.
-pub(crate) fn radian<F: Flow<N>, const N: usize>(
-    flow: &F,
-    place: &Place<N, F::Mode>,
-) -> Result<f64, FlowError> {
+pub(crate) fn radian(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
     let jacobian = flow.velocity(place)?.jacobian;
-    let norm = jacobian
-        .iter()
+    let rows = jacobian.row_iter();
+    let norm = rows
         .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())
         .fold(0.0, f64::max);
     Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 })

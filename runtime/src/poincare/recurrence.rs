@@ -4,14 +4,9 @@
 /// state to `tolerance` times its extent along the motion, from the first to the last. `None` if there
 /// is none: a motion that is still settling has not come back, however slowly it drifts.
 #[must_use]
-pub fn recurrence<const N: usize>(
-    points: &[[f64; N]],
-    extent: &[f64; N],
-    tolerance: f64,
-) -> Option<usize> {
-    let close = |a: &[f64; N], b: &[f64; N]| {
-        (0..N).all(|j| (a[j] - b[j]).abs() <= tolerance * extent[j].max(f64::MIN_POSITIVE))
-    };
+pub fn recurrence(points: &[Vec<f64>], extent: &[f64], tolerance: f64) -> Option<usize> {
+    let near = |j: usize, gap: f64| gap.abs() <= tolerance * extent[j].max(f64::MIN_POSITIVE);
+    let close = |a: &[f64], b: &[f64]| (0..extent.len()).all(|j| near(j, a[j] - b[j]));
     let returns = |n: usize| (n..points.len()).all(|i| close(&points[i], &points[i % n]));
     (1..=points.len() / 2).find(|&n| returns(n))
 }

@@ -33,7 +33,7 @@ fn level(value: f64, direction: Direction) -> Section {
 
 fn times(section: Section, time: f64) -> Vec<f64> {
     let flow = swing();
-    let start = flow.place([1.0, 0.0]).unwrap();
+    let start = flow.place(&[1.0, 0.0]).unwrap();
     let found = until(&flow, start, section, time).unwrap();
     found.iter().map(|crossing| crossing.time).collect()
 }
@@ -88,7 +88,7 @@ fn an_orbit_that_begins_on_its_section_meets_it_once() {
         ..Section::default()
     };
     for shift in [0.0, 1e-9, -1e-9, 0.3] {
-        let start = flow.place([f64::cos(shift), -f64::sin(shift)]).unwrap();
+        let start = flow.place(&[f64::cos(shift), -f64::sin(shift)]).unwrap();
         let found = once_around(&flow, start, down, TAU).unwrap();
         assert_eq!(found.len(), 1, "from {shift}: {found:?}");
     }
@@ -99,8 +99,14 @@ fn an_orbit_that_begins_on_its_section_meets_it_once() {
 fn a_level_that_is_only_touched_is_not_crossed() {
     let belt = Belt::default();
     let flow = ExactFlow::new(&belt, None, Tolerance::for_accuracy(1e-9).explicit()).unwrap();
-    let start = flow.place([0.0, 0.0]).unwrap();
-    let found = until(&flow, start, level(belt.v_dr, Direction::Both), 60.0).unwrap();
+    let start = flow.place(&[0.0, 0.0]).unwrap();
+    let found = until(
+        &flow,
+        start.clone(),
+        level(belt.v_dr, Direction::Both),
+        60.0,
+    )
+    .unwrap();
     assert!(found.is_empty(), "{found:?}");
     let below = until(&flow, start, level(0.5 * belt.v_dr, Direction::Up), 60.0).unwrap();
     assert!(below.len() > 2, "{below:?}");
@@ -109,24 +115,28 @@ fn a_level_that_is_only_touched_is_not_crossed() {
 #[test]
 fn a_motion_at_rest_crosses_nothing() {
     let flow = swing();
-    let start = flow.place([0.0, 0.0]).unwrap();
+    let start = flow.place(&[0.0, 0.0]).unwrap();
     let mut crossings = Crossings::new(&flow, start, Section::default()).unwrap();
     assert_eq!(crossings.next(), None);
 }
 
+fn points(values: &[f64]) -> Vec<Vec<f64>> {
+    values.iter().map(|value| vec![*value]).collect()
+}
+
 #[test]
 fn recurrence_is_the_least_number_that_repeats() {
-    let points = [[1.0], [2.0], [1.0], [3.0]].repeat(3);
-    assert_eq!(recurrence(&points, &[2.0], 1e-6), Some(4));
-    assert_eq!(recurrence(&[[1.0], [1.0], [1.0]], &[1.0], 1e-6), Some(1));
-    assert_eq!(recurrence(&[[1.0], [2.0], [4.0]], &[3.0], 1e-6), None);
-    assert_eq!(recurrence::<1>(&[], &[1.0], 1e-6), None);
+    let after = |values: &[f64], extent: f64| recurrence(&points(values), &[extent], 1e-6);
+    assert_eq!(after(&[1.0, 2.0, 1.0, 3.0].repeat(3), 2.0), Some(4));
+    assert_eq!(after(&[1.0, 1.0, 1.0], 1.0), Some(1));
+    assert_eq!(after(&[1.0, 2.0, 4.0], 3.0), None);
+    assert_eq!(after(&[], 1.0), None);
 }
 
 /// A decaying alternation comes back to nearly the same point every second time, but not to the first.
 #[test]
 fn what_still_settles_has_not_come_back() {
-    let points: Vec<[f64; 1]> = (0..64).map(|k| [(-0.99_f64).powi(k) * 1e-4]).collect();
+    let points: Vec<Vec<f64>> = (0..64).map(|k| vec![(-0.99_f64).powi(k) * 1e-4]).collect();
     assert_eq!(recurrence(&points, &[1.0], 1e-5), None);
     assert_eq!(recurrence(&points, &[1.0], 1e-3), Some(1));
 }

@@ -1,6 +1,6 @@
 //! The extrema of one state over passages that follow each other.
 
-use crate::flow::Extremum;
+use crate::motion::Extremum;
 
 /// Extrema closer than this, relative to their size, are both ends of one stretch of rest.
 const SAME: f64 = 1e-12;
@@ -9,14 +9,14 @@ const SAME: f64 = 1e-12;
 ///
 /// One extremum is held back until the next one tells what it was.
 #[derive(Debug, Clone)]
-pub(super) struct Turns<const N: usize> {
+pub(super) struct Turns {
     index: usize,
-    held: Option<Extremum<N>>,
+    held: Option<Extremum>,
     /// Whether the last one handed on was a maximum.
     last: Option<bool>,
 }
 
-impl<const N: usize> Turns<N> {
+impl Turns {
     pub(super) fn of(index: usize) -> Self {
         Self {
             index,
@@ -26,25 +26,23 @@ impl<const N: usize> Turns<N> {
     }
 
     /// Takes the next extremum in time; hands on the one before it, once that is certain.
-    pub(super) fn take(&mut self, next: Extremum<N>) -> Option<Extremum<N>> {
+    pub(super) fn take(&mut self, next: Extremum) -> Option<Extremum> {
         if next.index != self.index {
             return None;
         }
-        let Some(held) = self.held else {
+        let Some(held) = &self.held else {
             self.held = (self.last != Some(next.maximum)).then_some(next);
             return None;
         };
         if held.maximum == next.maximum {
             return None;
         }
-        let value = |extremum: &Extremum<N>| extremum.state[self.index];
-        let (a, b) = (value(&held), value(&next));
+        let (a, b) = (held.state[self.index], next.state[self.index]);
         if (a - b).abs() <= SAME * a.abs().max(b.abs()) {
             self.held = None;
             return None;
         }
         self.last = Some(held.maximum);
-        self.held = Some(next);
-        Some(held)
+        self.held.replace(next)
     }
 }

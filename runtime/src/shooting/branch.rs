@@ -10,31 +10,30 @@ use super::search::Search;
 use crate::bifurcation::Path;
 use crate::continuation::{Branch, Ending, Failure, Link, Point, Settings, Started};
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
 
 /// Periodic orbits along r; an iterator over them.
-pub struct OrbitBranch<F: Family<N> + Clone, const N: usize> {
-    branch: Branch<OrbitProblem<F, N>>,
-    first: Option<Orbit<N, Mode<F, N>>>,
+pub struct OrbitBranch {
+    branch: Branch<OrbitProblem>,
+    first: Option<Orbit>,
     accuracy: f64,
     counted: Work,
 }
 
-impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
+impl OrbitBranch {
     /// Starts from an orbit found at r = `settings.from`; the first item is that orbit.
     ///
     /// # Errors
     /// The orbit cannot be converged on with the family's derivative ∂/∂r.
     pub fn start(
-        family: &F,
-        orbit: &Orbit<N, Mode<F, N>>,
-        search: &Search<N>,
+        family: &Family,
+        orbit: &Orbit,
+        search: &Search,
         settings: Settings,
     ) -> Result<Self, Failure<FlowError>> {
         let upwards = settings.to >= settings.from;
@@ -47,18 +46,18 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
     /// # Errors
     /// The orbit cannot be converged on with the family's derivative ∂/∂r.
     pub fn start_at(
-        family: &F,
-        orbit: &Orbit<N, Mode<F, N>>,
-        search: &Search<N>,
+        family: &Family,
+        orbit: &Orbit,
+        search: &Search,
         settings: Settings,
         (r, upwards): (f64, bool),
     ) -> Result<Self, Failure<FlowError>> {
         let magnitude = orbit.magnitude();
         let family = family
             .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-            .with_magnitude(magnitude);
+            .with_magnitude(&magnitude);
         let guess = Guess {
-            place: orbit.place,
+            place: orbit.place.clone(),
             period: orbit.period,
             magnitude,
         };
@@ -74,7 +73,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
     }
 
     /// The orbits of a branch of which the first point has been found.
-    pub(super) fn begin(started: Started<OrbitProblem<F, N>>, accuracy: f64) -> Self {
+    pub(super) fn begin(started: Started<OrbitProblem>, accuracy: f64) -> Self {
         let (branch, first) = started;
         let mut orbits = Self {
             branch,
@@ -88,7 +87,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
 
     /// The orbit from which the branch sets out, until it has been taken.
     #[must_use]
-    pub fn first(&self) -> Option<&Orbit<N, Mode<F, N>>> {
+    pub fn first(&self) -> Option<&Orbit> {
         self.first.as_ref()
     }
 
@@ -105,7 +104,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
 
     /// What lies between the last two orbits; `None` at the first.
     #[must_use]
-    pub fn path(&self) -> Option<OrbitPath<F, N>> {
+    pub fn path(&self) -> Option<OrbitPath> {
         let mut link = self.branch.link()?.clone();
         // Multipliers lose digits that the orbit keeps.
         let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);
@@ -118,7 +117,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         })
     }
 
-    fn read(&mut self, point: &Point<Shot<N, Mode<F, N>>>) -> Orbit<N, Mode<F, N>> {
+    fn read(&mut self, point: &Point<Shot>) -> Orbit {
         let total = self.branch.problem.work;
         let work = total.since(&self.counted);
         self.counted = total;
@@ -126,12 +125,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
     }
 }
 
-fn read<F: Family<N>, const N: usize>(
-    family: &F,
-    point: &Point<Shot<N, Mode<F, N>>>,
-    accuracy: f64,
-    work: Work,
-) -> Orbit<N, Mode<F, N>> {
+fn read(family: &Family, point: &Point<Shot>, accuracy: f64, work: Work) -> Orbit {
     let solution = Solution {
         shot: &point.extra,
         z: &point.z,
@@ -144,13 +138,13 @@ fn read<F: Family<N>, const N: usize>(
 }
 
 /// The orbits between two neighbouring ones of a branch.
-pub struct OrbitPath<F: Family<N>, const N: usize> {
-    link: Link<OrbitProblem<F, N>>,
+pub struct OrbitPath {
+    link: Link<OrbitProblem>,
     accuracy: f64,
     counted: Work,
 }
 
-impl<F: Family<N> + Clone, const N: usize> OrbitPath<F, N> {
+impl OrbitPath {
     /// Work of all orbits found on it.
     #[must_use]
     pub fn work(&self) -> Work {
@@ -158,8 +152,8 @@ impl<F: Family<N> + Clone, const N: usize> OrbitPath<F, N> {
     }
 }
 
-impl<F: Family<N> + Clone, const N: usize> Path for OrbitPath<F, N> {
-    type Point = Orbit<N, Mode<F, N>>;
+impl Path for OrbitPath {
+    type Point = Orbit;
     type Error = Failure<FlowError>;
 
     fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error> {
@@ -174,8 +168,8 @@ impl<F: Family<N> + Clone, const N: usize> Path for OrbitPath<F, N> {
     }
 }
 
-impl<F: Family<N> + Clone, const N: usize> Iterator for OrbitBranch<F, N> {
-    type Item = Orbit<N, Mode<F, N>>;
+impl Iterator for OrbitBranch {
+    type Item = Orbit;
 
     fn next(&mut self) -> Option<Self::Item> {
         if let Some(first) = self.first.take() {

@@ -7,11 +7,10 @@ use nalgebra::DMatrix;
 use super::converge::{CHANCE, DOUBT, TIGHTER};
 use super::guess::Guess;
 use crate::continuation::ZeroProblem;
-use crate::flow::{Family, Flow, FlowError};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
+use crate::motion::Family;
 use equations::{Equations, norm};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// The ball in which derivatives are compared, over the length of Newton's step; the radius is at most 2 of them.
 const BALL: f64 = 4.0;
@@ -100,10 +99,10 @@ pub enum Uncertified {
 ///
 /// # Errors
 /// See [`Uncertified`].
-pub fn certify<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub fn certify(
+    family: &Family,
     r: f64,
-    orbit: &Guess<N, Mode<F, N>>,
+    orbit: &Guess,
     accuracy: f64,
 ) -> Result<Certificate, Uncertified> {
     let tolerance = Tolerance::for_accuracy(accuracy).times(TIGHTER);
@@ -135,10 +134,10 @@ pub fn certify<F: Family<N> + Clone, const N: usize>(
     let radius = radius(&constants).ok_or(Uncertified::TooFar(constants))?;
     let radii = tight.problem.scale() * radius;
     Ok(Certificate {
-        start: orbit.place.state.to_vec(),
+        start: orbit.place.state.clone(),
         period: orbit.period,
-        state_radius: radii.iter().take(N).copied().collect(),
-        period_radius: radii[N],
+        state_radius: radii.iter().take(family.order()).copied().collect(),
+        period_radius: radii[family.order()],
         constants,
     })
 }

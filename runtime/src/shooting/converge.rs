@@ -10,11 +10,11 @@ use super::problem::{OrbitProblem, Shot};
 use super::search::Search;
 use crate::bifurcation::Floquet;
 use crate::continuation::{Corrected, correct};
-use crate::flow::{Family, Flow, FlowError};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
+use crate::motion::{Family, Flow};
 
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
-type Found<F, const N: usize> = Corrected<Shot<N, Mode<F, N>>>;
+type Found = Corrected<Shot>;
 
 /// An orbit whose extent is below this share of its states is an equilibrium.
 const EXTENT: f64 = 1e-6;
@@ -39,12 +39,12 @@ const SLACK: f64 = 10.0;
 ///
 /// # Errors
 /// See [`OrbitError`].
-pub fn converge<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub fn converge(
+    family: &Family,
     r: f64,
-    guess: &Guess<N, Mode<F, N>>,
-    search: &Search<N>,
-) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
+    guess: &Guess,
+    search: &Search,
+) -> Result<Orbit, OrbitError> {
     let crossing = from(family, r, guess, search, anchored);
     match crossing {
         Err(OrbitError::Newton(_)) => calmly(family, r, guess, search).unwrap_or(crossing),
@@ -53,18 +53,17 @@ pub fn converge<F: Family<N> + Clone, const N: usize>(
 }
 
 /// The orbit from the calmest place on the way of a guess; `None` where that leads to none either.
-pub(super) fn calmly<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub(super) fn calmly(
+    family: &Family,
     r: f64,
-    guess: &Guess<N, Mode<F, N>>,
-    search: &Search<N>,
-) -> Option<Result<Orbit<N, Mode<F, N>>, OrbitError>> {
+    guess: &Guess,
+    search: &Search,
+) -> Option<Result<Orbit, OrbitError>> {
     let calm = calm(family, r, guess, search)?;
     let found = from(family, r, &calm, search, |_, _, found| {
         let (period, magnitude) = once_around(&found.linearisation.extra);
-        let place = calm.moved(found).place;
         Ok(Guess {
-            place,
+            place: calm.moved(found).place,
             period,
             magnitude,
         })
@@ -73,30 +72,28 @@ pub(super) fn calmly<F: Family<N> + Clone, const N: usize>(
 }
 
 /// The same guess, from the calmest place on its way.
-fn calm<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    r: f64,
-    guess: &Guess<N, Mode<F, N>>,
-    search: &Search<N>,
-) -> Option<Guess<N, Mode<F, N>>> {
+fn calm(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Guess> {
     let tolerance = Tolerance::for_accuracy(search.accuracy.max(ROUGH));
     let family = family
         .with_tolerance(tolerance)
-        .with_magnitude(guess.magnitude);
+        .with_magnitude(&guess.magnitude);
     let flow = family.at(r).ok()?;
     let passage = flow.advance(&guess.place, guess.period, Default::default());
     let place = passage.ok()?.calm.place;
-    Some(Guess { place, ..*guess })
+    Some(Guess {
+        place,
+        ..guess.clone()
+    })
 }
 
 /// Newton from a guess, thrice; `anchor` makes the second guess of the first, rough, orbit.
-pub(super) fn from<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub(super) fn from(
+    family: &Family,
     r: f64,
-    guess: &Guess<N, Mode<F, N>>,
-    search: &Search<N>,
-    anchor: impl Fn(&F, f64, &Found<F, N>) -> Result<Guess<N, Mode<F, N>>, FlowError>,
-) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
+    guess: &Guess,
+    search: &Search,
+    anchor: impl Fn(&Family, f64, &Found) -> Result<Guess, FlowError>,
+) -> Result<Orbit, OrbitError> {
     let accuracy = search.accuracy;
     let newton = |guess: &_, accuracy: f64, tolerance: Tolerance, factors: bool| {
         let effort = Effort {
@@ -107,6 +104,7 @@ pub(super) fn from<F: Family<N> + Clone, const N: usize>(
         newton(family, r, guess, search.segments, effort)
     };
     let fine = Tolerance::for_accuracy(accuracy);
+    let factors = family.order() > 2;
     let least = accuracy.clamp(ROUGH, LOOSEST);
     let rough = newton(guess, least, Tolerance::for_accuracy(least), false)?;
     let guess = anchor(family, r, &rough.0)?;
@@ -114,7 +112,7 @@ pub(super) fn from<F: Family<N> + Clone, const N: usize>(
     let mut work = rough.1.work;
     work += loose.1.work;
     let mut tolerance = fine.times(TIGHTER);
-    let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, N > 2)?;
+    let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, factors)?;
     work += tight.1.work;
     let mut error = difference(&loose.0, &tight.0);
     // A small error once around is a large one of an orbit that hardly attracts.
@@ -124,7 +122,7 @@ pub(super) fn from<F: Family<N> + Clone, const N: usize>(
         }
         loose = tight;
         tolerance = tolerance.times(TIGHTER);
-        let tighter = newton(&guess.moved(&loose.0), accuracy, tolerance, N > 2);
+        let tighter = newton(&guess.moved(&loose.0), accuracy, tolerance, factors);
         let Some(tighter) = tighter.ok().filter(|t| difference(&loose.0, &t.0) < error) else {
             tight = loose;
             break;
@@ -159,7 +157,7 @@ fn pull(floquet: &Floquet) -> f64 {
     shares.fold(1.0, f64::min).max(f64::EPSILON)
 }
 
-type Converged<F, const N: usize> = (Found<F, N>, OrbitProblem<F, N>);
+type Converged = (Found, OrbitProblem);
 
 /// What one Newton iteration is to reach, and to report.
 #[derive(Debug, Clone, Copy)]
@@ -170,19 +168,19 @@ struct Effort {
 }
 
 /// Shooting with the flow at the tolerance for `effort.tolerance`; refuses an equilibrium.
-fn newton<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+fn newton(
+    family: &Family,
     r: f64,
-    guess: &Guess<N, Mode<F, N>>,
+    guess: &Guess,
     segments: usize,
     effort: Effort,
-) -> Result<Converged<F, N>, OrbitError> {
+) -> Result<Converged, OrbitError> {
     let family = family
         .with_tolerance(effort.tolerance)
-        .with_magnitude(guess.magnitude);
-    if at_rest(&family.at(r)?, guess)? {
+        .with_magnitude(&guess.magnitude);
+    if at_rest(family.at(r)?.as_ref(), guess)? {
         return Err(OrbitError::Equilibrium {
-            state: guess.place.state.to_vec(),
+            state: guess.place.state.clone(),
         });
     }
     let (mut problem, z) = problem(family, r, guess, segments)?;
@@ -193,32 +191,32 @@ fn newton<F: Family<N> + Clone, const N: usize>(
         correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
     let (low, high) = shot.extent();
-    let flat = (0..N).all(|j| {
+    let flat = (0..low.len()).all(|j| {
         high[j] - low[j] <= EXTENT * low[j].abs().max(high[j].abs()).max(guess.magnitude[j])
     });
     if flat {
         return Err(OrbitError::Equilibrium {
-            state: shot.start.state.to_vec(),
+            state: shot.start.state.clone(),
         });
     }
     Ok((found, problem))
 }
 
 /// Whether a guess hardly moves in its period: there Newton's matrix is singular for any period.
-fn at_rest<F: Flow<N>, const N: usize>(
-    flow: &F,
-    guess: &Guess<N, F::Mode>,
-) -> Result<bool, FlowError> {
+fn at_rest(flow: &dyn Flow, guess: &Guess) -> Result<bool, FlowError> {
     let velocity = flow.velocity(&guess.place)?.f;
-    Ok((0..N).all(|j| velocity[j].abs() * guess.period <= EXTENT * guess.magnitude[j]))
+    Ok(
+        (0..velocity.len())
+            .all(|j| velocity[j].abs() * guess.period <= EXTENT * guess.magnitude[j]),
+    )
 }
 
 /// Largest relative difference of period and extrema between two computations of one orbit.
-fn difference<const N: usize, M>(a: &Corrected<Shot<N, M>>, b: &Corrected<Shot<N, M>>) -> f64 {
+fn difference(a: &Corrected<Shot>, b: &Corrected<Shot>) -> f64 {
     let (first, second) = (&a.linearisation.extra, &b.linearisation.extra);
     let period = (a.z[a.z.len() - 1] / b.z[b.z.len() - 1] - 1.0).abs();
     let ((low_a, high_a), (low_b, high_b)) = (first.extent(), second.extent());
-    (0..N).fold(period.max(1e-15), |largest, j| {
+    (0..low_a.len()).fold(period.max(1e-15), |largest, j| {
         let size = high_b[j].abs().max(low_b[j].abs()).max(f64::MIN_POSITIVE);
         largest
             .max((high_a[j] - high_b[j]).abs() / size)

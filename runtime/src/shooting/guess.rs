@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::flow::{Flow, FlowError, Place, Want, wrapped};
+use crate::flow::{FlowError, Want};
+use crate::motion::{Flow, Place};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -17,23 +18,23 @@ const SILENCE: u32 = 60;
 const VANISHED: f64 = 1e-7;
 
 /// A place near a periodic orbit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Guess<const N: usize, Mode> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Guess {
     /// On the section where the first state is least, or where the phase of the drive begins.
-    pub place: Place<N, Mode>,
+    pub place: Place,
     /// Time to come back.
     pub period: f64,
     /// Half the extent of each state on the way.
-    pub magnitude: [f64; N],
+    pub magnitude: Vec<f64>,
 }
 
 /// Where a settling motion ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Settled<const N: usize, T> {
+pub enum Settled<T> {
     /// `accept` was satisfied with a guess.
     Orbit(T),
     /// It came to rest.
-    Equilibrium([f64; N]),
+    Equilibrium(Vec<f64>),
     /// Neither, after this time.
     Neither(f64),
 }
@@ -42,18 +43,18 @@ pub enum Settled<const N: usize, T> {
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub fn settle<F: Flow<N>, T, const N: usize>(
-    flow: &F,
-    start: Place<N, F::Mode>,
-    mut accept: impl FnMut(&Guess<N, F::Mode>) -> Option<T>,
-) -> Result<Settled<N, T>, FlowError> {
-    let mut watch = Watch::new(start);
+pub fn settle<T>(
+    flow: &dyn Flow,
+    start: Place,
+    mut accept: impl FnMut(&Guess) -> Option<T>,
+) -> Result<Settled<T>, FlowError> {
     let mut chunk = radian(flow, &start)?;
+    let mut watch = Watch::new(start);
     let mut silent = 0;
     while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < STEPS {
         let crossings = watch.follow(flow, chunk)?;
-        if F::PHASE.is_none() && watch.at_rest() {
-            return Ok(Settled::Equilibrium(watch.place.state));
+        if flow.phase().is_none() && watch.at_rest() {
+            return Ok(Settled::Equilibrium(watch.place.state.clone()));
         }
         if crossings < 2 {
             chunk *= 2.0;
@@ -75,35 +76,35 @@ pub fn settle<F: Flow<N>, T, const N: usize>(
 }
 
 /// A minimum of the first state.
-#[derive(Debug, Clone, Copy)]
-struct Minimum<const N: usize> {
+#[derive(Debug, Clone)]
+struct Minimum {
     time: f64,
-    state: [f64; N],
+    state: Vec<f64>,
 }
 
-struct Watch<const N: usize, Mode> {
-    place: Place<N, Mode>,
+struct Watch {
+    place: Place,
     time: f64,
-    minima: Vec<Minimum<N>>,
+    minima: Vec<Minimum>,
     /// Minima already offered as guesses.
     offered: usize,
     /// A return must be this close to be offered.
     closeness: f64,
-    extent: [f64; N],
+    extent: Vec<f64>,
     first_extent: f64,
     swings: Vec<f64>,
     steps: u64,
 }
 
-impl<const N: usize, Mode: Copy> Watch<N, Mode> {
-    fn new(place: Place<N, Mode>) -> Self {
+impl Watch {
+    fn new(place: Place) -> Self {
         Self {
+            extent: vec![0.0; place.state.len()],
             place,
             time: 0.0,
             minima: Vec::new(),
             offered: 0,
             closeness: 3e-2,
-            extent: [0.0; N],
             first_extent: 0.0,
             swings: Vec::new(),
             steps: 0,
@@ -111,11 +112,7 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
     }
 
     /// Follows one chunk; returns the number of minima in it.
-    fn follow<F: Flow<N, Mode = Mode>>(
-        &mut self,
-        flow: &F,
-        chunk: f64,
-    ) -> Result<usize, FlowError> {
+    fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
         let want = Want {
             extrema: true,
             ..Want::default()
@@ -123,8 +120,8 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
         let passage = flow.advance(&self.place, chunk, want)?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
-        let section = F::PHASE.unwrap_or(0);
-        let (mut low, mut high) = (passage.end.state, passage.end.state);
+        let section = flow.phase().unwrap_or(0);
+        let (mut low, mut high) = (passage.end.state.clone(), passage.end.state.clone());
         for extremum in &passage.extrema {
             let (j, value) = (extremum.index, extremum.state[extremum.index]);
             low[j] = low[j].min(value);
@@ -132,7 +129,7 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
             if j == section && !extremum.maximum {
                 self.minima.push(Minimum {
                     time: self.time + extremum.time,
-                    state: extremum.state,
+                    state: extremum.state.clone(),
                 });
             }
         }
@@ -141,14 +138,18 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
         let reach = (self.place.state[0] - low[0]).abs().max(high[0] - low[0]);
         self.first_extent = self.first_extent.max(reach);
         if crossings >= 2 {
-            if let Some(phase) = F::PHASE {
+            if let Some(phase) = flow.phase() {
                 (low[phase], high[phase]) = (0.0, TAU);
             }
-            self.extent = std::array::from_fn(|j| high[j] - low[j]);
+            self.extent = high
+                .iter()
+                .zip(&low)
+                .map(|(high, low)| high - low)
+                .collect();
             self.swings.push(self.extent[0]);
         }
         self.place = passage.end;
-        self.place.state = wrapped::<F, N>(self.place.state);
+        self.place.state = flow.wrapped(std::mem::take(&mut self.place.state));
         self.time += chunk;
         Ok(crossings)
     }
@@ -161,27 +162,24 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
     }
 
     /// Whether the state hardly moves over the time watched.
-    fn slow<F: Flow<N, Mode = Mode>>(&self, flow: &F) -> Result<bool, FlowError> {
+    fn slow(&self, flow: &dyn Flow) -> Result<bool, FlowError> {
         let velocity = flow.velocity(&self.place)?.f;
-        Ok((0..N).all(|j| {
+        Ok((0..velocity.len()).all(|j| {
             velocity[j].abs() * self.time
                 <= 1e-3 * self.place.state[j].abs().max(self.extent[j]).max(1e-9)
         }))
     }
 
     /// New returns to the section that are close enough; later ones must be closer.
-    fn guesses<F: Flow<N, Mode = Mode>>(
-        &mut self,
-        flow: &F,
-    ) -> Result<Vec<Guess<N, Mode>>, FlowError> {
+    fn guesses(&mut self, flow: &dyn Flow) -> Result<Vec<Guess>, FlowError> {
         let mut guesses = Vec::new();
         for last in self.offered..self.minima.len() {
-            let here = self.minima[last];
+            let here = &self.minima[last];
             let close = (1..=LONGEST.min(last)).find(|&k| {
                 self.distance(&here.state, &self.minima[last - k].state) < self.closeness
             });
             if let Some(k) = close {
-                let place = flow.place(here.state)?;
+                let place = flow.place(&here.state)?;
                 let period = here.time - self.minima[last - k].time;
                 guesses.push(Guess {
                     place,
@@ -200,14 +198,14 @@ impl<const N: usize, Mode: Copy> Watch<N, Mode> {
         Ok(guesses)
     }
 
-    fn magnitude(&self) -> [f64; N] {
-        self.extent
-            .map(|extent| if extent > 0.0 { 0.5 * extent } else { 1.0 })
+    fn magnitude(&self) -> Vec<f64> {
+        let half = |extent: &f64| if *extent > 0.0 { 0.5 * extent } else { 1.0 };
+        self.extent.iter().map(half).collect()
     }
 
-    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+    fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
         let magnitude = self.magnitude();
-        (0..N)
+        (0..a.len())
             .map(|j| (a[j] - b[j]).abs() / magnitude[j])
             .fold(0.0, f64::max)
     }

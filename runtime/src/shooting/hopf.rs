@@ -7,33 +7,33 @@ use super::problem::OrbitProblem;
 use super::search::Search;
 use super::switch::SwitchError;
 use crate::continuation::{Branch, Failure, Settings};
-use crate::flow::{Family, Flow};
 use crate::integrate::Tolerance;
+use crate::motion::Family;
 
 /// Amplitudes of the first orbit, relative to the state; for a state near 0, against 1.
 const AMPLITUDES: [f64; 3] = [1e-2, 1e-3, 1e-1];
 
-impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
+impl OrbitBranch {
     /// The branch of orbits that begins where, at r, an equilibrium has a pair of eigenvalues ± iω with
     /// the period 2π/ω: its first orbit is an ellipse in the plane of their eigenvectors.
     ///
     /// # Errors
     /// See [`SwitchError`].
     pub fn from_hopf(
-        family: &F,
-        (r, state): (f64, [f64; N]),
+        family: &Family,
+        (r, state): (f64, &[f64]),
         period: f64,
-        search: &Search<N>,
+        search: &Search,
         settings: Settings,
     ) -> Result<Self, SwitchError> {
         let size = state.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let size = if size > 1e-3 { size } else { 1.0 };
-        let mut last = SwitchError::NotFound;
+        let (order, mut last) = (state.len(), SwitchError::NotFound);
         for amplitude in AMPLITUDES {
-            let magnitude = [amplitude * size; N];
+            let magnitude = vec![amplitude * size; order];
             let family = family
                 .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-                .with_magnitude(magnitude);
+                .with_magnitude(&magnitude);
             let flow = family.at(r).map_err(Failure::Evaluation)?;
             let centre = flow.place(state).map_err(Failure::Evaluation)?;
             let jacobian = flow
@@ -42,18 +42,19 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
                 .jacobian;
             let axis = axis(&jacobian, period).ok_or(SwitchError::NotFound)?;
             let mut start = centre;
-            for j in 0..N {
+            for j in 0..order {
                 start.state[j] += magnitude[j] * axis[j];
             }
             let velocity = flow.velocity(&start).map_err(Failure::Evaluation)?.f;
             let phase = super::Phase::Orthogonal {
-                at: start.state,
+                at: start.state.clone(),
                 velocity,
             };
-            let problem = OrbitProblem::new(family, phase, &[start], period, magnitude);
-            let z = OrbitProblem::<F, N>::unknowns(&[start.state], period);
-            let mut direction = DVector::zeros(N + 2);
-            direction.rows_mut(0, N).copy_from(&axis);
+            let starts = [start];
+            let problem = OrbitProblem::new(family, phase, &starts, period, magnitude);
+            let z = OrbitProblem::unknowns(&starts, period);
+            let mut direction = DVector::zeros(order + 2);
+            direction.rows_mut(0, order).copy_from(&axis);
             match Branch::set_out(problem, (z, r), &direction, settings) {
                 Ok(started) => return Ok(Self::begin(started, search.accuracy)),
                 Err(failure) => last = failure.into(),
@@ -64,18 +65,19 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
 }
 
 /// The real part a of the eigenvector a + ib for iω: J a = −ω b, J b = ω a.
-fn axis<const N: usize>(jacobian: &[[f64; N]; N], period: f64) -> Option<DVector<f64>> {
+fn axis(jacobian: &DMatrix<f64>, period: f64) -> Option<DVector<f64>> {
+    let order = jacobian.nrows();
     let omega = std::f64::consts::TAU / period;
-    let matrix = DMatrix::from_fn(2 * N, 2 * N, |i, j| match (i < N, j < N) {
-        (true, true) => jacobian[i][j],
-        (false, false) => jacobian[i - N][j - N],
-        (true, false) => omega * f64::from(i + N == j),
-        (false, true) => -omega * f64::from(i == j + N),
+    let matrix = DMatrix::from_fn(2 * order, 2 * order, |i, j| match (i < order, j < order) {
+        (true, true) => jacobian[(i, j)],
+        (false, false) => jacobian[(i - order, j - order)],
+        (true, false) => omega * f64::from(i + order == j),
+        (false, true) => -omega * f64::from(i == j + order),
     });
     let svd = matrix.try_svd(false, true, f64::EPSILON, 10_000)?;
     let least = svd.singular_values.imin();
     let row = svd.v_t?.row(least).transpose();
-    let axis = row.rows(0, N).into_owned();
+    let axis = row.rows(0, order).into_owned();
     axis.iter()
         .all(|x| x.is_finite())
         .then(|| axis.try_normalize(0.0))
@@ -89,7 +91,8 @@ mod tests {
     #[test]
     fn the_plane_of_an_oscillation_is_found() {
         // x' = 2 y, y' = −2 x, and z decays: the axis lies in the plane of x and y.
-        let jacobian = [[0.0, 2.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 0.0, -1.0]];
+        let rows = [0.0, 2.0, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, -1.0];
+        let jacobian = DMatrix::from_row_slice(3, 3, &rows);
         let axis = axis(&jacobian, std::f64::consts::PI).unwrap();
         assert!(axis[2].abs() < 1e-14 && (axis.norm() - 1.0).abs() < 1e-14);
     }

@@ -1,18 +1,20 @@
 //! Phase conditions: which of the points of an orbit is its start.
 
-use crate::flow::Velocity;
+use nalgebra::DVector;
+
+use crate::motion::Velocity;
 
 /// The equation that fixes where on its orbit a start lies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Phase<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub enum Phase {
     /// The state of this index has no rate: with `der(x) = v`, STRDYN's zero velocity (2.10).
     Section(usize),
     /// The start moves orthogonally to the field at a reference: Parker & Chua's (2.6).
     Orthogonal {
         /// The reference state.
-        at: [f64; N],
+        at: Vec<f64>,
         /// The field there.
-        velocity: [f64; N],
+        velocity: DVector<f64>,
     },
     /// The state of this index, the phase of a drive, has this value: a stroboscopic section.
     Strobe {
@@ -23,10 +25,10 @@ pub enum Phase<const N: usize> {
     },
 }
 
-impl<const N: usize> Phase<N> {
+impl Phase {
     /// The condition that lets a start float: with a drive its phase stays, otherwise it moves orthogonally to the field.
     #[must_use]
-    pub fn floating(drive: Option<usize>, at: [f64; N], velocity: [f64; N]) -> Self {
+    pub fn floating(drive: Option<usize>, at: Vec<f64>, velocity: DVector<f64>) -> Self {
         match drive {
             Some(index) => Self::Strobe {
                 index,
@@ -38,22 +40,24 @@ impl<const N: usize> Phase<N> {
 
     /// The condition at `state`, and its derivatives with respect to state and design variable.
     #[must_use]
-    pub fn equation(&self, state: &[f64; N], velocity: &Velocity<N>) -> (f64, [f64; N], f64) {
+    pub fn equation(&self, state: &[f64], velocity: &Velocity) -> (f64, DVector<f64>, f64) {
         match self {
             Self::Section(index) => {
-                let row = (*index).min(N - 1);
+                let row = (*index).min(state.len() - 1);
                 (
                     velocity.f[row],
-                    velocity.jacobian[row],
+                    velocity.jacobian.row(row).transpose(),
                     velocity.design[row],
                 )
             }
             Self::Orthogonal { at, velocity } => {
-                let value = (0..N).map(|j| velocity[j] * (state[j] - at[j])).sum();
-                (value, *velocity, 0.0)
+                let value = (0..state.len())
+                    .map(|j| velocity[j] * (state[j] - at[j]))
+                    .sum();
+                (value, velocity.clone(), 0.0)
             }
             Self::Strobe { index, at } => {
-                let gradient = std::array::from_fn(|j| f64::from(j == *index));
+                let gradient = DVector::from_fn(state.len(), |j, _| f64::from(j == *index));
                 (state[*index] - at, gradient, 0.0)
             }
         }

@@ -5,13 +5,9 @@ use nalgebra::{DMatrix, DVector};
 use super::phase::Phase;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Passage, Place, Velocity, Want, wrapped};
+use crate::flow::{FlowError, Want};
+use crate::motion::{Event, Family, Modes, Passage, Place, Velocity, half_extents};
 use std::f64::consts::TAU;
-
-/// Half an extent below this share of a state is rounding error.
-const RESTS: f64 = 1e-8;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// A start is left for a calmer one whose field turns this many times more slowly.
 const HASTE: f64 = 4.0;
@@ -23,52 +19,53 @@ const VANISHED: f64 = 1e-4;
 /// Unknowns are the starts x₁ … xₘ of `m` segments and the period T; the equations are
 /// φ(xᵢ, T/m) − xᵢ₊₁ = 0, cyclically, and a phase condition on x₁.
 #[derive(Debug, Clone)]
-pub struct OrbitProblem<F: Family<N>, const N: usize> {
+pub struct OrbitProblem {
     /// The flows.
-    pub family: F,
+    pub family: Family,
     /// The phase condition.
-    pub phase: Phase<N>,
+    pub phase: Phase,
     /// Usual magnitudes of the states: half their extent along the orbit.
-    pub magnitude: [f64; N],
+    pub magnitude: Vec<f64>,
     /// Usual magnitude of the period.
     pub period: f64,
     /// What the passages shall report besides derivatives.
     pub want: Want,
     /// Work of all evaluations.
     pub work: Work,
-    modes: Vec<Mode<F, N>>,
-    largest: [f64; N],
+    modes: Vec<Modes>,
+    largest: Vec<f64>,
     /// States of the last accepted orbit at which it could begin as well.
-    others: Vec<[f64; N]>,
+    others: Vec<Vec<f64>>,
 }
 
 /// One evaluation of the problem: the motion once around.
 #[derive(Debug, Clone)]
-pub struct Shot<const N: usize, Mode> {
+pub struct Shot {
     /// One passage for each segment.
-    pub passages: Vec<Passage<N, Mode>>,
+    pub passages: Vec<Passage>,
     /// Where the first begins.
-    pub start: Place<N, Mode>,
+    pub start: Place,
     /// The field there.
-    pub velocity: Velocity<N>,
+    pub velocity: Velocity,
     /// The period tried.
     pub period: f64,
     /// The state that is the phase of a drive, if there is one.
     pub drive: Option<usize>,
 }
 
-impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
+impl OrbitProblem {
     /// The problem of an orbit near the one through `starts`, of about this period.
     pub fn new(
-        family: F,
-        phase: Phase<N>,
-        starts: &[Place<N, Mode<F, N>>],
+        family: Family,
+        phase: Phase,
+        starts: &[Place],
         period: f64,
-        magnitude: [f64; N],
+        magnitude: Vec<f64>,
     ) -> Self {
         Self {
             family,
             phase,
+            largest: magnitude.clone(),
             magnitude,
             period,
             want: Want {
@@ -77,44 +74,52 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
                 ..Want::default()
             },
             work: Work::default(),
-            modes: starts.iter().map(|place| place.mode).collect(),
-            largest: magnitude,
+            modes: starts.iter().map(|place| place.modes.clone()).collect(),
             others: Vec::new(),
         }
     }
 
     /// The unknowns for these starts and this period.
     #[must_use]
-    pub fn unknowns(starts: &[[f64; N]], period: f64) -> DVector<f64> {
-        let states = starts.iter().flatten().copied();
-        DVector::from_iterator(starts.len() * N + 1, states.chain(std::iter::once(period)))
+    pub fn unknowns(starts: &[Place], period: f64) -> DVector<f64> {
+        let states = starts.iter().flat_map(|place| &place.state).copied();
+        DVector::from_vec(states.chain([period]).collect())
     }
 
     /// Lets the start float along the orbit, orthogonally to the field, from `place` at r.
     ///
     /// # Errors
     /// The field is not finite there.
-    pub fn float(&mut self, place: &Place<N, Mode<F, N>>, r: f64) -> Result<(), FlowError> {
+    pub fn float(&mut self, place: &Place, r: f64) -> Result<(), FlowError> {
         let velocity = self.family.at(r)?.velocity(place)?.f;
-        self.phase = Phase::floating(F::Flow::PHASE, place.state, velocity);
+        self.phase = Phase::floating(self.family.phase(), place.state.clone(), velocity);
         Ok(())
     }
 
-    fn segment(&self, z: &DVector<f64>, i: usize) -> [f64; N] {
-        std::array::from_fn(|j| z[i * N + j])
+    /// Where segment i begins.
+    fn start(&self, z: &DVector<f64>, i: usize) -> Place {
+        let order = self.order();
+        Place {
+            state: z.rows(i * order, order).iter().copied().collect(),
+            modes: self.modes[i].clone(),
+        }
+    }
+
+    fn order(&self) -> usize {
+        self.magnitude.len()
     }
 }
 
-impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
+impl ZeroProblem for OrbitProblem {
     type Error = FlowError;
-    type Extra = Shot<N, Mode<F, N>>;
+    type Extra = Shot;
 
     fn evaluate(
         &mut self,
         z: &DVector<f64>,
         r: f64,
     ) -> Result<Linearisation<Self::Extra>, FlowError> {
-        let (m, n) = (self.modes.len(), z.len());
+        let (m, n, order) = (self.modes.len(), z.len(), self.order());
         let period = z[n - 1];
         if !(period > 0.0 && period.is_finite()) {
             return Err(FlowError::BadTime { time: period });
@@ -125,46 +130,39 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
         let mut h_r = DVector::zeros(n);
         let mut passages = Vec::with_capacity(m);
         for i in 0..m {
-            let from = Place {
-                state: self.segment(z, i),
-                mode: self.modes[i],
-            };
-            let passage = flow.advance(&from, period / m as f64, self.want)?;
+            let passage = flow.advance(&self.start(z, i), period / m as f64, self.want)?;
             self.work += passage.work;
             // A start that is held on a surface hides a motion that does not come back to it.
-            if passage.end.mode != self.modes[(i + 1) % m] {
+            if passage.end.modes != self.modes[(i + 1) % m] {
                 return Err(FlowError::OtherMode {
-                    found: format!("{:?}", passage.end.mode),
+                    found: format!("{:?}", passage.end.modes),
                     wanted: format!("{:?}", self.modes[(i + 1) % m]),
                 });
             }
-            let next = self.segment(z, (i + 1) % m);
+            let next = (i + 1) % m * order;
             if let Some(derivatives) = &passage.derivatives {
-                for row in 0..N {
-                    let (at, unit) = (i * N + row, self.magnitude[row]);
-                    let mut gap = passage.end.state[row] - next[row];
-                    if F::Flow::PHASE == Some(row) && i + 1 == m {
+                for row in 0..order {
+                    let (at, unit) = (i * order + row, self.magnitude[row]);
+                    let mut gap = passage.end.state[row] - z[next + row];
+                    if flow.phase() == Some(row) && i + 1 == m {
                         // Once around, the phase has turned a whole number of times, and at least once.
                         gap -= TAU * (gap / TAU).round().max(1.0);
                     }
                     h[at] = gap / unit;
                     h_r[at] = derivatives.design[row] / unit;
                     h_z[(at, n - 1)] = derivatives.time[row] / (m as f64 * unit);
-                    for column in 0..N {
-                        h_z[(at, i * N + column)] += derivatives.state[row][column] / unit;
+                    for column in 0..order {
+                        h_z[(at, i * order + column)] += derivatives.state[(row, column)] / unit;
                     }
-                    h_z[(at, ((i + 1) % m) * N + row)] -= 1.0 / unit;
+                    h_z[(at, next + row)] -= 1.0 / unit;
                 }
             }
             passages.push(passage);
         }
-        let start = Place {
-            state: self.segment(z, 0),
-            mode: self.modes[0],
-        };
+        let start = self.start(z, 0);
         let velocity = flow.velocity(&start)?;
         let (value, gradient, design) = self.phase.equation(&start.state, &velocity);
-        let unit: f64 = (0..N)
+        let unit: f64 = (0..order)
             .map(|j| (gradient[j] * self.magnitude[j]).abs())
             .sum();
         let unit = if unit > 0.0 { unit } else { 1.0 };
@@ -183,20 +181,14 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
                 start,
                 velocity,
                 period,
-                drive: F::Flow::PHASE,
+                drive: flow.phase(),
             },
         })
     }
 
     fn scale(&self) -> DVector<f64> {
-        let m = self.modes.len();
-        DVector::from_fn(m * N + 1, |i, _| {
-            if i == m * N {
-                self.period
-            } else {
-                self.magnitude[i % N]
-            }
-        })
+        let states = self.modes.iter().flat_map(|_| &self.magnitude).copied();
+        DVector::from_vec(states.chain([self.period]).collect())
     }
 
     fn accept(
@@ -207,15 +199,15 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
     ) -> Result<Option<DVector<f64>>, FlowError> {
         self.period = shot.period;
         self.magnitude = shot.magnitude(&self.magnitude);
-        let largest = (0..N).fold(0.0_f64, |most, j| {
+        let largest = (0..self.order()).fold(0.0_f64, |most, j| {
             most.max(self.magnitude[j] / self.largest[j])
         });
-        for j in 0..N {
+        for j in 0..self.order() {
             self.largest[j] = self.largest[j].max(self.magnitude[j]);
         }
         if largest < VANISHED {
             return Err(FlowError::Vanished {
-                state: shot.start.state.to_vec(),
+                state: shot.start.state.clone(),
             });
         }
         if matches!(self.phase, Phase::Section(_)) {
@@ -223,26 +215,22 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
         }
         self.others = shot.turns();
         let calmer = self.calmer(r, shot)?;
-        let start = calmer.unwrap_or(Place {
-            state: self.segment(z, 0),
-            mode: self.modes[0],
-        });
-        let velocity = self.family.at(r)?.velocity(&start)?.f;
-        self.phase = Phase::floating(F::Flow::PHASE, start.state, velocity);
-        self.modes[0] = start.mode;
-        Ok(calmer.map(|place| Self::unknowns(&[place.state], shot.period)))
+        let start = calmer.clone().unwrap_or_else(|| self.start(z, 0));
+        self.float(&start, r)?;
+        self.modes[0] = start.modes;
+        Ok(calmer.map(|place| Self::unknowns(&[place], shot.period)))
     }
 
     fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
-        let state = *self.others.get(trial)?;
+        let state = self.others.get(trial)?;
         let flow = self.family.at(r).ok()?;
         let place = flow.place(state).ok()?;
         self.phase = Phase::Orthogonal {
-            at: state,
+            at: state.clone(),
             velocity: flow.velocity(&place).ok()?.f,
         };
-        self.modes[0] = place.mode;
-        Some(Self::unknowns(&[state], self.period))
+        self.modes[0] = place.modes.clone();
+        Some(Self::unknowns(&[place], self.period))
     }
 
     /// What depends on where along the orbit it starts is left out: only the period and r stay.
@@ -253,40 +241,30 @@ impl<F: Family<N> + Clone, const N: usize> ZeroProblem for OrbitProblem<F, N> {
     }
 }
 
-impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
+impl OrbitProblem {
     /// A place on the orbit where Newton has it much easier than at the present start, if there is one.
     ///
     /// Shooting from a fast stretch makes the end bend strongly with the period; from just before
     /// an event, the start would leave its mode as r changes.
-    fn calmer(
-        &self,
-        r: f64,
-        shot: &Shot<N, Mode<F, N>>,
-    ) -> Result<Option<Place<N, Mode<F, N>>>, FlowError> {
+    fn calmer(&self, r: f64, shot: &Shot) -> Result<Option<Place>, FlowError> {
         let [passage] = shot.passages.as_slice() else {
             return Ok(None);
         };
-        let mut place = passage.calm.place;
-        place.state = wrapped::<F::Flow, N>(place.state);
-        let haste = |velocity: &Velocity<N>| {
-            let bend = |i: usize| {
-                (0..N)
-                    .map(|j| velocity.jacobian[i][j] * velocity.f[j])
-                    .sum::<f64>()
+        let flow = self.family.at(r)?;
+        let mut place = passage.calm.place.clone();
+        place.state = flow.wrapped(place.state);
+        let haste = |velocity: &Velocity| {
+            let bend = &velocity.jacobian * &velocity.f;
+            let squares = |rates: &DVector<f64>| {
+                let scaled = rates.iter().zip(&self.magnitude).map(|(v, unit)| v / unit);
+                scaled.map(|v| v * v).sum::<f64>()
             };
-            let scaled = |v: f64, j: usize| (v / self.magnitude[j]).powi(2);
-            let (bends, speeds) = (0..N).fold((0.0, 0.0), |(bends, speeds), j| {
-                (
-                    bends + scaled(bend(j), j),
-                    speeds + scaled(velocity.f[j], j),
-                )
-            });
-            (bends / speeds).sqrt()
+            (squares(&bend) / squares(&velocity.f)).sqrt()
         };
-        let there = self.family.at(r)?.velocity(&place)?;
-        let near = |event: &crate::flow::Event<N>| {
+        let there = flow.velocity(&place)?;
+        let near = |event: &Event| {
             let share = event.time / shot.period;
-            event.is_switch() && !(MARGIN..=1.0 - MARGIN).contains(&share)
+            event.kind.is_switch() && !(MARGIN..=1.0 - MARGIN).contains(&share)
         };
         let hasty = haste(&shot.velocity) > HASTE * haste(&there).max(1.0 / shot.period);
         Ok((hasty || passage.events.iter().any(near)).then_some(place))
@@ -296,17 +274,17 @@ impl<F: Family<N>, const N: usize> OrbitProblem<F, N> {
 /// Most places at which an orbit is begun anew.
 const OTHERS: usize = 4;
 
-impl<const N: usize, Mode> Shot<N, Mode> {
+impl Shot {
     /// States in which the first state is least or greatest, spread over the motion; none where it is
     /// divided into segments.
-    fn turns(&self) -> Vec<[f64; N]> {
+    fn turns(&self) -> Vec<Vec<f64>> {
         let [passage] = self.passages.as_slice() else {
             return Vec::new();
         };
         let turns = |maximum: bool| {
             let found = passage.extrema.iter();
             let found = found.filter(move |e| e.index == 0 && e.maximum == maximum);
-            found.map(|e| e.state).take(OTHERS / 2)
+            found.map(|e| e.state.clone()).take(OTHERS / 2)
         };
         turns(false).chain(turns(true)).collect()
     }
@@ -315,15 +293,15 @@ impl<const N: usize, Mode> Shot<N, Mode> {
     ///
     /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.
     #[must_use]
-    pub fn extent(&self) -> ([f64; N], [f64; N]) {
-        let (mut low, mut high) = (self.start.state, self.start.state);
+    pub fn extent(&self) -> (Vec<f64>, Vec<f64>) {
+        let (mut low, mut high) = (self.start.state.clone(), self.start.state.clone());
         for passage in &self.passages {
             for extremum in &passage.extrema {
                 let (j, value) = (extremum.index, extremum.state[extremum.index]);
                 low[j] = low[j].min(value);
                 high[j] = high[j].max(value);
             }
-            for j in 0..N {
+            for j in 0..low.len() {
                 low[j] = low[j].min(passage.calm.low[j]);
                 high[j] = high[j].max(passage.calm.high[j]);
             }
@@ -335,24 +313,8 @@ impl<const N: usize, Mode> Shot<N, Mode> {
     }
 
     /// Half the extent of each state; `fallback` where it has none.
-    fn magnitude(&self, fallback: &[f64; N]) -> [f64; N] {
+    fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
         let (low, high) = self.extent();
         half_extents(&low, &high, fallback)
     }
-}
-
-/// Half the extent of each state; `fallback` for one that rests, and so has none to be measured against.
-pub(super) fn half_extents<const N: usize>(
-    low: &[f64; N],
-    high: &[f64; N],
-    fallback: &[f64; N],
-) -> [f64; N] {
-    std::array::from_fn(|j| {
-        let half = 0.5 * (high[j] - low[j]);
-        if half > RESTS * low[j].abs().max(high[j].abs()) && half.is_finite() {
-            half
-        } else {
-            fallback[j]
-        }
-    })
 }

@@ -2,15 +2,12 @@
 
 use super::orbit::Orbit;
 
-impl<const N: usize, Mode> Orbit<N, Mode> {
+impl Orbit {
     /// Whether both run through the same points of the default section, in the same order, to this
     /// tolerance relative to the extents: at the same r, they are one orbit then, whatever point of it
     /// they begin with and however often they go around.
     #[must_use]
-    pub fn coincides(&self, other: &Self, tolerance: f64) -> bool
-    where
-        Mode: Copy + PartialEq,
-    {
+    pub fn coincides(&self, other: &Self, tolerance: f64) -> bool {
         let (a, b) = (self.section.len(), other.section.len());
         if a == 0 || b == 0 {
             return false;
@@ -26,10 +23,7 @@ impl<const N: usize, Mode> Orbit<N, Mode> {
     }
 
     /// How much the second half differs from the first: see [`crate::bifurcation::Watched::asymmetry`].
-    pub(super) fn halves(&self) -> f64
-    where
-        Mode: Copy + PartialEq,
-    {
+    pub(super) fn halves(&self) -> f64 {
         let count = self.section.len();
         if count == 0 || !count.is_multiple_of(2) {
             return f64::INFINITY;
@@ -38,12 +32,9 @@ impl<const N: usize, Mode> Orbit<N, Mode> {
         pairs.map(|(p, q)| self.distance(p, q)).fold(0.0, f64::max)
     }
 
-    fn distance(&self, p: &[f64; N], q: &[f64; N]) -> f64
-    where
-        Mode: Copy + PartialEq,
-    {
+    fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
         let magnitude = self.magnitude();
-        (0..N)
+        (0..p.len())
             .map(|j| (p[j] - q[j]).abs() / magnitude[j])
             .fold(0.0, f64::max)
     }

@@ -9,10 +9,8 @@ use super::guess::{Guess, Settled, settle};
 use super::orbit::Orbit;
 use crate::bifurcation::floquet;
 use crate::continuation::ZeroProblem;
-use crate::flow::{Family, Flow};
 use crate::integrate::Tolerance;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use crate::motion::Family;
 
 /// Magnitudes are far off if those of the motion are smaller by this factor.
 const COARSE: f64 = 1e-3;
@@ -25,10 +23,10 @@ const CLOSED: f64 = 1e-6;
 const NEUTRAL: f64 = 1e-7;
 
 /// What to look for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Search<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Search {
     /// Where to begin.
-    pub start: [f64; N],
+    pub start: Vec<f64>,
     /// A guess of the period; then Newton begins at once.
     pub period: Option<f64>,
     /// Relative accuracy of period and extrema.
@@ -41,19 +39,15 @@ pub struct Search<const N: usize> {
 ///
 /// # Errors
 /// See [`OrbitError`].
-pub fn closest<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    r: f64,
-    search: &Search<N>,
-) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
+pub fn closest(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitError> {
     let magnitude = magnitude_of(&search.start);
-    let loose = |magnitude: [f64; N]| {
+    let loose = |magnitude: &[f64]| {
         family
             .with_tolerance(Tolerance::for_accuracy(ROUGH))
             .with_magnitude(magnitude)
             .at(r)
     };
-    let start = loose(magnitude)?.place(search.start)?;
+    let start = loose(&magnitude)?.place(&search.start)?;
     if let Some(period) = search.period {
         let guess = Guess {
             place: start,
@@ -63,23 +57,21 @@ pub fn closest<F: Family<N> + Clone, const N: usize>(
         return converge(family, r, &guess, search);
     }
     let mut failed = Failed::default();
-    let mut settled = settle(&loose(magnitude)?, start, |guess| {
+    let mut settled = settle(loose(&magnitude)?.as_ref(), start.clone(), |guess| {
         failed.unless(family, r, guess, search)
     })?;
     // What a start shows of the magnitudes may be far off: then all this was integrated too coarsely.
-    if let (Settled::Neither(_), Some(seen)) = (&settled, failed.magnitude)
-        && (0..N).any(|j| seen[j] < COARSE * magnitude[j])
+    if let (Settled::Neither(_), Some(seen)) = (&settled, &failed.magnitude.take())
+        && (0..seen.len()).any(|j| seen[j] < COARSE * magnitude[j])
     {
         failed = Failed::default();
-        settled = settle(&loose(seen)?, start, |guess| {
+        settled = settle(loose(seen)?.as_ref(), start, |guess| {
             failed.unless(family, r, guess, search)
         })?;
     }
     match settled {
         Settled::Orbit(orbit) => orbit,
-        Settled::Equilibrium(state) => Err(OrbitError::Equilibrium {
-            state: state.to_vec(),
-        }),
+        Settled::Equilibrium(state) => Err(OrbitError::Equilibrium { state }),
         Settled::Neither(time) => Err(OrbitError::NotSettled {
             time,
             last: failed.last.map(Box::new),
@@ -89,23 +81,23 @@ pub fn closest<F: Family<N> + Clone, const N: usize>(
 
 /// Returns of a motion that were no orbits.
 #[derive(Default)]
-struct Failed<const N: usize> {
+struct Failed {
     count: usize,
     last: Option<OrbitError>,
-    magnitude: Option<[f64; N]>,
+    magnitude: Option<Vec<f64>>,
 }
 
-impl<const N: usize> Failed<N> {
+impl Failed {
     /// The orbit near a return; `None` if it is no orbit either.
     ///
     /// Of many returns that lead nowhere only the first, second, fourth and so on are looked at closely.
-    fn unless<F: Family<N> + Clone>(
+    fn unless(
         &mut self,
-        family: &F,
+        family: &Family,
         r: f64,
-        guess: &Guess<N, Mode<F, N>>,
-        search: &Search<N>,
-    ) -> Option<Result<Orbit<N, Mode<F, N>>, OrbitError>> {
+        guess: &Guess,
+        search: &Search,
+    ) -> Option<Result<Orbit, OrbitError>> {
         if self.count > OFTEN && !self.count.is_multiple_of(SELDOM) {
             self.count += 1;
             return None;
@@ -115,10 +107,10 @@ impl<const N: usize> Failed<N> {
             Err(error) => error,
         };
         self.count += 1;
-        self.magnitude = Some(guess.magnitude);
+        self.magnitude = Some(guess.magnitude.clone());
         if self.count == 1 && neutral(family, r, guess) {
             return Some(Err(OrbitError::NotIsolated {
-                state: guess.place.state.to_vec(),
+                state: guess.place.state.clone(),
                 period: guess.period,
             }));
         }
@@ -133,14 +125,10 @@ impl<const N: usize> Failed<N> {
 }
 
 /// Whether a motion that comes back has neighbours that do so as well.
-fn neutral<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    r: f64,
-    guess: &Guess<N, Mode<F, N>>,
-) -> bool {
+fn neutral(family: &Family, r: f64, guess: &Guess) -> bool {
     let family = family
         .with_tolerance(Tolerance::for_accuracy(1e-12))
-        .with_magnitude(guess.magnitude);
+        .with_magnitude(&guess.magnitude);
     let shot = problem(family, r, guess, 1)
         .and_then(|(mut problem, unknowns)| problem.evaluate(&unknowns, r));
     shot.is_ok_and(|shot| {
@@ -153,14 +141,15 @@ fn neutral<F: Family<N> + Clone, const N: usize>(
 }
 
 /// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.
-fn magnitude_of<const N: usize>(start: &[f64; N]) -> [f64; N] {
+fn magnitude_of(start: &[f64]) -> Vec<f64> {
     let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let other = if largest > 0.0 { largest } else { 1.0 };
-    start.map(|x| {
+    let size = |x: &f64| {
         if x.abs() > 1e-3 * other {
             x.abs()
         } else {
             other
         }
-    })
+    };
+    start.iter().map(size).collect()
 }

@@ -8,12 +8,9 @@ use super::problem::OrbitProblem;
 use super::search::Search;
 use crate::bifurcation::{Kind, Located, Stability};
 use crate::continuation::{Branch, Failure, Settings, ZeroProblem, across, tangent};
-use crate::flow::{Family, Flow, FlowError, Place};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
-
-type Start<F, const N: usize> = Place<N, Mode<F, N>>;
+use crate::motion::{Family, Place};
 
 /// Distances from the crossing, in scaled coordinates, at which the other branch is sought.
 const DISTANCES: [f64; 6] = [1e-2, 3e-3, 3e-2, 1e-3, 1e-1, 1e-4];
@@ -39,7 +36,7 @@ pub enum SwitchError {
 }
 
 /// A special point at which another branch is sought.
-type Crossing<F, const N: usize> = Located<Orbit<N, Mode<F, N>>>;
+type Crossing = Located<Orbit>;
 
 /// Which branch is wanted.
 #[derive(Clone, Copy)]
@@ -50,24 +47,24 @@ struct Turn {
     forwards: bool,
 }
 
-impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
+impl OrbitBranch {
     /// The branch that crosses the one on which `crossing` was located, on either side of it: at a flip, where orbits of
     /// twice the period leave, both sides are the same.
     ///
     /// # Errors
     /// See [`SwitchError`].
     pub fn switch(
-        family: &F,
-        crossing: &Crossing<F, N>,
+        family: &Family,
+        crossing: &Crossing,
         forwards: bool,
-        search: &Search<N>,
+        search: &Search,
         settings: Settings,
     ) -> Result<Self, SwitchError> {
         let times = if crossing.kind == Kind::Flip { 2 } else { 1 };
         let (turn, orbit) = (Turn { times, forwards }, &crossing.point);
         let along = orbit.heading.tangent.as_ref();
         let along = along.ok_or(SwitchError::NoHeading)?;
-        let start = orbit.heading.start;
+        let start = &orbit.heading.start;
         let mut last = match Self::leave(family, (crossing, start), along, turn, search, settings) {
             Ok(branch) => return Ok(branch),
             Err(error) => error,
@@ -77,15 +74,15 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
         }
         // At a flip, the branch of the orbit itself has but one tangent, wherever the orbit begins.
         let flow = family.at(orbit.r).map_err(Failure::Evaluation)?;
-        for &state in orbit.section.iter().take(OTHERS) {
+        for state in orbit.section.iter().take(OTHERS) {
             let Ok(start) = flow.place(state) else {
                 continue;
             };
             let once = Turn { times: 1, ..turn };
-            let Ok(along) = heading(family, (orbit, start), once, search, settings) else {
+            let Ok(along) = heading(family, (orbit, &start), once, search, settings) else {
                 continue;
             };
-            match Self::leave(family, (crossing, start), &along, turn, search, settings) {
+            match Self::leave(family, (crossing, &start), &along, turn, search, settings) {
                 Ok(branch) => return Ok(branch),
                 Err(error) => last = error,
             }
@@ -94,17 +91,17 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
     }
 
     fn leave(
-        family: &F,
-        (crossing, start): (&Crossing<F, N>, Start<F, N>),
+        family: &Family,
+        (crossing, start): (&Crossing, &Place),
         along: &DVector<f64>,
         turn: Turn,
-        search: &Search<N>,
+        search: &Search,
         settings: Settings,
     ) -> Result<Self, SwitchError> {
         let orbit = &crossing.point;
         let problem = gone_around(family, (orbit, start), turn, search)?;
         let period = f64::from(turn.times) * orbit.period;
-        let z = OrbitProblem::<F, N>::unknowns(&[start.state], period);
+        let z = OrbitProblem::unknowns(std::slice::from_ref(start), period);
         let linearisation = problem.clone().evaluate(&z, orbit.r);
         let linearisation = linearisation.map_err(Failure::Evaluation)?;
         let (scale, r_scale) = (problem.scale(), (settings.to - settings.from).abs());
@@ -145,11 +142,7 @@ impl<F: Family<N> + Clone, const N: usize> OrbitBranch<F, N> {
 
 /// Whether a bifurcation lies between the crossing and the first orbit beside it, as far as its multipliers and its events
 /// tell: nobody would look for it there.
-fn passed<const N: usize, M: Copy + PartialEq>(
-    first: &Orbit<N, M>,
-    crossing: &Located<Orbit<N, M>>,
-    turn: Turn,
-) -> bool {
+fn passed(first: &Orbit, crossing: &Located<Orbit>, turn: Turn) -> bool {
     let expected = crossing.unstable_beside(first.r);
     let certain = first.floquet.stability != Stability::Undecided;
     let exchanged = !certain || expected.is_none_or(|count| count == first.floquet.unstable);
@@ -157,15 +150,15 @@ fn passed<const N: usize, M: Copy + PartialEq>(
 }
 
 /// The tangent of the branch of the orbit, beginning at another place.
-fn heading<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    at: (&Orbit<N, Mode<F, N>>, Start<F, N>),
+fn heading(
+    family: &Family,
+    at: (&Orbit, &Place),
     once: Turn,
-    search: &Search<N>,
+    search: &Search,
     settings: Settings,
 ) -> Result<DVector<f64>, SwitchError> {
     let mut problem = gone_around(family, at, once, search)?;
-    let z = OrbitProblem::<F, N>::unknowns(&[at.1.state], at.0.period);
+    let z = OrbitProblem::unknowns(std::slice::from_ref(at.1), at.0.period);
     let linearisation = problem.evaluate(&z, at.0.r).map_err(Failure::Evaluation)?;
     let r_scale = (settings.to - settings.from).abs();
     let mut upwards = DVector::zeros(z.len() + 1);
@@ -175,29 +168,24 @@ fn heading<F: Family<N> + Clone, const N: usize>(
 }
 
 /// The shooting problem of the orbit gone around as often as the turn wants.
-fn gone_around<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    (orbit, start): (&Orbit<N, Mode<F, N>>, Start<F, N>),
+fn gone_around(
+    family: &Family,
+    (orbit, start): (&Orbit, &Place),
     turn: Turn,
-    search: &Search<N>,
-) -> Result<OrbitProblem<F, N>, SwitchError> {
+    search: &Search,
+) -> Result<OrbitProblem, SwitchError> {
     let magnitude = orbit.magnitude();
     let family = family
         .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-        .with_magnitude(magnitude);
-    let velocity = family.at(orbit.r).and_then(|flow| flow.velocity(&start));
+        .with_magnitude(&magnitude);
+    let velocity = family.at(orbit.r).and_then(|flow| flow.velocity(start));
     let phase = super::Phase::Orthogonal {
-        at: start.state,
+        at: start.state.clone(),
         velocity: velocity.map_err(Failure::Evaluation)?.f,
     };
     let period = f64::from(turn.times) * orbit.period;
-    Ok(OrbitProblem::new(
-        family,
-        phase,
-        &[start],
-        period,
-        magnitude,
-    ))
+    let starts = std::slice::from_ref(start);
+    Ok(OrbitProblem::new(family, phase, starts, period, magnitude))
 }
 
 /// The point at this distance from (z, r).
@@ -214,13 +202,7 @@ fn step(
 }
 
 /// Whether a first point lies near the crossing, and not on the branch from which it was sought.
-fn leaves<const N: usize, M: Copy + PartialEq>(
-    first: &Orbit<N, M>,
-    orbit: &Orbit<N, M>,
-    turn: Turn,
-    distance: f64,
-    r_scale: f64,
-) -> bool {
+fn leaves(first: &Orbit, orbit: &Orbit, turn: Turn, distance: f64, r_scale: f64) -> bool {
     let times = f64::from(turn.times);
     let away = ((first.r - orbit.r) / r_scale)
         .abs()

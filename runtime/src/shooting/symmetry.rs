@@ -5,8 +5,9 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::DMatrix;
 
 use super::orbit::Orbit;
-use crate::flow::{Family, Flow, FlowError, Place, Want};
+use crate::flow::{FlowError, Want};
 use crate::linear::eigenvalues;
+use crate::motion::{Family, Flow};
 
 /// Systems of more states are asked for changes of sign only: exchanges of states become too many.
 const EXCHANGED: usize = 6;
@@ -22,24 +23,25 @@ const ROUNDING: f64 = 1e-11;
 const CLOSE: f64 = 1e-5;
 
 /// A symmetry of order two: states change signs and places in pairs, and the phase of a drive moves by half a turn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Symmetry<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+struct Symmetry {
     /// Which state each one becomes.
-    place: [usize; N],
+    place: Vec<usize>,
     /// And with which sign.
-    sign: [f64; N],
+    sign: Vec<f64>,
     /// The state that is the phase of a drive, if it moves.
     phase: Option<usize>,
 }
 
-impl<const N: usize> Symmetry<N> {
+impl Symmetry {
     /// What it makes of a direction.
-    fn linear(&self, y: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.sign[i] * y[self.place[i]])
+    fn linear(&self, y: &[f64]) -> Vec<f64> {
+        let pairs = self.sign.iter().zip(&self.place);
+        pairs.map(|(sign, place)| sign * y[*place]).collect()
     }
 
     /// What it makes of a state.
-    fn of(&self, y: &[f64; N]) -> [f64; N] {
+    fn of(&self, y: &[f64]) -> Vec<f64> {
         let mut image = self.linear(y);
         if let Some(phase) = self.phase {
             image[phase] += PI;
@@ -48,7 +50,8 @@ impl<const N: usize> Symmetry<N> {
     }
 
     fn matrix(&self) -> DMatrix<f64> {
-        DMatrix::from_fn(N, N, |i, j| {
+        let order = self.sign.len();
+        DMatrix::from_fn(order, order, |i, j| {
             if j == self.place[i] {
                 self.sign[i]
             } else {
@@ -58,37 +61,39 @@ impl<const N: usize> Symmetry<N> {
     }
 
     /// All of them but the one that changes nothing.
-    fn all(drive: Option<usize>) -> Vec<Self> {
-        let mut all = vec![Self {
-            place: std::array::from_fn(|i| i),
-            sign: [0.0; N],
-            phase: None,
-        }];
-        if N > SIGNED {
-            all[0].sign = std::array::from_fn(|i| if Some(i) == drive { 1.0 } else { -1.0 });
+    fn all(order: usize, drive: Option<usize>) -> Vec<Self> {
+        let mut all = vec![Self::signed(vec![0.0; order])];
+        if order > SIGNED {
+            let sign = |i| if Some(i) == drive { 1.0 } else { -1.0 };
+            all[0].sign = (0..order).map(sign).collect();
         } else {
-            for i in 0..N {
+            for i in 0..order {
                 all = all
                     .iter()
                     .flat_map(|one| one.extended(i, Some(i) == drive))
                     .collect();
             }
         }
+        let nothing = Self::signed(vec![1.0; order]);
         let phases = [None, drive];
-        let moved = all
-            .iter()
-            .flat_map(|one| phases.map(|phase| Self { phase, ..*one }));
+        let moved = all.iter().flat_map(|one| {
+            phases.map(|phase| Self {
+                phase,
+                ..one.clone()
+            })
+        });
         let mut moved: Vec<Self> = moved
-            .filter(|one| one.phase.is_some() || *one != Self::nothing())
+            .filter(|one| one.phase.is_some() || *one != nothing)
             .collect();
         moved.dedup();
         moved
     }
 
-    fn nothing() -> Self {
+    /// Changes these signs and no places.
+    fn signed(sign: Vec<f64>) -> Self {
         Self {
-            place: std::array::from_fn(|i| i),
-            sign: [1.0; N],
+            place: (0..sign.len()).collect(),
+            sign,
             phase: None,
         }
     }
@@ -96,19 +101,19 @@ impl<const N: usize> Symmetry<N> {
     /// The ways in which state i can take part, if those before it are settled.
     fn extended(&self, i: usize, is_drive: bool) -> Vec<Self> {
         if self.sign[i] != 0.0 {
-            return vec![*self];
+            return vec![self.clone()];
         }
-        let partners = if is_drive || N > EXCHANGED {
+        let partners = if is_drive || self.sign.len() > EXCHANGED {
             i..i + 1
         } else {
-            i..N
+            i..self.sign.len()
         };
         let signs: &[f64] = if is_drive { &[1.0] } else { &[1.0, -1.0] };
         let pairs = partners.flat_map(|j| signs.iter().map(move |sign| (j, *sign)));
         pairs
             .filter(|(j, _)| self.sign[*j] == 0.0)
             .map(|(j, sign)| {
-                let mut one = *self;
+                let mut one = self.clone();
                 (one.place[i], one.place[j]) = (j, i);
                 (one.sign[i], one.sign[j]) = (sign, sign);
                 one
@@ -117,7 +122,7 @@ impl<const N: usize> Symmetry<N> {
     }
 }
 
-impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
+impl Orbit {
     /// Whether the branch that crosses this orbit's at a branch point has lost a symmetry that this orbit has: the
     /// direction in which it leaves changes sign where the orbit maps to itself.
     ///
@@ -126,16 +131,12 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
     ///
     /// # Errors
     /// The flow fails on the orbit.
-    pub(crate) fn loses_symmetry<F>(&self, family: &F) -> Result<bool, FlowError>
-    where
-        F: Family<N>,
-        F::Flow: Flow<N, Mode = Mode>,
-    {
+    pub(crate) fn loses_symmetry(&self, family: &Family) -> Result<bool, FlowError> {
         let flow = family.at(self.r)?;
-        let drive = F::Flow::PHASE;
-        let mut candidates = Symmetry::all(drive);
+        let drive = flow.phase();
+        let mut candidates = Symmetry::all(flow.order(), drive);
         for state in self.around() {
-            candidates.retain(|one| commutes(&flow, one, &state));
+            candidates.retain(|one| commutes(flow.as_ref(), one, &state));
         }
         if candidates.is_empty() {
             return Ok(false);
@@ -146,10 +147,10 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
         };
         let after = |time: f64| flow.advance(&self.place, time, want);
         let (half, whole) = (after(0.5 * self.period)?, after(self.period)?);
-        let start = self.place.state;
+        let start = &self.place.state;
         for one in &candidates {
-            let image = one.of(&start);
-            let (map, fixed) = if self.are_one(&image, &start, drive) {
+            let image = one.of(start);
+            let (map, fixed) = if self.are_one(&image, start, drive) {
                 (&whole.derivatives, 1.0)
             } else if self.are_one(&image, &half.end.state, drive) {
                 (&half.derivatives, -1.0)
@@ -157,8 +158,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
                 continue;
             };
             let Some(map) = map else { continue };
-            let map = DMatrix::from_fn(N, N, |i, j| map.state[i][j]);
-            if changes_sign(&one.matrix(), &map, fixed) {
+            if changes_sign(&one.matrix(), &map.state, fixed) {
                 return Ok(true);
             }
         }
@@ -166,22 +166,23 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
     }
 
     /// States in the box of the orbit, and a little beyond.
-    fn around(&self) -> impl Iterator<Item = [f64; N]> {
+    fn around(&self) -> impl Iterator<Item = Vec<f64>> {
         let magnitude = self.magnitude();
         // Multiples of irrational numbers, apart from their whole parts: spread evenly, and the same every time.
         (1..=TRIALS).map(move |trial| {
-            std::array::from_fn(|j| {
+            let component = |j: usize| {
                 let share = (trial as f64 * (PI + j as f64).sqrt()).fract();
                 let middle = 0.5 * (self.min[j] + self.max[j]);
                 middle + BEYOND * magnitude[j] * (2.0 * share - 1.0)
-            })
+            };
+            (0..magnitude.len()).map(component).collect()
         })
     }
 
     /// Whether two states are one, to a share of the orbit's extents.
-    fn are_one(&self, p: &[f64; N], q: &[f64; N], drive: Option<usize>) -> bool {
+    fn are_one(&self, p: &[f64], q: &[f64], drive: Option<usize>) -> bool {
         let magnitude = self.magnitude();
-        (0..N).all(|j| {
+        (0..p.len()).all(|j| {
             let mut apart = p[j] - q[j];
             if drive == Some(j) {
                 apart -= TAU * (apart / TAU).round();
@@ -192,17 +193,17 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
 }
 
 /// Whether the field at the image of a state is the image of the field.
-fn commutes<F: Flow<N>, const N: usize>(flow: &F, one: &Symmetry<N>, state: &[f64; N]) -> bool {
-    let field = |state: [f64; N]| -> Option<[f64; N]> {
-        let place: Place<N, F::Mode> = flow.place(state).ok()?;
-        Some(flow.velocity(&place).ok()?.f)
+fn commutes(flow: &dyn Flow, one: &Symmetry, state: &[f64]) -> bool {
+    let field = |state: &[f64]| -> Option<Vec<f64>> {
+        let place = flow.place(state).ok()?;
+        Some(flow.velocity(&place).ok()?.f.as_slice().to_vec())
     };
-    let (Some(here), Some(there)) = (field(*state), field(one.of(state))) else {
+    let (Some(here), Some(there)) = (field(state), field(&one.of(state))) else {
         return false;
     };
     let image = one.linear(&here);
     let size = here.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
-    (0..N).all(|j| (image[j] - there[j]).abs() <= ROUNDING * size)
+    (0..image.len()).all(|j| (image[j] - there[j]).abs() <= ROUNDING * size)
 }
 
 /// Whether the critical direction of an orbit changes sign under its symmetry S.

@@ -3,9 +3,10 @@
 use super::orbit::Orbit;
 use crate::bifurcation::{Floquet, Kind, Margin, Watched};
 use crate::field::exact::Mode as ContactMode;
-use crate::flow::{Event, EventKind};
+use crate::flow::EventKind;
+use crate::motion::{Event, Modes};
 
-impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
+impl Watched for Orbit {
     fn r(&self) -> f64 {
         self.r
     }
@@ -35,7 +36,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
     }
 
     fn near_misses(&self) -> Vec<Margin> {
-        let margin = |event: &Event<N>| {
+        let margin = |event: &Event| {
             let (kind, value) = match event.kind {
                 EventKind::Crossing { margin, .. } => (Kind::CrossingSliding, margin),
                 EventKind::Landing { margin, .. } => (Kind::SwitchingSliding, margin),
@@ -56,7 +57,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
     }
 
     fn close_calls(&self) -> Vec<Margin> {
-        let graze = |event: &Event<N>| {
+        let graze = |event: &Event| {
             let kind = match event.kind {
                 EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
                 EventKind::Release { .. } => Kind::AddingSliding,
@@ -83,7 +84,7 @@ impl<const N: usize, Mode: Copy + PartialEq> Watched for Orbit<N, Mode> {
     }
 }
 
-impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
+impl Orbit {
     /// Whether its event word is that of `other`, gone around so many times.
     pub(super) fn has_word_of(&self, other: &Self, times: usize) -> bool {
         let (a, b) = (stretches(self), stretches(other));
@@ -99,12 +100,12 @@ impl<const N: usize, Mode: Copy + PartialEq> Orbit<N, Mode> {
 }
 
 /// Modes and durations once around; what the start divides is one stretch.
-fn stretches<const N: usize, Mode: Copy + PartialEq>(orbit: &Orbit<N, Mode>) -> Vec<(Mode, f64)> {
-    let mut stretches: Vec<(Mode, f64)> = Vec::with_capacity(orbit.segments.len());
+fn stretches(orbit: &Orbit) -> Vec<(&Modes, f64)> {
+    let mut stretches: Vec<(&Modes, f64)> = Vec::with_capacity(orbit.segments.len());
     for segment in &orbit.segments {
         match stretches.last_mut() {
-            Some(last) if last.0 == segment.mode => last.1 += segment.duration,
-            _ => stretches.push((segment.mode, segment.duration)),
+            Some(last) if *last.0 == segment.modes => last.1 += segment.duration,
+            _ => stretches.push((&segment.modes, segment.duration)),
         }
     }
     if let [first, .., last] = stretches.as_mut_slice()

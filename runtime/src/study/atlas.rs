@@ -1,28 +1,30 @@
 //! A branch of orbits with those that leave it, and those that leave them.
 
+use std::ops::ControlFlow;
+
 use super::branch::{BranchRecord, Watch};
-use super::case::{Along, Beginning};
-use super::entry::StudyError;
+use super::case::{Along, Beginning, Case};
+use super::equilibrium::EquilibriumRecord;
+use super::error::StudyError;
 use super::follow::{Stretch, follow};
-use super::orbit::Sought;
+use super::sought::Sought;
 use super::special::numbered;
+use super::system::System;
 use crate::bifurcation::{Kind, Located};
 use crate::continuation::Settings;
 use crate::field::Work;
-use crate::flow::{Family, Flow};
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
 
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
-type Here<F, const N: usize> = Located<Orbit<N, Mode<F, N>>>;
+type Here = Located<Orbit>;
 
 /// A Hopf point of an equilibrium.
-pub(super) struct Hopf<const N: usize> {
+struct Hopf {
     /// The design variable, as the family counts it.
-    pub(super) r: f64,
+    r: f64,
     /// The equilibrium.
-    pub(super) state: [f64; N],
+    state: Vec<f64>,
     /// The period of the smallest orbits.
-    pub(super) period: f64,
+    period: f64,
 }
 
 /// Largest relative distance in r of one special point that is located on two branches.
@@ -30,13 +32,45 @@ const SAME_R: f64 = 1e-4;
 /// Largest relative difference of the two orbits there: it goes with the root of their distance in r.
 const SAME_ORBIT: f64 = 2e-2;
 
-impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
+impl System {
+    /// The branch of orbits along the design variable of the case; `watch` sees each point as it is found, and may end
+    /// the branch there.
+    ///
+    /// # Errors
+    /// There is no orbit to begin with.
+    pub fn branch(&self, case: &Case, watch: Watch<'_>) -> Result<BranchRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        let hopf = self.hopf(case, along)?;
+        self.sought(case)?.branch(along, hopf, watch)
+    }
+
+    /// The Hopf point at which the branch of a case begins, if it begins at one.
+    fn hopf(&self, case: &Case, along: Along) -> Result<Option<Hopf>, StudyError> {
+        if case.beginning != Beginning::Hopf {
+            return Ok(None);
+        }
+        let watch = &mut |_: &EquilibriumRecord| ControlFlow::Continue(());
+        let branch = self.equilibria_along(case, watch)?;
+        let point = branch.special.iter().find_map(|point| {
+            let from = point.r;
+            Some(Hopf {
+                r: Along { from, ..along }.span().0,
+                state: point.state.clone(),
+                period: point.period?,
+            })
+        });
+        point.map(Some).ok_or(StudyError::NoHopf)
+    }
+}
+
+impl Sought<'_> {
     /// Follows the orbit where `along` begins, and the branches that leave it as far as the case asks;
     /// `watch` sees each point as it is found, and may end all of them there.
-    pub(super) fn branch(
+    fn branch(
         &self,
         along: Along,
-        hopf: Option<Hopf<N>>,
+        hopf: Option<Hopf>,
         watch: Watch<'_>,
     ) -> Result<BranchRecord, StudyError> {
         let (from, to) = along.span();
@@ -56,18 +90,18 @@ impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
 }
 
 /// Branches under way.
-struct Atlas<'a, F: Family<N> + Clone, const N: usize> {
-    sought: &'a Sought<'a, F, N>,
+struct Atlas<'a> {
+    sought: &'a Sought<'a>,
     along: Along,
     settings: Settings,
     /// Special points whose other branch is already there.
-    known: Vec<Here<F, N>>,
+    known: Vec<Here>,
     watch: Watch<'a>,
 }
 
-impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
+impl Atlas<'_> {
     /// The first branch: from one end, or from a place within in both directions.
-    fn first(&mut self) -> Result<Stretch<N, Mode<F, N>>, OrbitError> {
+    fn first(&mut self) -> Result<Stretch, OrbitError> {
         let Settings { from, to, .. } = self.settings;
         let (r, both) = match self.sought.case.beginning {
             Beginning::End | Beginning::Hopf => (from, false),
@@ -89,10 +123,10 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
         Ok(forth.behind(back, true))
     }
 
-    fn hopf(&mut self, hopf: &Hopf<N>) -> Result<Stretch<N, Mode<F, N>>, StudyError> {
+    fn hopf(&mut self, hopf: &Hopf) -> Result<Stretch, StudyError> {
         let Sought { family, search, .. } = self.sought;
-        let (at, period) = ((hopf.r, hopf.state), hopf.period);
-        let branch = OrbitBranch::from_hopf(*family, at, period, search, self.settings)
+        let (at, period) = ((hopf.r, hopf.state.as_slice()), hopf.period);
+        let branch = OrbitBranch::from_hopf(family, at, period, search, self.settings)
             .map_err(StudyError::Hopf)?;
         Ok(follow(
             self.sought,
@@ -105,23 +139,18 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
 
     fn orbit(
         &mut self,
-        orbit: &Orbit<N, Mode<F, N>>,
+        orbit: &Orbit,
         at: (f64, bool),
         before: Work,
-    ) -> Result<Stretch<N, Mode<F, N>>, OrbitError> {
+    ) -> Result<Stretch, OrbitError> {
         let Sought { family, search, .. } = self.sought;
-        let branch = OrbitBranch::start_at(*family, orbit, search, self.settings, at)
+        let branch = OrbitBranch::start_at(family, orbit, search, self.settings, at)
             .map_err(OrbitError::Newton)?;
         Ok(follow(self.sought, self.along, branch, before, self.watch))
     }
 
     /// A branch with those that leave it, `depth` switches deep.
-    fn record(
-        &mut self,
-        stretch: Stretch<N, Mode<F, N>>,
-        from: Option<String>,
-        depth: usize,
-    ) -> BranchRecord {
+    fn record(&mut self, stretch: Stretch, from: Option<String>, depth: usize) -> BranchRecord {
         let mut special = numbered(&self.along, &stretch.located, &stretch.after);
         let met = stretch.located.iter().filter(|event| event.meets);
         self.known.extend(met.cloned());
@@ -164,7 +193,7 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
     }
 
     /// The branch that leaves another at this point: at a branch point to both sides.
-    fn leave(&mut self, event: &Here<F, N>) -> Result<Stretch<N, Mode<F, N>>, SwitchError> {
+    fn leave(&mut self, event: &Here) -> Result<Stretch, SwitchError> {
         let forth = self.one_way(event, true);
         let stopped = forth.as_ref().is_ok_and(Stretch::is_interrupted);
         if event.kind == Kind::Flip || stopped {
@@ -178,11 +207,7 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
         }
     }
 
-    fn one_way(
-        &mut self,
-        event: &Here<F, N>,
-        forwards: bool,
-    ) -> Result<Stretch<N, Mode<F, N>>, SwitchError> {
+    fn one_way(&mut self, event: &Here, forwards: bool) -> Result<Stretch, SwitchError> {
         let branch = self.switched(event, forwards)?;
         Ok(follow(
             self.sought,
@@ -193,17 +218,13 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
         ))
     }
 
-    fn switched(
-        &self,
-        event: &Here<F, N>,
-        forwards: bool,
-    ) -> Result<OrbitBranch<F, N>, SwitchError> {
+    fn switched(&self, event: &Here, forwards: bool) -> Result<OrbitBranch, SwitchError> {
         let Sought { family, search, .. } = self.sought;
-        OrbitBranch::switch(*family, event, forwards, search, self.settings)
+        OrbitBranch::switch(family, event, forwards, search, self.settings)
     }
 
     /// On which side of a flip the doubled orbit lies: with the unstable orbit, or with the stable one.
-    fn criticality(&self, event: &Here<F, N>) -> Option<&'static str> {
+    fn criticality(&self, event: &Here) -> Option<&'static str> {
         let branch = self.switched(event, true).ok()?;
         let change = event.more_unstable_towards(branch.first()?.r)?;
         Some(if change > 0 {
@@ -215,10 +236,7 @@ impl<F: Family<N> + Clone, const N: usize> Atlas<'_, F, N> {
 }
 
 /// Whether two special points are one, located on two branches.
-fn same<const N: usize, M: Copy + PartialEq>(
-    a: &Located<Orbit<N, M>>,
-    b: &Located<Orbit<N, M>>,
-) -> bool {
+fn same(a: &Located<Orbit>, b: &Located<Orbit>) -> bool {
     a.kind == b.kind
         && (a.r - b.r).abs() <= SAME_R * a.r.abs()
         && (a.point.period / b.point.period - 1.0).abs() <= SAME_ORBIT

@@ -6,17 +6,17 @@ use std::ops::ControlFlow;
 use nalgebra::Complex;
 
 use super::branch::{BranchRecord, Ended};
-use super::case::Along;
-use super::entry::StudyError;
+use super::case::{Along, Case};
+use super::error::StudyError;
 use super::follow::follow as follow_branch;
-use super::orbit::{OrbitRecord, Sought};
+use super::orbit::OrbitRecord;
+use super::sought::Sought;
 use super::special::numbered;
+use super::system::System;
 use crate::bifurcation::Kind;
 use crate::continuation::Settings;
 use crate::curve::{self, Codimension, CurvePoint, End, GrazingPoint, Plane, follow, follow_graze};
 use crate::field::Work;
-use crate::flow::exact::Glide;
-use crate::flow::{Flow, Steered};
 use crate::integrate::Tolerance;
 use crate::shooting::{OrbitBranch, OrbitError};
 
@@ -97,12 +97,34 @@ pub enum CurveFinding<'a> {
 /// Told of each finding; a break ends the branch or the curve there.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(CurveFinding<'_>) -> ControlFlow<()>;
 
-impl<F: Steered<N>, const N: usize> Sought<'_, F, N>
-where
-    F::Flow: Glide<N>,
-{
+impl System {
+    /// A special point of the branch along the design variable of the case, followed in that variable and another one;
+    /// `watch` sees each orbit of the branch and each point of the curve as it is found, and may end either there.
+    ///
+    /// # Errors
+    /// There is no orbit to begin with, or no such point on its branch, or the branch was ended before the curve began.
+    pub fn curve(
+        &self,
+        case: &Case,
+        scope: &CurveScope,
+        watch: Watch<'_>,
+    ) -> Result<CurveRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        for value in [scope.and.from, scope.and.to] {
+            let other = Case {
+                along: Some(scope.and),
+                ..case.clone()
+            };
+            self.check(&other.at(value))?;
+        }
+        self.sought(case)?.curve(along, scope, watch)
+    }
+}
+
+impl Sought<'_> {
     /// Follows the branch along `along` to the special point asked for, and that point in both variables.
-    pub(super) fn curve(
+    fn curve(
         &self,
         along: Along,
         scope: &CurveScope,
@@ -112,7 +134,7 @@ where
         let accuracy = self.search.accuracy;
         let first = self.orbit(from)?;
         let settings = Settings::new(from, to, accuracy);
-        let branch = OrbitBranch::start(self.family, &first, &self.search, settings)
+        let branch = OrbitBranch::start(&self.family, &first, &self.search, settings)
             .map_err(OrbitError::Newton)?;
         let stretch = follow_branch(self, along, branch, first.work, &mut |orbit| {
             watch(CurveFinding::Orbit(orbit))
@@ -151,7 +173,7 @@ where
         };
         if kind == Kind::GrazingSliding {
             let located = &located[place];
-            let mut seen = |point: &GrazingPoint<N>| watch(CurveFinding::Point(&read.graze(point)));
+            let mut seen = |point: &GrazingPoint| watch(CurveFinding::Point(&read.graze(point)));
             let (orbit, r) = (&located.point, located.r);
             let found = follow_graze(&plane, orbit, r, [from, to], settings, &mut seen)
                 .map_err(StudyError::Curve)?
@@ -168,9 +190,7 @@ where
                 work: found.work,
             });
         }
-        let mut seen = |point: &CurvePoint<N, <F::Flow as Flow<N>>::Mode>| {
-            watch(CurveFinding::Point(&read.point(point)))
-        };
+        let mut seen = |point: &CurvePoint| watch(CurveFinding::Point(&read.point(point)));
         let orbit = &located[place].point;
         let found = follow(&plane, kind, orbit, [from, to], settings, &mut seen)
             .map_err(StudyError::Curve)?
@@ -213,12 +233,12 @@ struct Reader {
 }
 
 impl Reader {
-    fn point<const N: usize, Mode: Copy>(&self, point: &CurvePoint<N, Mode>) -> CurvePointRecord {
+    fn point(&self, point: &CurvePoint) -> CurvePointRecord {
         let floquet = point.floquet();
         CurvePointRecord {
             p: self.along.value(point.p),
             q: self.and.value(point.q),
-            state: point.orbit.place.state.to_vec(),
+            state: point.orbit.place.state.clone(),
             period: point.orbit.period,
             multipliers: floquet.multipliers.clone(),
             residual: point.orbit.residual,
@@ -227,11 +247,11 @@ impl Reader {
     }
 
     /// Multipliers do not exist where the last event is a touch.
-    fn graze<const N: usize>(&self, point: &GrazingPoint<N>) -> CurvePointRecord {
+    fn graze(&self, point: &GrazingPoint) -> CurvePointRecord {
         CurvePointRecord {
             p: self.along.value(point.p),
             q: self.and.value(point.q),
-            state: point.shot.state.to_vec(),
+            state: point.shot.state.clone(),
             period: point.shot.period,
             multipliers: Vec::new(),
             residual: point.residual,
@@ -239,12 +259,7 @@ impl Reader {
         }
     }
 
-    fn record<const N: usize, Mode: Copy>(
-        &self,
-        branch: BranchRecord,
-        of: String,
-        found: curve::Curve<N, Mode>,
-    ) -> CurveRecord {
+    fn record(&self, branch: BranchRecord, of: String, found: curve::Curve) -> CurveRecord {
         let mut counts: HashMap<Codimension, usize> = HashMap::new();
         let special = found.special.iter().map(|one| {
             let count = counts.entry(one.codimension).or_default();

@@ -1,8 +1,11 @@
 //! A trade at one set of parameters, or at both ends of a range.
 
+use std::ops::ControlFlow;
+
 use super::case::{Along, Case, Dynamics};
-use super::entry::StudyError;
-use super::trade::{Need, Trade, worst};
+use super::error::StudyError;
+use super::system::System;
+use super::trade::{Finding, Need, Scope, Trade, tradable, trade, worst};
 use crate::field::{Design, Kernel};
 
 /// How accurately the exact orbit is found.
@@ -66,5 +69,30 @@ impl TradeRecord {
     pub fn need(&self, kernel: Kernel) -> Option<(usize, Result<Need, String>)> {
         let trades: Vec<Trade> = self.ends.iter().map(|end| end.trade.clone()).collect();
         worst(&trades, kernel).map(|(end, need)| (end, need.clone()))
+    }
+}
+
+impl System {
+    /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.
+    /// `watch` sees what is found at which end as it is found, and may end the trade there.
+    ///
+    /// # Errors
+    /// There is no friction, or no exact orbit.
+    pub fn trade(
+        &self,
+        case: &Case,
+        scope: &Scope,
+        watch: &mut dyn FnMut(usize, Finding<'_>) -> ControlFlow<()>,
+    ) -> Result<TradeRecord, StudyError> {
+        tradable(self.info())?;
+        TradeRecord::gather(case, |case: Case, end: usize| {
+            let exact = self.sought(&case)?.orbit(0.0)?;
+            let mut here = |finding: Finding<'_>| watch(end, finding);
+            let trade = trade(self, &case, &exact, scope, &mut here)?;
+            Ok(End {
+                parameters: case.parameters,
+                trade,
+            })
+        })
     }
 }

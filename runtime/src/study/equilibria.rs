@@ -1,49 +1,44 @@
-//! The equilibria of a declared model: of its exact system, of its copies, and what the one says of the other.
+//! The equilibria of a system: of its exact friction, of its copies, and what the one says of the other.
 
 use std::ops::ControlFlow;
 
 use super::branch::Ended;
-use super::case::{Along, Case, Dynamics};
+use super::case::{Along, Case};
 use super::counterpart::Counterpart;
-use super::declared::Declared;
-use super::entry::StudyError;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
+use super::error::StudyError;
 use super::modes::{sliding_mode, sliding_modes, spelt, sticking_modes};
+use super::system::System;
 use crate::equilibrium::{
-    Branch, Confined, End, Equilibrium, Found, Kind, Proof, Spectrum, Spot, StickingSet, Unproven,
-    find, follow, prove, settings, starts, sticking_sets,
+    Branch, End, Found, Kind, Proof, Spectrum, Spot, StickingSet, Unproven, find, follow, prove,
+    settings, starts, sticking_sets,
 };
-use crate::field::EnclosedField;
-use crate::flow::{Family, Flow, Place};
-use crate::model::Model;
+use crate::model::ModelInfo;
+use crate::motion::{Family, Place};
 
 /// Told of each point of a branch.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>;
 
-impl<M: Model<N>, const N: usize> Declared<M, N> {
+impl System {
     /// Every equilibrium that is found, and for exact dynamics every set of sticking ones.
-    pub(super) fn all_equilibria(case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
-        let places = starts(Self::start(case));
-        let r = Self::beginning(case);
-        let found = match case.dynamics {
-            Dynamics::Exact if const { Self::RUBS } => {
-                let model = Self::model(case);
-                let sliding = find(&Self::exact(case), r, &places, |y| sliding_modes(&model, y));
-                let sets = sticking_sets(&model, &places, &sticking_modes())?;
-                let sliding = sliding
-                    .iter()
-                    .map(|one| record(case, one, spelt(one.place.mode)));
-                let sets = sets.iter().map(|set| set_record(case, set));
-                sliding.chain(sets).collect()
-            }
-            _ => {
-                let found = find(&Self::smooth(case), r, &places, |_| vec![()]);
-                let records = found.iter().map(|one| record(case, one, None));
-                records
-                    .map(|record| Self::compared(case, record))
-                    .collect::<Vec<_>>()
-            }
-        };
+    ///
+    /// # Errors
+    /// None was found.
+    pub fn equilibria(&self, case: &Case) -> Result<Vec<EquilibriumRecord>, StudyError> {
+        self.may_rest(case)?;
+        let places = starts(&self.start(case));
+        let (family, flow) = (self.family(case), self.at(case)?);
+        let modes = |y: &[f64]| sliding_modes(&*flow, y);
+        let sliding = find(&family, self.beginning(case), &places, modes);
+        let mut found: Vec<_> = sliding
+            .into_iter()
+            .map(|one| self.record(case, one.place, &one.spectrum))
+            .collect();
+        if self.rubs(case) {
+            let modes = sticking_modes(self.info().contacts.len());
+            let sets = sticking_sets(&*flow, &places, &modes).into_iter();
+            found.extend(sets.map(|set| self.set_record(case, set)));
+        }
         if found.is_empty() {
             return Err(StudyError::NoEquilibrium {
                 starts: places.len(),
@@ -52,112 +47,144 @@ impl<M: Model<N>, const N: usize> Declared<M, N> {
         Ok(found)
     }
 
-    /// Follows the first equilibrium that is found.
-    pub(super) fn equilibria_along(
+    /// The branch of equilibria along the design variable of the case, from the first that is found; `watch` sees each
+    /// point as it is found, and may end the branch there.
+    ///
+    /// # Errors
+    /// There is no equilibrium to begin with.
+    pub fn equilibria_along(
+        &self,
         case: &Case,
-        along: Along,
         watch: Watch<'_>,
     ) -> Result<EquilibriaRecord, StudyError> {
-        match case.dynamics {
-            Dynamics::Exact if const { Self::RUBS } => {
-                let model = Self::model(case);
-                let modes = |y: &[f64; N]| sliding_modes(&model, y);
-                let spelt = |mode| spelt::<M, N>(mode);
-                let family = Self::exact(case);
-                let first = Self::first(case, &family, modes)?;
-                Self::followed(case, along, &family, (&first, spelt(first.mode)), watch)
+        self.may_rest(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        let family = self.family(case);
+        let first = self.first(case, &family)?;
+        let mut points = Vec::new();
+        let mut take = |spot: &Spot| {
+            let at = case.at(along.value(spot.r));
+            let place = spot.place(first.modes.clone());
+            let point = EquilibriumRecord {
+                r: Some(along.value(spot.r)),
+                ..self.record(&at, place, &spot.spectrum)
+            };
+            let verdict = watch(&point);
+            points.push(point);
+            verdict
+        };
+        let (from, to) = along.span();
+        let branch = follow(&family, &first, settings(from, to), &mut take)
+            .map_err(StudyError::Equilibrium)?;
+        let mut special = numbered(along, &branch.special);
+        if let Some(exact) = self.counterpart(case) {
+            for point in &mut special {
+                point.artefact = exact.lacks(along, point);
             }
-            _ => {
-                let family = Self::smooth(case);
-                let first = Self::first(case, &family, |_| vec![()])?;
-                let mut branch = Self::followed(case, along, &family, (&first, None), watch)?;
-                if const { Self::RUBS } {
-                    let exact = Counterpart::<M, N>::new(case);
-                    for point in &mut branch.special {
-                        point.artefact = exact.lacks(along, point);
-                    }
-                }
-                Ok(branch)
-            }
+        }
+        Ok(EquilibriaRecord {
+            along,
+            special,
+            ended: ended(self.info(), &branch),
+            work: branch.work,
+            points,
+        })
+    }
+
+    /// For each equilibrium that was found at the case a proof that it exists and is the only one in a box, or why there
+    /// is none.
+    #[must_use]
+    pub fn proofs(&self, case: &Case, found: &[EquilibriumRecord]) -> Vec<Result<Proof, Unproven>> {
+        found.iter().map(|one| self.proof(case, one)).collect()
+    }
+
+    /// Whether the case can be asked, and its model rests at all: one with a drive has no equilibrium, and one whose laws
+    /// have stops has none that stands alone.
+    fn may_rest(&self, case: &Case) -> Result<(), StudyError> {
+        self.check(case)?;
+        let info = self.info();
+        let model = info.command;
+        let mut memories = info.memories.iter();
+        if let Some(memory) = memories.find(|memory| memory.law.has_stops()) {
+            let law = memory.law.name;
+            return Err(StudyError::NotIsolated { model, law });
+        }
+        match info.drive {
+            None => Ok(()),
+            Some(phase) => Err(StudyError::Driven {
+                model,
+                phase: info.states[phase].name,
+            }),
         }
     }
 
     /// A proof that the equilibrium exists, in the mode in which its contacts slide there.
-    pub(super) fn proof(case: &Case, found: &EquilibriumRecord) -> Result<Proof, Unproven> {
-        let model = Self::model(case);
-        let state: [f64; N] =
-            std::array::from_fn(|j| found.state.get(j).copied().unwrap_or(f64::NAN));
-        let field = match case.dynamics {
-            Dynamics::Exact if const { Self::RUBS } => {
-                EnclosedField::sliding(&model, sliding_mode(&model, &state))
-            }
-            _ => EnclosedField::smooth(&model, case.smoothing()),
-        };
-        prove(&field, &state)
+    fn proof(&self, case: &Case, found: &EquilibriumRecord) -> Result<Proof, Unproven> {
+        // Without a flow no contact is known to slide, and nothing is proven.
+        let modes = self.rubs(case).then(|| {
+            let flow = self.at(case);
+            flow.map_or_else(|_| Vec::new(), |flow| sliding_mode(&*flow, &found.state))
+        });
+        prove(&*self.enclosure(case, modes.as_deref()), &found.state)
     }
 
-    fn first<F: Family<N> + Clone>(
-        case: &Case,
-        family: &F,
-        modes: impl Fn(&[f64; N]) -> Vec<<F::Flow as Flow<N>>::Mode>,
-    ) -> Result<Place<N, <F::Flow as Flow<N>>::Mode>, StudyError>
-    where
-        F::Flow: Confined<N>,
-    {
-        let places = starts(Self::start(case));
+    fn first(&self, case: &Case, family: &Family) -> Result<Place, StudyError> {
+        let places = starts(&self.start(case));
+        let flow = self.at(case)?;
+        let modes = |y: &[f64]| sliding_modes(&*flow, y);
+        let r = self.beginning(case);
         let found = places
             .iter()
-            .find_map(|start| find(family, Self::beginning(case), &[*start], &modes).pop());
+            .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
         let none = StudyError::NoEquilibrium {
             starts: places.len(),
         };
         found.map(|first| first.place).ok_or(none)
     }
 
-    fn followed<F: Family<N> + Clone>(
-        case: &Case,
-        along: Along,
-        family: &F,
-        (first, mode): (&Place<N, <F::Flow as Flow<N>>::Mode>, Option<String>),
-        watch: Watch<'_>,
-    ) -> Result<EquilibriaRecord, StudyError>
-    where
-        F::Flow: Confined<N>,
-    {
-        let (from, to) = along.span();
-        let mut points = Vec::new();
-        let mut take = |spot: &Spot<N>| {
-            let at = case.at(along.value(spot.r));
-            let point = EquilibriumRecord {
-                r: Some(along.value(spot.r)),
-                ..plain(&at, spot.state.to_vec(), &spot.spectrum, mode.clone())
-            };
-            let point = Self::compared(&at, point);
-            let verdict = watch(&point);
-            points.push(point);
-            verdict
-        };
-        let branch = follow(family, first, settings(from, to), &mut take)
-            .map_err(StudyError::Equilibrium)?;
-        Ok(EquilibriaRecord {
-            along,
-            special: numbered(along, &branch.special),
-            ended: ended::<M, N>(&branch),
-            work: branch.work,
-            points,
-        })
+    /// The exact system of which a case asks a smooth copy.
+    fn counterpart(&self, case: &Case) -> Option<Counterpart<'_>> {
+        let copy = !self.info().contacts.is_empty() && case.smoothing().is_some();
+        copy.then(|| Counterpart::new(self, case))
     }
 
-    /// The record of an equilibrium of a copy, compared with the exact system.
-    fn compared(case: &Case, mut record: EquilibriumRecord) -> EquilibriumRecord {
-        if const { Self::RUBS } && case.smoothing().is_some() {
-            record.artefact = Counterpart::<M, N>::new(case).differs(&record);
+    /// The record of an equilibrium, that of a copy compared with the exact system.
+    fn record(&self, case: &Case, place: Place, spectrum: &Spectrum) -> EquilibriumRecord {
+        let mut record = EquilibriumRecord {
+            r: None,
+            parameters: case.parameters.clone(),
+            dynamics: case.dynamics,
+            mode: spelt(self.info(), &place.modes),
+            state: place.state,
+            eigenvalues: spectrum.eigenvalues.clone(),
+            stability: spectrum.stability,
+            set: None,
+            artefact: false,
+        };
+        if let Some(exact) = self.counterpart(case) {
+            record.artefact = exact.differs(&record);
         }
         record
     }
+
+    fn set_record(&self, case: &Case, set: StickingSet) -> EquilibriumRecord {
+        let extent = Extent {
+            dimension: set.dimension,
+            low: set.low,
+            high: set.high,
+        };
+        let place = Place {
+            state: set.state,
+            modes: set.modes,
+        };
+        EquilibriumRecord {
+            set: (set.dimension > 0).then_some(extent),
+            ..self.record(case, place, &set.spectrum)
+        }
+    }
 }
 
-fn numbered<const N: usize>(along: Along, found: &[Found<N>]) -> Vec<SpecialEquilibrium> {
+fn numbered(along: Along, found: &[Found]) -> Vec<SpecialEquilibrium> {
     let label = |i: usize| {
         let kind = found[i].kind;
         let number = found[..=i]
@@ -166,14 +193,14 @@ fn numbered<const N: usize>(along: Along, found: &[Found<N>]) -> Vec<SpecialEqui
             .count();
         format!("{}{number}", kind.letters())
     };
-    let special = |(i, Found { kind, spot }): (usize, &Found<N>)| {
+    let special = |(i, Found { kind, spot }): (usize, &Found)| {
         let frequency = spot.spectrum.critical_frequency();
         let frequency = frequency.filter(|_| *kind == Kind::Hopf);
         SpecialEquilibrium {
             kind: kind.name(),
             label: label(i),
             r: along.value(spot.r),
-            state: spot.state.to_vec(),
+            state: spot.state.clone(),
             eigenvalues: spot.spectrum.eigenvalues.clone(),
             period: frequency.map(|omega| std::f64::consts::TAU / omega),
             artefact: false,
@@ -182,15 +209,13 @@ fn numbered<const N: usize>(along: Along, found: &[Found<N>]) -> Vec<SpecialEqui
     found.iter().enumerate().map(special).collect()
 }
 
-fn ended<M: Model<N>, const N: usize>(branch: &Branch<N>) -> Ended {
+fn ended(info: &ModelInfo, branch: &Branch) -> Ended {
     match &branch.end {
         End::Followed(ending) => Ended::from(ending),
         End::Stopped => Ended::interrupted(),
         End::Boundary(contact) => {
-            let name = M::INFO
-                .contacts
-                .get(*contact)
-                .map_or("?", |contact| contact.name);
+            let contact = info.contacts.get(*contact);
+            let name = contact.map_or("?", |contact| contact.name);
             Ended {
                 word: Kind::BoundaryEquilibrium.name(),
                 located: true,
@@ -206,47 +231,5 @@ fn ended<M: Model<N>, const N: usize>(branch: &Branch<N>) -> Ended {
                 "its stability changes between {from} and {to}, and no bifurcation was found there"
             ),
         },
-    }
-}
-
-fn plain(
-    case: &Case,
-    state: Vec<f64>,
-    spectrum: &Spectrum,
-    mode: Option<String>,
-) -> EquilibriumRecord {
-    EquilibriumRecord {
-        r: None,
-        parameters: case.parameters.clone(),
-        dynamics: case.dynamics,
-        state,
-        eigenvalues: spectrum.eigenvalues.clone(),
-        stability: spectrum.stability,
-        mode,
-        set: None,
-        artefact: false,
-    }
-}
-
-fn record<Mode, const N: usize>(
-    case: &Case,
-    found: &Equilibrium<N, Mode>,
-    mode: Option<String>,
-) -> EquilibriumRecord {
-    plain(case, found.place.state.to_vec(), &found.spectrum, mode)
-}
-
-fn set_record<M: Model<N>, const N: usize>(
-    case: &Case,
-    set: &StickingSet<M, N>,
-) -> EquilibriumRecord {
-    let extent = Extent {
-        dimension: set.dimension,
-        low: set.low.to_vec(),
-        high: set.high.to_vec(),
-    };
-    EquilibriumRecord {
-        set: (set.dimension > 0).then_some(extent),
-        ..plain(case, set.state.to_vec(), &set.spectrum, spelt(set.mode))
     }
 }

@@ -2,14 +2,12 @@
 
 use super::branch::{ENDLESS, Ended, Watch};
 use super::case::Along;
-use super::orbit::{OrbitRecord, Sought};
+use super::orbit::OrbitRecord;
+use super::sought::Sought;
 use crate::bifurcation::{Located, Unexplained, Watched, detect, explain, reach};
 use crate::continuation::Ending;
 use crate::field::Work;
-use crate::flow::{Family, Flow};
 use crate::shooting::{Guess, Orbit, OrbitBranch, converge};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// Orbits after which a branch may have come round.
 const ROUND: usize = 3;
@@ -17,16 +15,16 @@ const ROUND: usize = 3;
 pub(super) const SAME: f64 = 1e-5;
 
 /// A branch as far as it was followed in one direction, or in both.
-pub(super) struct Stretch<const N: usize, M> {
+pub(super) struct Stretch {
     pub(super) points: Vec<OrbitRecord>,
-    pub(super) located: Vec<Located<Orbit<N, M>>>,
+    pub(super) located: Vec<Located<Orbit>>,
     /// How many of the points precede each of the located ones.
     pub(super) after: Vec<usize>,
     pub(super) ended: Ended,
     pub(super) began: Option<Ended>,
 }
 
-impl<const N: usize, M> Stretch<N, M> {
+impl Stretch {
     /// Whether it would have gone on if it had not been interrupted.
     pub(super) fn is_interrupted(&self) -> bool {
         let mut ends = self.began.iter().chain([&self.ended]);
@@ -58,13 +56,13 @@ impl<const N: usize, M> Stretch<N, M> {
 }
 
 /// A branch being followed.
-struct Following<'a, F: Family<N> + Clone, const N: usize> {
-    sought: &'a Sought<'a, F, N>,
+struct Following<'a> {
+    sought: &'a Sought<'a>,
     along: Along,
-    branch: OrbitBranch<F, N>,
-    orbits: Vec<Orbit<N, Mode<F, N>>>,
+    branch: OrbitBranch,
+    orbits: Vec<Orbit>,
     points: Vec<OrbitRecord>,
-    located: Vec<Located<Orbit<N, Mode<F, N>>>>,
+    located: Vec<Located<Orbit>>,
     after: Vec<usize>,
     unexplained: Option<Unexplained>,
     /// Work on steps that were taken back.
@@ -80,13 +78,13 @@ enum Verdict {
 }
 
 /// Follows a branch to its end; `before` is work that its first point has cost besides.
-pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
-    sought: &Sought<'_, F, N>,
+pub(super) fn follow(
+    sought: &Sought<'_>,
     along: Along,
-    branch: OrbitBranch<F, N>,
+    branch: OrbitBranch,
     before: Work,
     watch: Watch<'_>,
-) -> Stretch<N, Mode<F, N>> {
+) -> Stretch {
     let mut following = Following {
         sought,
         along,
@@ -113,7 +111,7 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
     }
 }
 
-impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
+impl Following<'_> {
     fn run(&mut self, before: Work, watch: Watch<'_>) -> Ended {
         while let Some(orbit) = self.branch.next() {
             let mut point = self.sought.record(&orbit);
@@ -153,7 +151,7 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
     }
 
     /// Looks for bifurcations on the way to `orbit`, and for the end of the branch before it.
-    fn examine(&mut self, orbit: &Orbit<N, Mode<F, N>>, point: &mut OrbitRecord) -> Verdict {
+    fn examine(&mut self, orbit: &Orbit, point: &mut OrbitRecord) -> Verdict {
         let (Some(mut path), Some(before)) = (self.branch.path(), self.orbits.last()) else {
             return Verdict::GoOn;
         };
@@ -201,7 +199,7 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
 
     /// What was found is a shorter orbit, gone around twice: the step went past where the branch meets the one from which
     /// it doubles.
-    fn undoubled(&mut self, orbit: &Orbit<N, Mode<F, N>>, work: Work) -> Verdict {
+    fn undoubled(&mut self, orbit: &Orbit, work: Work) -> Verdict {
         self.wasted += work;
         if self.branch.retract() {
             Verdict::Again
@@ -210,7 +208,7 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
         }
     }
 
-    fn end(&mut self, reason: Located<Orbit<N, Mode<F, N>>>) -> Ended {
+    fn end(&mut self, reason: Located<Orbit>) -> Ended {
         let ended = Ended::at(reason.kind, self.along.value(reason.r));
         self.located.push(reason);
         self.after.push(self.points.len());
@@ -219,17 +217,14 @@ impl<F: Family<N> + Clone, const N: usize> Following<'_, F, N> {
 }
 
 /// Replaces a doubled orbit that has met the one from which it branches by that one.
-fn undouble<F: Family<N> + Clone, const N: usize>(
-    sought: &Sought<'_, F, N>,
-    met: &mut Located<Orbit<N, Mode<F, N>>>,
-) {
+fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>) {
     let orbit = &met.point;
     let guess = Guess {
-        place: orbit.place,
+        place: orbit.place.clone(),
         period: 0.5 * orbit.period,
         magnitude: orbit.magnitude(),
     };
-    match converge(sought.family, met.r, &guess, &sought.search) {
+    match converge(&sought.family, met.r, &guess, &sought.search) {
         Ok(single) if single.period < 0.75 * orbit.period => met.point = single,
         // As far as it is known, the doubled orbit is that orbit twice.
         _ => {

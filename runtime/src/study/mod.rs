@@ -1,6 +1,6 @@
 //! Whole studies of declared models: what is asked, how it is answered, and what the answer holds.
 //!
-//! A [`Case`] says what is asked, an [`Entry`] is a model that answers, whatever its number of states; records are the
+//! A [`Case`] says what is asked, a [`System`] is a model that answers, whatever its number of states; records are the
 //! answers, free of type parameters, for programs, tables and figures.
 
 mod atlas;
@@ -13,7 +13,8 @@ mod curve;
 mod declared;
 mod diagram;
 mod ends;
-mod entry;
+mod error;
+
 mod equilibria;
 mod equilibrium;
 mod follow;
@@ -24,8 +25,10 @@ mod parallel;
 pub mod predict;
 mod section;
 mod seed;
+mod sought;
 mod special;
 mod specimen;
+mod system;
 pub mod trade;
 mod trajectory;
 
@@ -38,12 +41,13 @@ pub use diagram::{
     Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
 };
 pub use ends::{End, TradeRecord};
-pub use entry::{Entry, StudyError, entry};
 pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
+pub use error::StudyError;
 pub use hysteresis::Hysteresis;
 pub use orbit::{CertifiedOrbit, OrbitRecord};
 pub use parallel::{parallel, parallel_on};
-pub use section::{CrossingRecord, Span};
+pub use section::Span;
 pub use special::Special;
 pub use specimen::{Remembering, Shown, Specimen};
+pub use system::System;
 pub use trajectory::Trajectory;

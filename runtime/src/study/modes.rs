@@ -1,55 +1,47 @@
 //! The modes in which equilibria are looked for.
 
-use crate::field::exact::{ExactSystem, Mode, Modes};
-use crate::flow::{Segment, word};
-use crate::model::Model;
+use crate::field::exact::Mode;
+use crate::model::ModelInfo;
+use crate::motion::{Flow, Modes, Segment, word};
 
 /// Contacts whose modes are tried in every combination.
 const COMBINED: usize = 5;
 
-/// A mode as a word of one letter for each contact.
-pub(super) fn spelt<M: Model<N>, const N: usize>(mode: Modes<M, N>) -> Option<String> {
+/// Modes as a word of one letter for each contact; `None` where there is no mode.
+pub(super) fn spelt(info: &ModelInfo, modes: &Modes) -> Option<String> {
     let segment = Segment {
-        mode,
+        modes: modes.clone(),
         duration: 0.0,
     };
-    (!M::INFO.contacts.is_empty()).then(|| word::<M, N>(&[segment]))
+    (!modes.is_empty()).then(|| word(info, &[segment]))
 }
 
-/// The mode in which every contact slides as it does at `state`.
-pub(super) fn sliding_mode<M: Model<N>, const N: usize>(
-    model: &M,
-    state: &[f64; N],
-) -> Modes<M, N> {
-    let speeds = ExactSystem::new(model, None).speeds(state);
-    Modes::from_fn(|i| Mode::sliding(speeds.as_ref()[i]))
+/// The modes in which every contact slides as it does at `state`.
+pub(super) fn sliding_mode(flow: &dyn Flow, state: &[f64]) -> Modes {
+    flow.speeds(state).into_iter().map(Mode::sliding).collect()
 }
 
-/// The modes in which every contact slides, first the one in which it does at `state`.
-pub(super) fn sliding_modes<M: Model<N>, const N: usize>(
-    model: &M,
-    state: &[f64; N],
-) -> Vec<Modes<M, N>> {
-    let system = ExactSystem::new(model, None);
-    let speeds = system.speeds(state);
-    let count = M::INFO.contacts.len();
+/// The modes in which every contact slides, first those in which it does at `state`; of a smooth flow, the only ones.
+pub(super) fn sliding_modes(flow: &dyn Flow, state: &[f64]) -> Vec<Modes> {
+    let speeds = flow.speeds(state);
+    let count = speeds.len();
     let turns = if count > COMBINED { 1 } else { 1 << count };
     let turned = |k: usize, i: usize| if k >> i & 1 == 0 { 1.0 } else { -1.0 };
+    let slides = |k: usize, i: usize| Mode::sliding(turned(k, i) * speeds[i]);
     (0..turns)
-        .map(|k| Modes::from_fn(|i| Mode::sliding(turned(k, i) * speeds.as_ref()[i])))
+        .map(|k| (0..count).map(|i| slides(k, i)).collect())
         .collect()
 }
 
-/// The modes in which at least one contact sticks: in every combination, or all of them.
-pub(super) fn sticking_modes<M: Model<N>, const N: usize>() -> Vec<Modes<M, N>> {
+/// The modes of `count` contacts of which at least one sticks: in every combination, or all of them.
+pub(super) fn sticking_modes(count: usize) -> Vec<Modes> {
     const LETTERS: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
-    let count = M::INFO.contacts.len();
     if count > COMBINED {
-        return vec![Modes::from_fn(|_| Mode::Stick)];
+        return vec![vec![Mode::Stick; count]];
     }
     let letter = |k: usize, i: usize| LETTERS[k / 3_usize.pow(i as u32) % 3];
     (0..3_usize.pow(count as u32))
-        .map(|k| Modes::from_fn(|i| letter(k, i)))
-        .filter(|modes: &Modes<M, N>| modes.sticking().next().is_some())
+        .map(|k| (0..count).map(|i| letter(k, i)).collect())
+        .filter(|modes: &Modes| modes.contains(&Mode::Stick))
         .collect()
 }

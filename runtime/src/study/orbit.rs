@@ -1,15 +1,13 @@
 //! One periodic orbit, and all that is reported of it.
 
 use super::case::{Case, Dynamics};
-use super::seed::Seed;
-use crate::bifurcation::{Floquet, Kind, Located};
+use super::error::StudyError;
+use super::sought::Sought;
+use super::system::System;
+use crate::bifurcation::Floquet;
 use crate::field::Work;
-use crate::flow::{Family, Flow, Segment};
-use crate::shooting::{
-    Certificate, Guess, Orbit, OrbitError, Search, Uncertified, certify, closest,
-};
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
+use crate::motion::word;
+use crate::shooting::{Certificate, Guess, Orbit, Uncertified, certify};
 
 /// A periodic orbit as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,97 +53,57 @@ pub struct CertifiedOrbit {
     pub certificate: Result<Certificate, Uncertified>,
 }
 
-/// How much a failure tells of the system: that motions settle elsewhere is more than that a search ended.
-fn tells(error: &OrbitError) -> u8 {
-    match error {
-        OrbitError::NotIsolated { .. } => 3,
-        OrbitError::Equilibrium { .. } => 2,
-        OrbitError::NotSettled { .. } => 1,
-        OrbitError::Newton(_) | OrbitError::Flow(_) => 0,
-    }
-}
-
-/// How the stretches of an orbit are spelt.
-pub(super) type Spelling<Mode> = fn(&[Segment<Mode>]) -> Option<String>;
-
-/// A family with what is sought in it.
-pub(super) struct Sought<'a, F: Family<N>, const N: usize> {
-    pub(super) family: &'a F,
-    pub(super) case: &'a Case,
-    /// Tried in this order.
-    pub(super) seeds: Vec<Seed<N>>,
-    pub(super) search: Search<N>,
-    pub(super) spelling: Spelling<Mode<F, N>>,
-}
-
-impl<F: Family<N> + Clone, const N: usize> Sought<'_, F, N> {
-    /// Tells a branch point from one at which a symmetry is lost.
-    pub(super) fn tell_symmetry(&self, found: &mut Located<Orbit<N, Mode<F, N>>>) {
-        // An orbit that cannot be gone around once more has no symmetry that could be told.
-        if found.kind == Kind::BranchPoint && found.point.loses_symmetry(self.family) == Ok(true) {
-            found.kind = Kind::SymmetryBreaking;
-        }
+impl System {
+    /// The periodic orbit that is reached from the start of the case.
+    ///
+    /// # Errors
+    /// None was found.
+    pub fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
+        let sought = self.sought(case)?;
+        let orbit = sought.orbit(self.beginning(case));
+        let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
+        Ok(sought.record(&orbit))
     }
 
-    /// The orbit at r, in the family's own count, from the first seed that leads to one.
-    pub(super) fn orbit(&self, r: f64) -> Result<Orbit<N, Mode<F, N>>, OrbitError> {
-        let mut telling = None::<OrbitError>;
-        for &Seed { start, period } in &self.seeds {
-            let search = Search {
-                start,
-                period,
-                ..self.search
-            };
-            match closest(self.family, r, &search) {
-                Ok(orbit) => return Ok(orbit),
-                Err(error) if telling.as_ref().is_none_or(|t| tells(t) <= tells(&error)) => {
-                    telling = Some(error);
-                }
-                Err(_) => {}
-            }
-        }
-        Err(telling.unwrap_or(OrbitError::NotSettled {
-            time: 0.0,
-            last: None,
-        }))
-    }
-
-    /// The orbit at r as it is reported.
-    pub(super) fn found(&self, r: f64) -> Result<OrbitRecord, OrbitError> {
-        Ok(self.record(&self.orbit(r)?))
-    }
-
-    /// The orbit at r as it is reported, with its certificate.
-    pub(super) fn certified(&self, r: f64) -> Result<CertifiedOrbit, OrbitError> {
-        let orbit = self.orbit(r)?;
+    /// The same orbit with its certificate: how near to it a true orbit is, and only one.
+    ///
+    /// # Errors
+    /// None was found. An orbit that cannot be certified is no error: it comes with the reason.
+    pub fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
+        let (sought, r) = (self.sought(case)?, self.beginning(case));
+        let orbit = sought.orbit(r);
+        let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
         let found = Guess {
-            place: orbit.heading.start,
+            place: orbit.heading.start.clone(),
             period: orbit.period,
             magnitude: orbit.magnitude(),
         };
         Ok(CertifiedOrbit {
-            certificate: certify(self.family, r, &found, self.search.accuracy),
-            orbit: self.record(&orbit),
+            certificate: certify(&sought.family, r, &found, case.accuracy),
+            orbit: sought.record(&orbit),
         })
     }
+}
 
+impl Sought<'_> {
     /// The orbit as it is reported.
-    pub(super) fn record(&self, orbit: &Orbit<N, Mode<F, N>>) -> OrbitRecord {
+    pub(super) fn record(&self, orbit: &Orbit) -> OrbitRecord {
         let r = self.case.along.map(|along| along.value(orbit.r));
         let case = r.map_or_else(|| self.case.clone(), |r| self.case.at(r));
+        let rubs = self.system.rubs(self.case);
         OrbitRecord {
             r,
             parameters: case.parameters,
             dynamics: case.dynamics,
-            state: orbit.place.state.to_vec(),
+            state: orbit.place.state.clone(),
             period: orbit.period,
-            max: orbit.max.to_vec(),
-            min: orbit.min.to_vec(),
-            max_abs: orbit.max_abs().to_vec(),
+            max: orbit.max.clone(),
+            min: orbit.min.clone(),
+            max_abs: orbit.max_abs(),
             period_count: orbit.period_count,
-            section: orbit.section.iter().map(|state| state.to_vec()).collect(),
+            section: orbit.section.clone(),
             floquet: orbit.floquet.clone(),
-            word: (self.spelling)(&orbit.segments),
+            word: rubs.then(|| word(self.system.info(), &orbit.segments)),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,
             work: orbit.work,

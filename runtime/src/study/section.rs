@@ -1,19 +1,12 @@
 //! Points of a motion on a section, and how a section is spelt.
 
-use crate::flow::{Flow, FlowError};
+use super::case::Case;
+use super::error::StudyError;
+use super::system::System;
+use crate::flow::FlowError;
 use crate::model::ModelInfo;
+use crate::motion::Flow;
 use crate::poincare::{Crossing, Section, Surface, once_around, until};
-
-/// A point of a motion on a section, whatever model it belongs to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CrossingRecord {
-    /// When, from the beginning of the motion.
-    pub time: f64,
-    /// Where.
-    pub state: Vec<f64>,
-    /// Whether the function that vanishes there grows.
-    pub rising: bool,
-}
 
 /// How long a motion is watched.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,28 +18,33 @@ pub enum Span {
 }
 
 impl Span {
-    pub(super) fn crossings<F: Flow<N>, const N: usize>(
+    fn crossings(
         self,
-        flow: &F,
-        start: [f64; N],
+        flow: &dyn Flow,
+        start: &[f64],
         section: Section,
-    ) -> Result<Vec<CrossingRecord>, FlowError> {
+    ) -> Result<Vec<Crossing>, FlowError> {
         let place = flow.place(start)?;
-        let found = match self {
-            Self::Time(time) => until(flow, place, section, time)?,
-            Self::Period(period) => once_around(flow, place, section, period)?,
-        };
-        Ok(found.iter().map(CrossingRecord::from).collect())
+        match self {
+            Self::Time(time) => until(flow, place, section, time),
+            Self::Period(period) => once_around(flow, place, section, period),
+        }
     }
 }
 
-impl<const N: usize> From<&Crossing<N>> for CrossingRecord {
-    fn from(crossing: &Crossing<N>) -> Self {
-        Self {
-            time: crossing.time,
-            state: crossing.state.to_vec(),
-            rising: crossing.rising,
-        }
+impl System {
+    /// The points at which the motion from the start of the case meets a section.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub fn crossings(
+        &self,
+        case: &Case,
+        section: Section,
+        span: Span,
+    ) -> Result<Vec<Crossing>, StudyError> {
+        let flow = self.at(case)?;
+        Ok(span.crossings(flow.as_ref(), &self.start(case), section)?)
     }
 }
 

@@ -1,21 +1,20 @@
 //! Where orbits are looked for.
 
-use crate::field::exact::{ExactSystem, Mode, Modes};
-use crate::model::Model;
-use crate::scalar::Lanes;
+use crate::field::exact::Mode;
+use crate::motion::{Contact, Flow, Modes, Place, Row};
 
 /// Sweeps over all contacts that bring their speeds to zero together.
 const SWEEPS: usize = 50;
 
 /// A place to begin, with a guess of the period; without one, the motion settles from there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Seed<const N: usize> {
-    pub(super) start: [f64; N],
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Seed {
+    pub(super) start: Vec<f64>,
     pub(super) period: Option<f64>,
 }
 
-impl<const N: usize> Seed<N> {
-    pub(super) fn at(start: [f64; N]) -> Self {
+impl Seed {
+    pub(super) fn at(start: Vec<f64>) -> Self {
         Self {
             start,
             period: None,
@@ -25,64 +24,78 @@ impl<const N: usize> Seed<N> {
 
 /// From rest on the belt: near `start`, each contact in turn without relative speed, then all; then the same places
 /// where those contacts need no force to stay at rest, from which they surely stick.
-pub(super) fn on_the_belt<M: Model<N>, const N: usize>(model: &M, start: [f64; N]) -> Vec<Seed<N>> {
-    let system = ExactSystem::new(model, None);
-    let count = system.contacts();
+pub(super) fn on_the_belt(flow: &dyn Flow, start: &[f64]) -> Vec<Seed> {
+    let count = flow.speeds(start).len();
     let mut sets: Vec<Vec<usize>> = (0..count).map(|contact| vec![contact]).collect();
     if count > 1 {
         sets.push((0..count).collect());
     }
-    let near = sets.iter().map(|set| resting(&system, start, set));
-    let unloaded = sets.iter().map(|set| unloaded(&system, start, set));
+    let belt = Belt { flow, count };
+    let near = sets.iter().map(|set| belt.resting(start.to_vec(), set));
+    let unloaded = sets.iter().map(|set| belt.unloaded(start.to_vec(), set));
     near.chain(unloaded).map(Seed::at).collect()
 }
 
-/// The state next to `state` at which these contacts have no relative speed, by projection on one after the other.
-fn resting<M: Model<N>, const N: usize>(
-    system: &ExactSystem<M, N>,
-    mut state: [f64; N],
-    contacts: &[usize],
-) -> [f64; N] {
-    for _ in 0..SWEEPS {
-        for &contact in contacts {
-            let speed = system.linear_speeds(&state).as_ref()[contact];
-            project(&mut state, speed);
-        }
-    }
-    state
+/// A flow with this many contacts.
+struct Belt<'a> {
+    flow: &'a dyn Flow,
+    count: usize,
 }
 
-/// The same where, besides, they need no force to stay at rest.
-fn unloaded<M: Model<N>, const N: usize>(
-    system: &ExactSystem<M, N>,
-    mut state: [f64; N],
-    contacts: &[usize],
-) -> [f64; N] {
-    let modes = Modes::from_fn(|i| {
-        if contacts.contains(&i) {
-            Mode::Stick
-        } else {
-            Mode::sliding(system.speeds(&state).as_ref()[i])
-        }
-    });
-    for _ in 0..SWEEPS {
-        for &contact in contacts {
-            if let Ok(held) = system.linear(&state, &modes) {
-                project(&mut state, held.force.as_ref()[contact]);
+impl Belt<'_> {
+    /// The state next to `state` at which these contacts have no relative speed, by projection on one after the other.
+    fn resting(&self, mut state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
+        // While all slide, no force is sought, and none enters the speeds.
+        let modes = vec![Mode::SlideForward; self.count];
+        for _ in 0..SWEEPS {
+            for &contact in contacts {
+                if let Some(Contact { speed, .. }) = self.contact(&state, &modes, contact) {
+                    project(&mut state, &speed);
+                }
             }
         }
-        state = resting(system, state, contacts);
+        state
     }
-    state
+
+    /// The same where, besides, they need no force to stay at rest.
+    fn unloaded(&self, mut state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
+        let speeds = self.flow.speeds(&state).into_iter().enumerate();
+        let mode = |(i, speed): (usize, f64)| {
+            if contacts.contains(&i) {
+                Mode::Stick
+            } else {
+                Mode::sliding(speed)
+            }
+        };
+        let modes: Modes = speeds.map(mode).collect();
+        for _ in 0..SWEEPS {
+            for &contact in contacts {
+                if let Some(Contact { force, .. }) = self.contact(&state, &modes, contact) {
+                    project(&mut state, &force);
+                }
+            }
+            state = self.resting(state, contacts);
+        }
+        state
+    }
+
+    /// What a contact does; `None` if the forces are not determined.
+    fn contact(&self, state: &[f64], modes: &Modes, contact: usize) -> Option<Contact> {
+        let place = Place {
+            state: state.to_vec(),
+            modes: modes.clone(),
+        };
+        let mut all = self.flow.contacts(&place).ok()?.all;
+        (contact < all.len()).then(|| all.swap_remove(contact))
+    }
 }
 
 /// Moves a state the shortest way to where a quantity that is linear in it vanishes.
-fn project<D: Lanes<N>, const N: usize>(state: &mut [f64; N], quantity: D) {
-    let (gradient, _) = quantity.slopes();
-    let square: f64 = gradient.iter().map(|slope| slope * slope).sum();
-    let share = quantity.re() / square;
+fn project(state: &mut [f64], quantity: &Row) {
+    let square: f64 = quantity.slopes.iter().map(|slope| slope * slope).sum();
+    let share = quantity.value / square;
     if share.is_finite() {
-        for (component, slope) in state.iter_mut().zip(gradient) {
+        for (component, slope) in state.iter_mut().zip(&quantity.slopes) {
             *component -= share * slope;
         }
     }

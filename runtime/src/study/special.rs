@@ -34,13 +34,9 @@ pub struct Special {
 }
 
 /// The special points as they are reported.
-pub(super) fn numbered<const N: usize, M: Copy + PartialEq>(
-    along: &Along,
-    located: &[Located<Orbit<N, M>>],
-    after: &[usize],
-) -> Vec<Special> {
+pub(super) fn numbered(along: &Along, located: &[Located<Orbit>], after: &[usize]) -> Vec<Special> {
     let mut counts: HashMap<Kind, usize> = HashMap::new();
-    let special = |(found, after): (&Located<Orbit<N, M>>, &usize)| {
+    let special = |(found, after): (&Located<Orbit>, &usize)| {
         let count = counts.entry(found.kind).or_default();
         *count += 1;
         Special {
@@ -50,8 +46,8 @@ pub(super) fn numbered<const N: usize, M: Copy + PartialEq>(
             r: along.value(found.r),
             period: found.point.period,
             multipliers: found.point.floquet.multipliers.clone(),
-            state: found.point.place.state.to_vec(),
-            max_abs: found.point.max_abs().to_vec(),
+            state: found.point.place.state.clone(),
+            max_abs: found.point.max_abs(),
             criticality: None,
             note: None,
         }

@@ -1,10 +1,11 @@
 //! One motion, sampled, with the forces and observables along it.
 
-use crate::field::exact::{ExactSystem, Modes};
-use crate::field::{SmoothField, Work};
-use crate::flow::{Flow, FlowError, Place, Segment, Want};
-use crate::friction::{ContactRule, FrictionLaw};
-use crate::model::Model;
+use super::case::Case;
+use super::error::StudyError;
+use super::system::System;
+use crate::field::Work;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Flow, Modes, Place, Sample, Segment};
 
 /// A motion as it is reported, whatever model it belongs to; one row for each time.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,63 +26,19 @@ pub struct Trajectory {
     pub work: Work,
 }
 
-/// Forces and observables.
-type Reading = (Vec<f64>, Vec<f64>);
-
-/// What shows more of a motion than its states.
-pub(super) trait Readout<const N: usize, Mode> {
-    /// Friction forces and observables at a place.
-    fn read(&self, at: &Place<N, Mode>) -> Result<Reading, FlowError>;
-}
-
-impl<M: Model<N>, const N: usize> Readout<N, ()> for SmoothField<M, N> {
-    fn read(&self, at: &Place<N, ()>) -> Result<Reading, FlowError> {
-        let forces = self.forces(&at.state).as_ref().to_vec();
-        Ok((forces, self.observables(&at.state).as_ref().to_vec()))
-    }
-}
-
-/// Reads the sticking forces off the equations.
-pub(super) struct ExactReadout<M: Model<N>, const N: usize> {
-    values: M::Params<f64>,
-    system: ExactSystem<M, N>,
-}
-
-impl<M: Model<N>, const N: usize> ExactReadout<M, N> {
-    pub(super) fn new(model: M) -> Self {
-        Self {
-            values: model.values(),
-            system: ExactSystem::new(&model, None),
-        }
-    }
-}
-
-impl<M: Model<N>, const N: usize> Readout<N, Modes<M, N>> for ExactReadout<M, N> {
-    fn read(&self, at: &Place<N, Modes<M, N>>) -> Result<Reading, FlowError> {
-        let contacts = self.system.contact_states(&at.state, &at.mode)?;
-        let forces: Vec<f64> = contacts.as_ref().iter().map(|c| c.force).collect();
-        let observables = M::observables(&self.values, at.state, &mut Given(&forces));
-        let observables = observables.as_ref().to_vec();
-        Ok((forces, observables))
-    }
-}
-
-/// Forces that are known already.
-struct Given<'a>(&'a [f64]);
-
-impl ContactRule<f64> for Given<'_> {
-    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, _speed: f64) -> f64 {
-        self.0.get(contact).copied().unwrap_or(0.0)
+impl System {
+    /// The motion from the start of the case for the time `time`.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub fn motion(&self, case: &Case, time: f64) -> Result<Trajectory, StudyError> {
+        let flow = self.at(case)?;
+        Ok(trajectory(flow.as_ref(), &self.start(case), time)?)
     }
 }
 
 /// Follows the motion from `start` for `time`.
-pub(super) fn trajectory<F: Flow<N>, const N: usize>(
-    flow: &F,
-    readout: &impl Readout<N, F::Mode>,
-    start: [f64; N],
-    time: f64,
-) -> Result<Trajectory, FlowError> {
+fn trajectory(flow: &dyn Flow, start: &[f64], time: f64) -> Result<Trajectory, FlowError> {
     let want = Want {
         extrema: true,
         path: true,
@@ -98,12 +55,12 @@ pub(super) fn trajectory<F: Flow<N>, const N: usize>(
     record.extend(passage.extrema.iter().map(|extremum| &extremum.state));
     record.extend(passage.path.iter().map(|sample| &sample.state));
     let mut clock = Clock::new(&passage.segments);
-    for sample in &passage.path {
-        let mode = clock.mode(sample.time).unwrap_or(place.mode);
-        let state = sample.state;
-        let (forces, observables) = readout.read(&Place { state, mode })?;
-        record.times.push(sample.time);
-        record.states.push(state.to_vec());
+    for Sample { time, state } in passage.path {
+        let modes = clock.modes(time).unwrap_or(&place.modes).clone();
+        let here = Place { state, modes };
+        let (forces, observables) = flow.read(&here)?;
+        record.times.push(time);
+        record.states.push(here.state);
         record.forces.push(forces);
         record.observables.push(observables);
     }
@@ -112,7 +69,7 @@ pub(super) fn trajectory<F: Flow<N>, const N: usize>(
 
 impl Trajectory {
     /// Widens the extent of each state.
-    fn extend<'a, const N: usize>(&mut self, states: impl Iterator<Item = &'a [f64; N]>) {
+    fn extend<'a>(&mut self, states: impl Iterator<Item = &'a Vec<f64>>) {
         for state in states {
             for (j, &value) in state.iter().enumerate() {
                 self.min[j] = self.min[j].min(value);
@@ -122,24 +79,24 @@ impl Trajectory {
     }
 }
 
-/// Tells the mode of a motion at times that only grow.
-struct Clock<'a, Mode> {
-    segments: &'a [Segment<Mode>],
+/// Tells the modes of a motion at times that only grow.
+struct Clock<'a> {
+    segments: &'a [Segment],
     /// When the first of them ends.
     end: f64,
 }
 
-impl<'a, Mode: Copy> Clock<'a, Mode> {
-    fn new(segments: &'a [Segment<Mode>]) -> Self {
+impl<'a> Clock<'a> {
+    fn new(segments: &'a [Segment]) -> Self {
         let end = segments.first().map_or(0.0, |segment| segment.duration);
         Self { segments, end }
     }
 
-    fn mode(&mut self, time: f64) -> Option<Mode> {
+    fn modes(&mut self, time: f64) -> Option<&'a Modes> {
         while time > self.end && self.segments.len() > 1 {
             self.segments = &self.segments[1..];
             self.end += self.segments[0].duration;
         }
-        self.segments.first().map(|segment| segment.mode)
+        self.segments.first().map(|segment| &segment.modes)
     }
 }

@@ -3,8 +3,7 @@
 use std::ops::ControlFlow;
 
 use stickslip::field::Design;
-use stickslip::flow::Tape;
-use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch, entry};
+use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch, System};
 use stickslip_models::BeltPair;
 
 /// A start, a guess of the period, and the speed of the belt for which they are meant.
@@ -15,7 +14,7 @@ const IN_PHASE: Place = (0.14, [-0.5976, 0.0, -0.4604, -0.1607], Some(16.14));
 const CLOSED: Place = (0.27, [-0.21967, 0.0, 0.68379, -0.02510], None);
 
 fn follow(place: Place, range: [f64; 2], depth: usize) -> BranchRecord {
-    let accuracy = Case::declared(entry::<BeltPair, _>().info(), Dynamics::Exact).accuracy;
+    let accuracy = Case::declared(System::of::<BeltPair, _>().info(), Dynamics::Exact).accuracy;
     follow_to(accuracy, place, range, depth)
 }
 
@@ -25,7 +24,7 @@ fn follow_to(
     range: [f64; 2],
     depth: usize,
 ) -> BranchRecord {
-    let pair = entry::<BeltPair, _>();
+    let pair = System::of::<BeltPair, _>();
     let mut case = Case::declared(pair.info(), Dynamics::Exact);
     case.along = Some(Along {
         design: Design::Parameter(BeltPair::v_dr.index),
@@ -41,10 +40,8 @@ fn follow_to(
         branch_points: false,
         depth,
     };
-    pair.branch(&case.at(v_dr), &Tape::blank(), &mut |_| {
-        ControlFlow::Continue(())
-    })
-    .expect("a branch")
+    pair.branch(&case.at(v_dr), &mut |_| ControlFlow::Continue(()))
+        .expect("a branch")
 }
 
 fn of_kind<'a>(branch: &'a BranchRecord, kind: &str) -> Vec<&'a Special> {

@@ -4,9 +4,8 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use stickslip::flow::Tape;
 use stickslip::model;
-use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, Entry, StudyError, entry};
+use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, StudyError, System};
 use stickslip_models::{BeltPair, DrillString, closed_form};
 use stickslip_tests::range::{place, range};
 
@@ -74,7 +73,7 @@ model! {
 
 /// The case at the beginning of both ranges, and what is followed.
 fn question(
-    model: &dyn Entry,
+    model: &System,
     dynamics: Dynamics,
     along: (&str, f64, f64),
     and: (&str, f64, f64),
@@ -93,7 +92,7 @@ fn question(
 }
 
 fn circle(
-    model: &dyn Entry,
+    model: &System,
     along: (&str, f64, f64),
     and: (&str, f64, f64),
     more: &[(&str, f64)],
@@ -104,9 +103,7 @@ fn circle(
     }
     let start = model.info().states.iter().map(|state| state.start);
     (case.start, case.period) = (Some(start.collect()), Some(TAU));
-    model.curve(&case, &scope, &Tape::blank(), &mut |_| {
-        ControlFlow::Continue(())
-    })
+    model.curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
 }
 
 fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
@@ -126,7 +123,7 @@ fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
 #[test]
 fn folds_of_bautins_form_lie_on_a_parabola() {
     let curve = circle(
-        &*entry::<Bautin, _>(),
+        &*System::of::<Bautin, _>(),
         ("p", 0.1, -0.5),
         ("q", 1.0, 0.3),
         &[],
@@ -140,7 +137,7 @@ fn folds_of_bautins_form_lie_on_a_parabola() {
 #[test]
 fn a_cusp_is_passed_and_located() {
     let curve = circle(
-        &*entry::<Cusp, _>(),
+        &*System::of::<Cusp, _>(),
         ("p", -0.3, 0.3),
         ("q", 0.3, -0.3),
         &[],
@@ -165,7 +162,7 @@ fn a_cusp_is_passed_and_located() {
 #[test]
 fn flips_lie_on_their_line_and_meet_in_a_resonance() {
     let curve = circle(
-        &*entry::<Halves, _>(),
+        &*System::of::<Halves, _>(),
         ("p", -0.1, 0.1),
         ("d", 0.05, -0.05),
         &[],
@@ -181,7 +178,7 @@ fn flips_lie_on_their_line_and_meet_in_a_resonance() {
 #[test]
 fn torus_points_lie_on_a_parabola_with_their_resonances() {
     let curve = circle(
-        &*entry::<Torus, _>(),
+        &*System::of::<Torus, _>(),
         ("p", -0.1, 0.2),
         ("q", -0.1, 0.1),
         &[],
@@ -206,7 +203,7 @@ fn torus_points_lie_on_a_parabola_with_their_resonances() {
 #[test]
 fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
     let more = [("d", 0.2)];
-    let model = entry::<Halves, _>();
+    let model = System::of::<Halves, _>();
     let curve = circle(&*model, ("p", -0.1, 0.1), ("q", 0.3, 0.1), &more).unwrap();
     assert_eq!((curve.kind, curve.ended.word), ("torus", "resonance-1-2"));
     assert!(curve.ended.located);
@@ -224,16 +221,14 @@ fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
 /// Friction: the flips of the belt pair against branches in v_dr alone, at other values of gamma.
 #[test]
 fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
-    let model = entry::<BeltPair, _>();
+    let model = System::of::<BeltPair, _>();
     let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());
     for (dynamics, tolerance) in [(Dynamics::Exact, 1e-7), (copy, 1e-6)] {
         let (mut case, scope) =
             question(&*model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
         case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
         let curve = model
-            .curve(&case, &scope, &Tape::blank(), &mut |_| {
-                ControlFlow::Continue(())
-            })
+            .curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
             .unwrap();
         assert_eq!(
             (curve.kind, curve.ended.word),
@@ -254,7 +249,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
             });
             alone = alone.at(point.p - 5e-3);
             let branch = model
-                .branch(&alone, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+                .branch(&alone, &mut |_| ControlFlow::Continue(()))
                 .unwrap();
             let flip = branch
                 .special
@@ -276,7 +271,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
 /// Where the exact drill string's cycle ends: the bit, once loose, just reaches the table's speed again.
 #[test]
 fn the_drill_strings_graze_follows_its_closed_form() {
-    let model = entry::<DrillString, _>();
+    let model = System::of::<DrillString, _>();
     for (name, from, to) in [
         ("zeta", 0.05, 0.12),
         ("zeta", 0.05, 0.02),
@@ -302,9 +297,7 @@ fn the_drill_strings_graze_follows_its_closed_form() {
             wide
         };
         let curve = model
-            .curve(&question, &scope, &Tape::blank(), &mut |_| {
-                ControlFlow::Continue(())
-            })
+            .curve(&question, &scope, &mut |_| ControlFlow::Continue(()))
             .unwrap();
         assert_eq!((curve.kind, curve.of.as_str()), ("grazing-sliding", "GS1"));
         assert!(curve.ended.located, "{}", curve.ended.reason);

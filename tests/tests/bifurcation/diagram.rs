@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
-    Along, Case, Diagram, DiagramRecord, Dynamics, Entry, Known, Motion, Slice, Span, Sweep, entry,
+    Along, Case, Diagram, DiagramRecord, Dynamics, Known, Motion, Slice, Span, Sweep, System,
 };
 use stickslip_models::{BeltOscillator, BeltPair};
 use stickslip_tests::range::range;
@@ -13,7 +13,7 @@ use crate::orbits::TwoCircles;
 
 const IN_PHASE: [f64; 4] = [-0.5976, 0.0, -0.4604, -0.1607];
 
-fn case(model: &dyn Entry, dynamics: Dynamics, along: Along) -> Case {
+fn case(model: &System, dynamics: Dynamics, along: Along) -> Case {
     let mut case = Case::declared(model.info(), dynamics);
     case.along = Some(along);
     case.at(along.from)
@@ -32,7 +32,7 @@ const USUAL: Diagram = Diagram {
     threads: None,
 };
 
-fn draw(model: &dyn Entry, case: &Case, diagram: Diagram) -> DiagramRecord {
+fn draw(model: &System, case: &Case, diagram: Diagram) -> DiagramRecord {
     model
         .diagram(case, &diagram, &Known::default(), &|_| {
             ControlFlow::Continue(())
@@ -44,8 +44,8 @@ fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {
     &record.sweeps[sweep].slices
 }
 
-fn belt_pair(from: f64, to: f64) -> (Box<dyn Entry>, Case) {
-    let model = entry::<BeltPair, _>();
+fn belt_pair(from: f64, to: f64) -> (System, Case) {
+    let model = System::of::<BeltPair, _>();
     let along = range(&*model, "v_dr", from, to);
     let mut case = case(&*model, Dynamics::Exact, along);
     case.start = Some(IN_PHASE.to_vec());
@@ -119,7 +119,7 @@ fn a_slice_is_the_orbit_that_shooting_finds() {
 /// The largest exponent of a mass that sticks is −∞; of its smooth copy, Liouville tells it.
 #[test]
 fn one_mass_is_superstable_and_its_copy_nearly() {
-    let model = entry::<BeltOscillator, _>();
+    let model = System::of::<BeltOscillator, _>();
     let along = range(&*model, "v_dr", 0.2, 0.25);
     let diagram = Diagram {
         settle: 5,
@@ -148,7 +148,7 @@ fn one_mass_is_superstable_and_its_copy_nearly() {
 /// Down from the large circle, the motion stays on it to the fold at p = −1; up from the origin, it rests to p = 0.
 #[test]
 fn sweeps_stay_with_their_attractor() {
-    let model = entry::<TwoCircles, _>();
+    let model = System::of::<TwoCircles, _>();
     let case = case(
         &*model,
         Dynamics::Smooth,
@@ -237,7 +237,7 @@ fn the_number_of_threads_changes_no_bit() {
 
 #[test]
 fn a_value_without_an_answer_does_not_stop_the_others() {
-    let model = entry::<BeltOscillator, _>();
+    let model = System::of::<BeltOscillator, _>();
     let along = range(&*model, "v_dr", -0.1, 0.1);
     let record = draw(
         &*model,

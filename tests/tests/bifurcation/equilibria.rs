@@ -1,4 +1,4 @@
-//! Equilibria against closed forms: of the thesis, of its smooth copies, and of textbook systems.
+//! Equilibria.
 
 use std::ops::ControlFlow;
 
@@ -6,8 +6,9 @@ use nalgebra::Complex;
 use stickslip::bifurcation::Stability;
 use stickslip::equilibrium::{Branch, End, Kind, find, follow, settings, starts, sticking_sets};
 use stickslip::field::Design;
-use stickslip::field::exact::{Mode, Modes};
-use stickslip::flow::{ExactFamily, Place, SmoothFamily};
+use stickslip::field::exact::Mode;
+use stickslip::flow::{ExactFamily, SmoothFamily};
+use stickslip::motion::{Family, Place};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
@@ -82,9 +83,9 @@ fn branch<M: Model<N>, const N: usize>(
     smoothing: Option<&str>,
     along: ParamId<M>,
     (from, to): (f64, f64),
-) -> Branch<N> {
-    let family = smooth(model, smoothing, Design::Parameter(along.index));
-    let found = find(&family, from, &starts(declared::<M, N>()), |_| vec![()]);
+) -> Branch {
+    let family = Family::from(smooth(model, smoothing, Design::Parameter(along.index)));
+    let found = find(&family, from, &starts(&declared::<M, N>()), |_| vec![vec![]]);
     let first = found.first().expect("an equilibrium");
     follow(&family, &first.place, settings(from, to), &mut |_| {
         ControlFlow::Continue(())
@@ -92,7 +93,7 @@ fn branch<M: Model<N>, const N: usize>(
     .expect("a branch")
 }
 
-fn only<const N: usize>(branch: &Branch<N>, kind: Kind) -> (f64, f64) {
+fn only(branch: &Branch, kind: Kind) -> (f64, f64) {
     let found: Vec<_> = branch.special.iter().map(|found| found.kind).collect();
     assert_eq!(found, [kind]);
     let spot = &branch.special[0].spot;
@@ -215,11 +216,11 @@ fn exact<M: Model<N>, const N: usize>(model: M, along: ParamId<M>) -> ExactFamil
 
 #[test]
 fn the_exact_belt_oscillator_slides_unstably_until_its_boundary() {
-    let family = exact(BeltOscillator::default(), BeltOscillator::v_dr);
-    let mode = Modes::from_fn(|_| Mode::SlideBackward);
+    let family: Family = exact(BeltOscillator::default(), BeltOscillator::v_dr).into();
+    let modes = vec![Mode::SlideBackward];
     let start = Place {
-        state: [0.6, 0.0],
-        mode,
+        state: vec![0.6, 0.0],
+        modes,
     };
     let branch = follow(&family, &start, settings(0.2, -0.1), &mut |_| {
         ControlFlow::Continue(())
@@ -236,11 +237,11 @@ fn the_exact_belt_oscillator_slides_unstably_until_its_boundary() {
 
 #[test]
 fn the_exact_drill_string_slides_stably() {
-    let family = exact(DrillString::default(), DrillString::eta);
-    let mode = Modes::from_fn(|_| Mode::SlideForward);
+    let family: Family = exact(DrillString::default(), DrillString::eta).into();
+    let modes = vec![Mode::SlideForward];
     let start = Place {
-        state: [1.0, 0.0],
-        mode,
+        state: vec![1.0, 0.0],
+        modes,
     };
     let branch = follow(&family, &start, settings(6.0, 0.01), &mut |_| {
         ControlFlow::Continue(())
@@ -261,8 +262,8 @@ fn a_mass_sticks_wherever_friction_holds_its_spring() {
         k: 4.0,
         ..Default::default()
     };
-    let stick = [Modes::from_fn(|_| Mode::Stick)];
-    let sets = sticking_sets(&model, &[[1.0, 0.3]], &stick).expect("sets");
+    let stick = [vec![Mode::Stick]];
+    let sets = sticking_sets(&*Family::from(exact(model, BeltOscillator::v_dr)).at(0.0).unwrap(), &[vec![1.0, 0.3]], &stick);
     let [set] = sets.as_slice() else {
         panic!("{} sets", sets.len());
     };
@@ -271,7 +272,7 @@ fn a_mass_sticks_wherever_friction_holds_its_spring() {
     close(set.high[0], 0.25, 1e-12);
     assert_eq!(set.spectrum.stability, Stability::Stable);
     // A moving belt lets nothing rest.
-    let moving = sticking_sets(&BeltOscillator::default(), &[[1.0, 0.3]], &stick).expect("sets");
+    let moving = sticking_sets(&*Family::from(exact(BeltOscillator::default(), BeltOscillator::v_dr)).at(0.2).unwrap(), &[vec![1.0, 0.3]], &stick);
     assert!(moving.is_empty());
 }
 
@@ -282,8 +283,8 @@ fn two_masses_stick_in_a_parallelogram() {
         v_dr: 0.0,
         ..Default::default()
     };
-    let stick = [Modes::from_fn(|_| Mode::Stick)];
-    let sets = sticking_sets(&model, &[[0.1, 0.2, 0.0, 0.1]], &stick).expect("sets");
+    let stick = [vec![Mode::Stick; 2]];
+    let sets = sticking_sets(&*Family::from(exact(model, BeltPair::v_dr)).at(0.0).unwrap(), &[vec![0.1, 0.2, 0.0, 0.1]], &stick);
     let [set] = sets.as_slice() else {
         panic!("{} sets", sets.len());
     };
@@ -300,4 +301,16 @@ fn two_masses_stick_in_a_parallelogram() {
         -((1.0 + alpha) * beta + alpha) / determinant,
         1e-12,
     );
+}
+
+#[test]
+fn proof() {
+    use stickslip::equilibrium::prove; use stickslip::field::EnclosedField;
+    let slip = 1.0 / (1.0 + 3.0 * 0.2);
+    for (smoothing, share) in [("tanh:10", (0.2 * 10_f64).tanh()), ("cubic:1e5", 1.0), ("quintic:5", 1.0)] {
+        let field = EnclosedField::smooth(&BeltOscillator::default(), Some(smoothing.parse().unwrap()));
+        let p = prove(&field, &[slip * share, 0.0]).unwrap();
+        assert!(p.low[0] <= slip * share + 1e-15 && slip * share <= p.high[0] + 1e-15 && p.high[0] - p.low[0] < 1e-12, "{p:?}");
+        assert!(prove(&field, &[slip * share]).is_err());
+    }
 }

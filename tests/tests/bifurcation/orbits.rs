@@ -4,9 +4,8 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use stickslip::field::Design;
-use stickslip::flow::Tape;
 use stickslip::model;
-use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Switch, entry};
+use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Switch, System};
 
 model! {
     /// A circle of radius² 1 ± √(1 + p) that two orbits share: they meet in a fold at p = −1.
@@ -150,7 +149,7 @@ macro_rules! branch {
         branch!($model, $parameter, $from, $to, $period, Switch::default())
     };
     ($model:ty, $parameter:expr, $from:expr, $to:expr, $period:expr, $switch:expr) => {{
-        let model = entry::<$model, _>();
+        let model = System::of::<$model, _>();
         let states = model.info().states.iter().map(|state| state.start);
         let mut case = Case::declared(model.info(), Dynamics::Smooth);
         case.start = Some(states.collect());
@@ -163,7 +162,7 @@ macro_rules! branch {
             to: $to,
         });
         model
-            .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+            .branch(&case, &mut |_| ControlFlow::Continue(()))
             .expect("a branch")
     }};
 }
@@ -236,7 +235,7 @@ fn roesslers_cycle_doubles_its_period() {
 /// A tighter accuracy finds the same point, only better.
 #[test]
 fn accuracy_loses_no_point() {
-    let model = entry::<Torus, _>();
+    let model = System::of::<Torus, _>();
     let mut case = Case::declared(model.info(), Dynamics::Smooth);
     (case.start, case.period) = (Some(vec![1.0, 0.0, 0.0, 0.0]), Some(TAU));
     case.along = Some(Along {
@@ -247,7 +246,7 @@ fn accuracy_loses_no_point() {
     for accuracy in [1e-6, 1e-8, 1e-10] {
         case.accuracy = accuracy;
         let branch = model
-            .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+            .branch(&case, &mut |_| ControlFlow::Continue(()))
             .expect("a branch");
         assert_eq!(branch.special.len(), 1, "at {accuracy:e}");
         assert!(branch.special[0].r.abs() <= accuracy);
@@ -314,7 +313,7 @@ fn roesslers_cascade_of_flips() {
 /// Near the Hopf point the period is 2π/a, and the square of the amplitude grows in proportion to b.
 #[test]
 fn orbits_begin_at_the_brusselators_hopf_point() {
-    let model = entry::<Brusselator, _>();
+    let model = System::of::<Brusselator, _>();
     let mut case = Case::declared(model.info(), Dynamics::Smooth);
     case.along = Some(Along {
         design: Design::Parameter(1),
@@ -323,7 +322,7 @@ fn orbits_begin_at_the_brusselators_hopf_point() {
     });
     case.beginning = Beginning::Hopf;
     let branch = model
-        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     let extent = |i: usize| branch.points[i].max[0] - branch.points[i].min[0];

@@ -4,10 +4,9 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::flow::Tape;
 use stickslip::model;
 use stickslip::study::trade::Scope;
-use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError, entry};
+use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, System};
 use stickslip_models::ForcedBelt;
 use stickslip_models::friction::Coulomb;
 use stickslip_tests::range::{place, range};
@@ -41,7 +40,7 @@ model! {
     }
 }
 
-fn case(model: &dyn Entry, dynamics: Dynamics, set: &[(&str, f64)]) -> Case {
+fn case(model: &System, dynamics: Dynamics, set: &[(&str, f64)]) -> Case {
     let info = model.info();
     let mut case = Case::declared(info, dynamics);
     for (name, value) in set {
@@ -90,7 +89,7 @@ fn check_response(orbit: &OrbitRecord, omega: f64, zeta: f64) {
 
 #[test]
 fn the_linear_response_is_the_closed_form() {
-    let model = entry::<Forced, _>();
+    let model = System::of::<Forced, _>();
     for (omega, zeta) in [(1.3, 0.1), (0.4, 0.02), (0.99, 0.2), (7.0, 0.05)] {
         let set = [("omega", omega), ("zeta", zeta)];
         let orbit = model.orbit(&case(&*model, Dynamics::Smooth, &set));
@@ -100,13 +99,13 @@ fn the_linear_response_is_the_closed_form() {
 
 #[test]
 fn the_response_is_followed_through_resonance() {
-    let model = entry::<Forced, _>();
+    let model = System::of::<Forced, _>();
     let case = Case {
         along: Some(range(&*model, "omega", 0.5, 2.0)),
         ..case(&*model, Dynamics::Smooth, &[("omega", 0.5)])
     };
     let branch = model
-        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     assert!(branch.points.len() > 5);
@@ -117,7 +116,7 @@ fn the_response_is_followed_through_resonance() {
 
 #[test]
 fn a_driven_model_has_no_equilibrium() {
-    let model = entry::<Forced, _>();
+    let model = System::of::<Forced, _>();
     let error = model.equilibria(&case(&*model, Dynamics::Smooth, &[]));
     assert!(
         matches!(error, Err(StudyError::Driven { phase: "phi", .. })),
@@ -134,7 +133,7 @@ fn a_driven_model_has_no_equilibrium() {
 /// Den Hartog 1931: x_m = √(V² − F² U²) with V = 1/(1 − β²) and U = sin(π/β)/(β (1 + cos(π/β))), in units of P/k.
 #[test]
 fn dry_friction_damps_as_den_hartog_says() {
-    let model = entry::<DenHartog, _>();
+    let model = System::of::<DenHartog, _>();
     for (beta, level) in [(0.6, 0.2), (0.8, 0.5), (1.4, 0.3), (2.0, 0.1)] {
         let set = [("beta", beta), ("level", level)];
         let orbit = model
@@ -156,7 +155,7 @@ fn dry_friction_damps_as_den_hartog_says() {
 /// Digits by event-driven integration of the three modes, at 3e-14, after eighty periods.
 #[test]
 fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
-    let model = entry::<ForcedBelt, _>();
+    let model = System::of::<ForcedBelt, _>();
     let orbit = model
         .orbit(&case(&*model, Dynamics::Exact, &[]))
         .expect("stick-slip");
@@ -194,7 +193,7 @@ fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
 /// The smoothed copies tend to the exact orbit, the error of tanh falling with 1/ε.
 #[test]
 fn smooth_copies_of_a_forced_orbit_tend_to_it() {
-    let model = entry::<ForcedBelt, _>();
+    let model = System::of::<ForcedBelt, _>();
     let exact = model
         .orbit(&case(&*model, Dynamics::Exact, &[]))
         .expect("stick-slip");
@@ -216,7 +215,7 @@ fn smooth_copies_of_a_forced_orbit_tend_to_it() {
 
 #[test]
 fn a_motion_and_a_branch_of_a_forced_contact() {
-    let model = entry::<ForcedBelt, _>();
+    let model = System::of::<ForcedBelt, _>();
     let motion = model.motion(&case(&*model, Dynamics::Exact, &[]), 30.0);
     assert!(motion.is_ok(), "{motion:?}");
     let case = Case {
@@ -224,7 +223,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
         ..case(&*model, Dynamics::Exact, &[("omega", 0.6)])
     };
     let branch = model
-        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     for point in &branch.points {
@@ -235,7 +234,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
 
 #[test]
 fn trade_measures_the_copies_of_a_forced_orbit() {
-    let model = entry::<ForcedBelt, _>();
+    let model = System::of::<ForcedBelt, _>();
     let scope = Scope {
         kernels: vec![Kernel::Tanh],
         sign_sizes: vec![1e3, 1e4, 1e5],

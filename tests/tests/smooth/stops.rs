@@ -6,13 +6,13 @@ use std::ops::ControlFlow;
 
 use stickslip::continuation::correct;
 use stickslip::field::{Design, SmoothField, Smoothing};
-use stickslip::flow::{ExactFamily, Family, Flow, FlowError, SmoothFamily, SmoothFlow, Tape, Want};
+use stickslip::flow::{ExactFamily, Family, Flow, FlowError, SmoothFamily, SmoothFlow, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::lyapunov::lyapunov;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
 use stickslip::shooting::{OrbitProblem, Phase, Search, closest};
-use stickslip::study::{Case, Dynamics, Entry, StudyError, entry};
+use stickslip::study::{Case, Dynamics, StudyError, System};
 use stickslip_models::friction::{Coulomb, Jenkins};
 use stickslip_tests::range::range;
 
@@ -503,14 +503,14 @@ fn the_response_is_shot_for_quadratically() {
     }
 }
 
-fn case(model: &dyn Entry, dynamics: Dynamics) -> Case {
+fn case(model: &System, dynamics: Dynamics) -> Case {
     Case::declared(model.info(), dynamics)
 }
 
 /// The response is followed; its amplitude and its stability are those of fresh orbits.
 #[test]
 fn the_response_is_followed_through_resonance() {
-    let model = entry::<Damped, _>();
+    let model = System::of::<Damped, _>();
     let mut case = Case {
         along: Some(range(&*model, "omega", 0.7, 1.4)),
         ..case(&*model, Dynamics::Smooth)
@@ -518,7 +518,7 @@ fn the_response_is_followed_through_resonance() {
     case.parameters[Damped::c.index] = 0.1;
     case.parameters[Damped::omega.index] = 0.7;
     let branch = model
-        .branch(&case, &Tape::blank(), &mut |_| ControlFlow::Continue(()))
+        .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
     assert_eq!(branch.ended.word, "reached-end");
     let last = branch.points.last().expect("points");
@@ -599,7 +599,7 @@ fn smooth_copies_go_with_stops() {
 /// What the excitation feeds in a round, the slips lose; one multiplier is an exact zero, and the other is the exponent.
 #[test]
 fn a_self_excited_orbit_is_found_and_judged() {
-    let model = entry::<Excited, _>();
+    let model = System::of::<Excited, _>();
     let orbit = model
         .orbit(&case(&*model, Dynamics::Smooth))
         .expect("an orbit");
@@ -646,7 +646,7 @@ fn a_self_excited_orbit_is_found_and_judged() {
 /// At rest any force between the stops will do: equilibria are no points, and motions end where they come to rest.
 #[test]
 fn rest_is_no_point() {
-    let model = entry::<Excited, _>();
+    let model = System::of::<Excited, _>();
     let mut case = case(&*model, Dynamics::Smooth);
     let error = model.equilibria(&case).expect_err("no points");
     assert!(

@@ -1,7 +1,7 @@
 //! Error estimates are honest: the true error, known from a much tighter run, is below the estimate, and not far below.
 
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, entry};
+use stickslip::study::{Case, Dynamics, OrbitRecord, System};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString, VanDerPol};
 use stickslip_tests::random::Random;
 
@@ -16,7 +16,7 @@ struct Tally {
 }
 
 /// A random case of a random system, at a random accuracy.
-fn random_case(dice: &mut Random) -> (Box<dyn Entry>, Case) {
+fn random_case(dice: &mut Random) -> (System, Case) {
     const SIGNS: [Kernel; 5] = [
         Kernel::Arctan,
         Kernel::Tanh,
@@ -25,11 +25,11 @@ fn random_case(dice: &mut Random) -> (Box<dyn Entry>, Case) {
         Kernel::Quintic,
     ];
     let which = (4.0 * dice.unit()) as usize;
-    let entry: Box<dyn Entry> = match which {
-        0 => entry::<VanDerPol, _>(),
-        1 => entry::<BeltOscillator, _>(),
-        2 => entry::<BeltPair, _>(),
-        _ => entry::<DrillString, _>(),
+    let entry: System = match which {
+        0 => System::of::<VanDerPol, _>(),
+        1 => System::of::<BeltOscillator, _>(),
+        2 => System::of::<BeltPair, _>(),
+        _ => System::of::<DrillString, _>(),
     };
     let sign = SIGNS[(5.0 * dice.unit()) as usize];
     let copy = match which {

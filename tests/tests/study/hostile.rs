@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::study::{Along, Case, Dynamics, Entry, entry};
+use stickslip::study::{Along, Case, Dynamics, System};
 use stickslip_models::friction::{CoulombStatic, Stribeck};
 use stickslip_tests::random::Random;
 
@@ -91,7 +91,7 @@ fn number(dice: &mut Random) -> f64 {
     }
 }
 
-fn case(dice: &mut Random, entry: &dyn Entry) -> Case {
+fn case(dice: &mut Random, entry: &System) -> Case {
     const KERNELS: [Kernel; 6] = Kernel::ALL;
     let info = entry.info();
     let dynamics = if dice.unit() < 0.6 {
@@ -127,7 +127,7 @@ fn finite<'a>(what: &str, numbers: impl IntoIterator<Item = &'a f64>, case: &Cas
     );
 }
 
-fn ask(dice: &mut Random, entry: &dyn Entry) -> bool {
+fn ask(dice: &mut Random, entry: &System) -> bool {
     let mut case = case(dice, entry);
     match (5.0 * dice.unit()) as usize {
         0 => entry.motion(&case, number(dice)).is_ok_and(|motion| {
@@ -170,7 +170,7 @@ fn ask(dice: &mut Random, entry: &dyn Entry) -> bool {
 
 #[test]
 fn anything_may_be_asked_of_anything() {
-    let entries: [Box<dyn Entry>; 2] = [entry::<Web, _>(), entry::<Slab, _>()];
+    let entries: [System; 2] = [System::of::<Web, _>(), System::of::<Slab, _>()];
     let mut dice = Random::new(11);
     let mut answers = 0;
     for _ in 0..QUESTIONS {

@@ -2,8 +2,8 @@
 
 use super::{Named, states};
 use crate::model::ModelInfo;
+use crate::poincare::Crossing;
 use crate::poincare::Section;
-use crate::study::CrossingRecord;
 
 /// Where a motion meets a section.
 #[derive(serde::Serialize)]
@@ -20,12 +20,8 @@ struct Point<'a> {
 }
 
 impl<'a> Crossings<'a> {
-    pub(in crate::app) fn new(
-        info: &'a ModelInfo,
-        section: &Section,
-        points: &[CrossingRecord],
-    ) -> Self {
-        let point = |point: &CrossingRecord| Point {
+    pub(in crate::app) fn new(info: &'a ModelInfo, section: &Section, points: &[Crossing]) -> Self {
+        let point = |point: &Crossing| Point {
             time: point.time,
             rising: point.rising,
             state: states(info, point.state.clone()),

@@ -1,7 +1,6 @@
 //! How a contact moves: sliding one way or the other, or sticking.
 
 use std::fmt;
-use std::io::{Read, Result, Write};
 
 use borsh::{BorshDeserialize, BorshSerialize};
 
@@ -100,23 +99,5 @@ impl<M: Model<N>, const N: usize> Eq for Modes<M, N> {}
 impl<M: Model<N>, const N: usize> fmt::Debug for Modes<M, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.as_slice()).finish()
-    }
-}
-
-/// One mode after the other: how many there are, the model knows.
-impl<M: Model<N>, const N: usize> BorshSerialize for Modes<M, N> {
-    fn serialize<W: Write>(&self, writer: &mut W) -> Result<()> {
-        let mut modes = self.as_slice().iter();
-        modes.try_for_each(|mode| mode.serialize(writer))
-    }
-}
-
-impl<M: Model<N>, const N: usize> BorshDeserialize for Modes<M, N> {
-    fn deserialize_reader<R: Read>(reader: &mut R) -> Result<Self> {
-        let mut modes = Self::from_fn(|_| Mode::Stick);
-        for mode in modes.0.as_mut() {
-            *mode = Mode::deserialize_reader(reader)?;
-        }
-        Ok(modes)
     }
 }

@@ -126,6 +126,11 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         terms.map(|(slope, size)| (slope * size).abs()).sum()
     }
 
+    /// The values of the parameters.
+    pub(crate) fn values(&self) -> &M::Params<f64> {
+        &self.plain
+    }
+
     /// The equations with the sticking forces left open.
     pub(crate) fn affine(&self, state: &[f64; N], modes: &Modes<M, N>) -> Affine<M, f64, N> {
         Affine::new(self.constants.as_ref(), &self.plain, state, modes)

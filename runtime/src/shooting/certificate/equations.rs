@@ -4,13 +4,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Uncertified;
 use crate::continuation::ZeroProblem;
-use crate::flow::{Family, Flow, FlowError};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
+use crate::motion::{Family, Modes};
 use crate::shooting::anchor::problem;
 use crate::shooting::guess::Guess;
 use crate::shooting::problem::OrbitProblem;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// By how much a ball that is too large shrinks.
 const SHRINK: f64 = 0.125;
@@ -18,34 +17,34 @@ const SHRINK: f64 = 0.125;
 const SAMPLED: f64 = 2.0;
 
 /// The shooting equations of one orbit with a flow at one tolerance.
-pub(super) struct Equations<F: Family<N>, const N: usize> {
-    pub(super) problem: OrbitProblem<F, N>,
+pub(super) struct Equations {
+    pub(super) problem: OrbitProblem,
     pub(super) start: DVector<f64>,
     r: f64,
 }
 
 /// The equations at one point, in scaled units, and the modes that the motion runs through.
-pub(super) struct Values<Mode> {
+pub(super) struct Values {
     pub(super) f: DVector<f64>,
     pub(super) df: DMatrix<f64>,
-    word: Vec<Mode>,
+    word: Vec<Modes>,
 }
 
-impl<F: Family<N> + Clone, const N: usize> Equations<F, N> {
+impl Equations {
     pub(super) fn new(
-        family: &F,
+        family: &Family,
         r: f64,
-        orbit: &Guess<N, Mode<F, N>>,
+        orbit: &Guess,
         tolerance: Tolerance,
     ) -> Result<Self, FlowError> {
         let family = family.with_tolerance(tolerance);
-        let family = family.with_magnitude(orbit.magnitude);
+        let family = family.with_magnitude(&orbit.magnitude);
         let (mut problem, start) = problem(family, r, orbit, 1)?;
         problem.want.extrema = false;
         Ok(Self { problem, start, r })
     }
 
-    pub(super) fn at(&mut self, z: &DVector<f64>) -> Result<Values<Mode<F, N>>, FlowError> {
+    pub(super) fn at(&mut self, z: &DVector<f64>) -> Result<Values, FlowError> {
         let there = self.problem.evaluate(z, self.r)?;
         let mut df = there.jacobian;
         for (mut column, unit) in df.column_iter_mut().zip(&self.problem.scale()) {
@@ -56,14 +55,14 @@ impl<F: Family<N> + Clone, const N: usize> Equations<F, N> {
         Ok(Values {
             f: there.residual,
             df,
-            word: segments.map(|segment| segment.mode).collect(),
+            word: segments.map(|segment| segment.modes.clone()).collect(),
         })
     }
 
     /// Lip(DF) in a ball of at least this radius around `here`; larger, up to `wide`, where rounding would hide it.
     pub(super) fn lipschitz(
         &mut self,
-        here: &Values<Mode<F, N>>,
+        here: &Values,
         least: f64,
         wide: f64,
     ) -> Result<f64, Uncertified> {
@@ -78,7 +77,7 @@ impl<F: Family<N> + Clone, const N: usize> Equations<F, N> {
     }
 
     /// |Σₖ ∂ₖDF| over the axes k of the ball, each taken both ways: to first order, no direction bends DF more.
-    fn bend(&mut self, here: &Values<Mode<F, N>>, ball: f64) -> Result<f64, Uncertified> {
+    fn bend(&mut self, here: &Values, ball: f64) -> Result<f64, Uncertified> {
         let scale = self.problem.scale();
         let mut total = DMatrix::zeros(scale.len(), scale.len());
         for axis in 0..scale.len() {
@@ -98,11 +97,7 @@ impl<F: Family<N> + Clone, const N: usize> Equations<F, N> {
         Ok(norm(&total))
     }
 
-    fn neighbour(
-        &mut self,
-        z: &DVector<f64>,
-        radius: f64,
-    ) -> Result<Values<Mode<F, N>>, Uncertified> {
+    fn neighbour(&mut self, z: &DVector<f64>, radius: f64) -> Result<Values, Uncertified> {
         self.at(z).map_err(|reason| match reason {
             FlowError::OtherMode { .. } => Uncertified::WordChanges { radius },
             reason => Uncertified::Neighbour { radius, reason },

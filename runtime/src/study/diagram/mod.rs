@@ -15,10 +15,12 @@ pub use slice::{Motion, Slice};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use super::case::Along;
+use super::case::{Along, Case};
+use super::error::StudyError;
 use super::parallel::parallel_on;
+use super::system::System;
 use crate::field::Work;
-use crate::flow::Family;
+use crate::motion::Family;
 use crate::poincare::Section;
 use slice::Cut;
 
@@ -108,13 +110,33 @@ pub struct Seen<'a> {
 /// Told of each value of a diagram, from any thread; a break ends the diagram there.
 pub type Watcher<'a> = &'a (dyn Fn(Seen<'_>) -> ControlFlow<()> + Sync);
 
+impl System {
+    /// Where the motions of the case meet a section, for many values of its design variable; what is `known` from the
+    /// same question is not computed again, and `watch` sees each value, from any thread.
+    ///
+    /// # Errors
+    /// Nothing is followed, or the case cannot be asked.
+    pub fn diagram(
+        &self,
+        case: &Case,
+        diagram: &Diagram,
+        known: &Known,
+        watch: Watcher<'_>,
+    ) -> Result<DiagramRecord, StudyError> {
+        self.check(case)?;
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        let (family, start) = (self.family(case), self.start(case));
+        Ok(diagram.draw(&family, along, &start, known, watch))
+    }
+}
+
 impl Diagram {
     /// Draws it for a family, from `start`, where it is not `known` already.
-    pub(super) fn draw<F: Family<N> + Clone + Sync, const N: usize>(
+    fn draw(
         &self,
-        family: &F,
+        family: &Family,
         along: Along,
-        start: [f64; N],
+        start: &[f64],
         known: &Known,
         watch: Watcher<'_>,
     ) -> DiagramRecord {
@@ -186,8 +208,8 @@ impl Diagram {
 }
 
 /// All values at once, each from the start.
-fn fresh<F: Family<N> + Clone + Sync, const N: usize>(
-    cut: &Cut<'_, F, N>,
+fn fresh(
+    cut: &Cut<'_>,
     (name, values): (&'static str, &[f64]),
     known: &Known,
     tell: &Tell<'_>,

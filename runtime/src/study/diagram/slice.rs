@@ -1,16 +1,13 @@
 //! One value of a diagram: the motion to which the system settles there.
 
-use nalgebra::DMatrix;
-
 use super::Diagram;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Place, Velocity};
+use crate::flow::FlowError;
 use crate::lyapunov::{Lyapunov, lyapunov};
+use crate::motion::{Family, Flow, Place, Velocity, sticking};
 use crate::poincare::{Crossings, recurrence};
 use crate::study::Along;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// Points of a section that agree to this share of the motion's extent are one.
 const SAME: f64 = 1e-5;
@@ -68,41 +65,41 @@ impl Motion {
 }
 
 /// Makes slices of a family.
-pub(super) struct Cut<'a, F, const N: usize> {
-    pub(super) family: &'a F,
+pub(super) struct Cut<'a> {
+    pub(super) family: &'a Family,
     pub(super) diagram: &'a Diagram,
     pub(super) along: Along,
-    pub(super) start: [f64; N],
+    pub(super) start: &'a [f64],
 }
 
 /// A slice under way.
-struct Seen<const N: usize, Mode> {
+struct Seen {
     motion: Motion,
-    points: Vec<[f64; N]>,
-    place: Place<N, Mode>,
-    min: [f64; N],
-    max: [f64; N],
+    points: Vec<Vec<f64>>,
+    place: Place,
+    min: Vec<f64>,
+    max: Vec<f64>,
     /// Mean time from point to point.
     lap: f64,
     work: Work,
 }
 
-impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
+impl Cut<'_> {
     /// The slice at r, in the family's own count, from the declared start.
     pub(super) fn fresh(&self, r: f64) -> Slice {
-        self.slice(r, self.start, &magnitude(&self.start))
+        self.slice(r, self.start, &magnitude(self.start))
     }
 
     /// The slice at r from `start`; states are measured against `scale`.
-    pub(super) fn slice(&self, r: f64, start: [f64; N], scale: &[f64; N]) -> Slice {
+    pub(super) fn slice(&self, r: f64, start: &[f64], scale: &[f64]) -> Slice {
         match self.seen(r, start, scale) {
             Ok((seen, lyapunov)) => Slice {
                 r: self.along.value(r),
                 motion: seen.motion,
-                points: seen.points.iter().map(|point| point.to_vec()).collect(),
-                min: seen.min.to_vec(),
-                max: seen.max.to_vec(),
-                end: seen.place.state.to_vec(),
+                points: seen.points,
+                min: seen.min,
+                max: seen.max,
+                end: seen.place.state,
                 lyapunov,
                 work: seen.work,
             },
@@ -123,49 +120,43 @@ impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
         }
     }
 
-    #[expect(clippy::type_complexity, reason = "named nowhere else")]
     fn seen(
         &self,
         r: f64,
-        start: [f64; N],
-        scale: &[f64; N],
-    ) -> Result<(Seen<N, Mode<F, N>>, Option<Result<Lyapunov, String>>), FlowError> {
-        let flow = self.family.with_magnitude(*scale).at(r)?;
-        let seen = self.watch(&flow, flow.place(start)?, scale)?;
+        start: &[f64],
+        scale: &[f64],
+    ) -> Result<(Seen, Option<Result<Lyapunov, String>>), FlowError> {
+        let flow = self.family.with_magnitude(scale).at(r)?;
+        let seen = self.watch(&*flow, flow.place(start)?, scale)?;
         let exponent = match self.diagram.lyapunov {
-            Some(laps) => self.exponent(&flow, &seen, laps)?,
+            Some(laps) => self.exponent(&*flow, &seen, laps)?,
             None => None,
         };
         Ok((seen, exponent))
     }
 
-    fn exponent<G: Flow<N>>(
+    fn exponent(
         &self,
-        flow: &G,
-        seen: &Seen<N, G::Mode>,
+        flow: &dyn Flow,
+        seen: &Seen,
         laps: usize,
     ) -> Result<Option<Result<Lyapunov, String>>, FlowError> {
-        let place = seen.place;
+        let place = &seen.place;
         let found = match seen.motion {
             Motion::Elsewhere | Motion::Failed(_) => return Ok(None),
-            Motion::Rest => Ok(at_rest(flow, &place)?),
-            Motion::Aperiodic => lyapunov(flow, place, seen.lap, laps),
+            Motion::Rest => Ok(at_rest(flow, place)?),
+            Motion::Aperiodic => lyapunov(flow, place.clone(), seen.lap, laps),
             // Over whole periods the rate of a periodic motion does not fluctuate.
             Motion::Periodic(count) => {
                 let period = seen.lap * count as f64;
-                lyapunov(flow, place, period, laps.div_ceil(count))
+                lyapunov(flow, place.clone(), period, laps.div_ceil(count))
             }
         };
         Ok(Some(found.map_err(|error| error.to_string())))
     }
 
     /// Lets the motion settle and notes its points.
-    fn watch<G: Flow<N>>(
-        &self,
-        flow: &G,
-        start: Place<N, G::Mode>,
-        scale: &[f64; N],
-    ) -> Result<Seen<N, G::Mode>, FlowError> {
+    fn watch(&self, flow: &dyn Flow, start: Place, scale: &[f64]) -> Result<Seen, FlowError> {
         let Diagram {
             section,
             settle,
@@ -197,10 +188,10 @@ impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
             (min, max) = crossings.range();
             work = crossings.work;
         }
-        let extent: [f64; N] = std::array::from_fn(|j| max[j] - min[j]);
+        let extent: Vec<f64> = max.iter().zip(&min).map(|(max, min)| max - min).collect();
         let size = |j: usize| min[j].abs().max(max[j].abs()).max(scale[j]);
-        let motion = if (0..N).all(|j| extent[j] <= REST * size(j)) {
-            points = vec![place.state];
+        let motion = if (0..extent.len()).all(|j| extent[j] <= REST * size(j)) {
+            points = vec![place.state.clone()];
             Motion::Rest
         } else if points.len() < wanted {
             points.clear();
@@ -230,13 +221,9 @@ impl<F: Family<N> + Clone, const N: usize> Cut<'_, F, N> {
 }
 
 /// The largest exponent of a state of rest: an eigenvalue's real part.
-fn at_rest<F: Flow<N>, const N: usize>(
-    flow: &F,
-    place: &Place<N, F::Mode>,
-) -> Result<Lyapunov, FlowError> {
+fn at_rest(flow: &dyn Flow, place: &Place) -> Result<Lyapunov, FlowError> {
     let Velocity { jacobian, lost, .. } = flow.velocity(place)?;
-    let matrix = DMatrix::from_fn(N, N, |i, j| jacobian[i][j]);
-    let spectrum = Spectrum::across(&matrix, F::sticking(&place.mode) + lost);
+    let spectrum = Spectrum::across(&jacobian, sticking(&place.modes) + lost);
     Ok(Lyapunov {
         exponent: spectrum.eigenvalues.first().map(|value| value.re),
         error: 0.0,
@@ -245,8 +232,9 @@ fn at_rest<F: Flow<N>, const N: usize>(
 }
 
 /// Magnitudes as far as a start shows them.
-pub(super) fn magnitude<const N: usize>(start: &[f64; N]) -> [f64; N] {
+pub(super) fn magnitude(start: &[f64]) -> Vec<f64> {
     let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let other = if largest > 0.0 { largest } else { 1.0 };
-    start.map(|x| if x == 0.0 { other } else { x.abs() })
+    let size = |&x: &f64| if x == 0.0 { other } else { x.abs() };
+    start.iter().map(size).collect()
 }

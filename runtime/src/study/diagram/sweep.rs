@@ -3,15 +3,15 @@
 use std::ops::ControlFlow;
 
 use super::slice::{Cut, Slice, magnitude};
-use crate::flow::Family;
+use crate::motion::half_extents;
 
 /// Displacement with which a value begins, relative to the size of each state: without it, a motion at
 /// rest, or one as symmetric as its start, would never leave what has lost its stability.
 const NUDGE: f64 = 1e-6;
 
 /// The slices at these values of r, in their order, until `seen` wants no more; `known` may have the one at r already.
-pub(super) fn sweep<F: Family<N> + Clone, const N: usize>(
-    cut: &Cut<'_, F, N>,
+pub(super) fn sweep(
+    cut: &Cut<'_>,
     values: &[f64],
     known: impl Fn(f64) -> Option<Slice>,
     seen: impl Fn(&Slice, bool) -> ControlFlow<()>,
@@ -21,7 +21,7 @@ pub(super) fn sweep<F: Family<N> + Clone, const N: usize>(
     for &r in values {
         let old = known(r);
         let is_old = old.is_some();
-        let slice = old.unwrap_or_else(|| cut.slice(r, hand.state, &hand.scale));
+        let slice = old.unwrap_or_else(|| cut.slice(r, &hand.state, &hand.scale));
         hand.take(&slice);
         let verdict = seen(&slice, is_old);
         slices.push(slice);
@@ -33,37 +33,37 @@ pub(super) fn sweep<F: Family<N> + Clone, const N: usize>(
 }
 
 /// What one value hands on to the next.
-struct Hand<const N: usize> {
+struct Hand {
     /// Where it begins.
-    state: [f64; N],
+    state: Vec<f64>,
     /// How large its states usually are.
-    scale: [f64; N],
+    scale: Vec<f64>,
     /// Whether a motion has shown that.
     known: bool,
 }
 
-impl<const N: usize> Hand<N> {
-    fn new(start: [f64; N]) -> Self {
+impl Hand {
+    fn new(start: &[f64]) -> Self {
         Self {
-            state: start,
-            scale: magnitude(&start),
+            state: start.to_vec(),
+            scale: magnitude(start),
             known: false,
         }
     }
 
     /// Takes over from a slice; what has failed hands on nothing.
     fn take(&mut self, slice: &Slice) {
-        let Ok(end) = <[f64; N]>::try_from(slice.end.as_slice()) else {
+        if slice.end.len() != self.state.len() {
             return;
-        };
-        let half = |j: usize| 0.5 * (slice.max[j] - slice.min[j]);
-        if !self.known && (0..N).all(|j| half(j) > 0.0) {
-            self.scale = std::array::from_fn(half);
+        }
+        let half = half_extents(&slice.min, &slice.max, &vec![0.0; self.state.len()]);
+        if !self.known && half.iter().all(|half| *half > 0.0) {
+            self.scale.clone_from(&half);
             self.known = true;
         }
-        self.state = std::array::from_fn(|j| {
-            self.scale[j] = self.scale[j].max(half(j));
-            end[j] + NUDGE * self.scale[j]
-        });
+        for (j, end) in slice.end.iter().enumerate() {
+            self.scale[j] = self.scale[j].max(half[j]);
+            self.state[j] = end + NUDGE * self.scale[j];
+        }
     }
 }

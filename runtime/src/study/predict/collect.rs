@@ -7,7 +7,6 @@ use super::doubt::doubts;
 use super::history::History;
 use super::response::{Response, response};
 use crate::field::Smoothing;
-use crate::field::exact::Modes;
 use crate::model::Model;
 use crate::shooting::Orbit;
 
@@ -60,7 +59,7 @@ pub struct ReleaseLoss {
 /// See [`PredictError`].
 pub fn predict<M: Model<N>, const N: usize>(
     model: &M,
-    orbit: &Orbit<N, Modes<M, N>>,
+    orbit: &Orbit,
     smoothing: Smoothing,
 ) -> Result<Prediction, PredictError> {
     let mut history = History::of(model, orbit)?;
@@ -99,10 +98,7 @@ pub fn predict<M: Model<N>, const N: usize>(
 }
 
 /// The time at which each state has its largest magnitude.
-fn peaks<M: Model<N>, const N: usize>(
-    history: &History<M, N>,
-    orbit: &Orbit<N, Modes<M, N>>,
-) -> [f64; N] {
+fn peaks<M: Model<N>, const N: usize>(history: &History<M, N>, orbit: &Orbit) -> [f64; N] {
     std::array::from_fn(|j| {
         let start = (orbit.place.state[j].abs(), 0.0);
         let extrema = history.passage.extrema.iter().filter(|e| e.index == j);
@@ -158,7 +154,7 @@ impl<const N: usize> Shift<N> {
         readings: &[Response<N>],
         j: usize,
         time: f64,
-        orbit: &Orbit<N, Modes<M, N>>,
+        orbit: &Orbit,
     ) -> Option<f64> {
         let at = readings
             .iter()

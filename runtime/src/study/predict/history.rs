@@ -7,9 +7,10 @@ use super::scalar::Local;
 use crate::field::Smoothing;
 use crate::field::exact::{ExactSystem, Mode, Modes, solve};
 use crate::flow::exact::ExactFlow;
-use crate::flow::{Event, EventKind, Flow, Passage, Want};
+use crate::flow::{self, Event, EventKind, Flow, Passage, Want};
 use crate::integrate::Tolerance;
 use crate::model::Model;
+use crate::motion::Place;
 use crate::scalar::{Inline, Lanes};
 use crate::shooting::Orbit;
 
@@ -42,17 +43,24 @@ pub(super) struct Switch<M: Model<N>, const N: usize> {
 
 impl<M: Model<N>, const N: usize> History<M, N> {
     /// Follows the orbit once around.
-    pub(super) fn of(model: &M, orbit: &Orbit<N, Modes<M, N>>) -> Result<Self, PredictError> {
+    pub(super) fn of(model: &M, orbit: &Orbit) -> Result<Self, PredictError> {
         let flow = ExactFlow::new(model, None, TIGHT)?;
         let want = Want {
             extrema: true,
             ..Want::default()
         };
-        let passage = flow.advance(&orbit.place, orbit.period, want)?;
+        let Place { state, modes } = &orbit.place;
+        let start: [f64; N] = std::array::from_fn(|j| state.get(j).copied().unwrap_or(f64::NAN));
+        let modes = Modes::from_fn(|i| modes.get(i).copied().unwrap_or(Mode::Stick));
+        let place = flow::Place {
+            state: start,
+            mode: modes,
+        };
+        let passage = flow.advance(&place, orbit.period, want)?;
         let mut history = Self {
             system: ExactSystem::new(model, None),
-            start: orbit.place.state,
-            modes: orbit.place.mode,
+            start,
+            modes,
             period: orbit.period,
             switches: Vec::new(),
             passage,
@@ -64,7 +72,10 @@ impl<M: Model<N>, const N: usize> History<M, N> {
     fn find_switches(&mut self) -> Result<(), PredictError> {
         let mut modes = self.modes;
         let events: Vec<Event<N>> = self.passage.events.clone();
-        let switches: Vec<&Event<N>> = events.iter().filter(|event| event.is_switch()).collect();
+        let switches: Vec<&Event<N>> = events
+            .iter()
+            .filter(|event| event.kind.is_switch())
+            .collect();
         for event in &switches {
             let before = modes;
             modes.set(event.contact, event.mode);

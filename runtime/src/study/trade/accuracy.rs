@@ -5,8 +5,7 @@ use super::precision::at;
 use super::shoot::{Effort, Shooting};
 use super::{Cost, Curve, Point, smoothing};
 use crate::field::Smoothing;
-use crate::flow::Family;
-use crate::model::Model;
+use crate::motion::Family;
 
 /// Share of the accuracy that the smoothing alone may use.
 const SHARE: f64 = 0.9;
@@ -40,10 +39,10 @@ pub struct Setting {
 }
 
 /// The loosest tolerance at which an orbit meets `accuracy` against `truth`.
-pub(super) fn cheapest<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    tight: &Shooting<N>,
-    truth: &Shooting<N>,
+pub(super) fn cheapest(
+    family: &Family,
+    tight: &Shooting,
+    truth: &Shooting,
     accuracy: f64,
 ) -> Result<Setting, String> {
     let tolerances = (4..=22).map(|half| 0.1_f64.powf(0.5 * f64::from(half)));
@@ -77,12 +76,12 @@ fn largest(point: &Point) -> f64 {
     all.fold(point.frequency.abs(), f64::max)
 }
 
-impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
+impl Copies<'_> {
     /// The size that a kernel needs for `accuracy`, verified, and the cheapest way to integrate it.
     pub(super) fn need(
         &self,
         curve: &Curve,
-        found: &[Found<N>],
+        found: &[Found],
         accuracy: f64,
     ) -> Result<Need, String> {
         let none = || "no copy has the orbit".to_owned();
@@ -90,13 +89,13 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
             size(&curve.points, accuracy, |p| p.frequency.abs()).ok_or_else(none)?;
         let goal = SHARE * accuracy;
         let mut points = curve.points.clone();
-        let mut finer = found.last().copied();
+        let mut finer = found.last().cloned();
         let mut best = None;
         for _ in 0..TRIES {
             let size = size(&points, goal * NEAR.sqrt(), largest).ok_or_else(none)?;
             let (point, shooting) = self.point(smoothing(curve.kernel, size), finer.as_ref())?;
             let error = largest(&point);
-            finer = Some((smoothing(curve.kernel, size), shooting));
+            finer = Some((smoothing(curve.kernel, size), shooting.clone()));
             if error <= goal {
                 best = Some((size, error, shooting));
                 if error >= NEAR * NEAR * goal || size == points[0].size {

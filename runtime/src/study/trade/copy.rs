@@ -4,13 +4,14 @@ use std::ops::ControlFlow;
 
 use super::shoot::{Effort, Shooting, cost, follow, shoot};
 use super::{Curve, Finding, Fit, Point, Scope, Trade, Watch, precision, smoothing};
-use crate::field::exact::Modes;
-use crate::field::{Design, Kernel, SmoothField, Smoothing, Work};
-use crate::flow::{Place, SmoothFamily};
+use crate::field::{Design, Kernel, Smoothing, SmoothingError, Work};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::model::Model;
+use crate::motion::{Family, Place};
 use crate::shooting::{Guess, Orbit};
-use crate::study::predict::{Prediction, predict};
+use crate::study::case::{Along, Case, Dynamics};
+use crate::study::predict::Prediction;
+use crate::study::system::System;
 
 /// Tolerances tried in this order: where a layer is thin, a looser one can leave less noise for Newton.
 const EFFORTS: [Effort; 4] = [
@@ -23,26 +24,26 @@ const EFFORTS: [Effort; 4] = [
 const OTHER: f64 = 2.0;
 
 /// Everything known before the first copy is sought.
-pub(super) struct Copies<'a, M: Model<N>, const N: usize> {
-    pub(super) model: &'a M,
-    pub(super) orbit: &'a Orbit<N, Modes<M, N>>,
-    pub(super) truth: &'a Shooting<N>,
+pub(super) struct Copies<'a> {
+    pub(super) system: &'a System,
+    /// The exact case.
+    pub(super) case: &'a Case,
+    pub(super) orbit: &'a Orbit,
+    pub(super) truth: &'a Shooting,
     /// stick · G.
     pub(super) stiffness: f64,
 }
 
 /// A copy that has the orbit.
-pub(super) type Found<const N: usize> = (Smoothing, Shooting<N>);
+pub(super) type Found = (Smoothing, Shooting);
 
-impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
-    pub(super) fn family(&self, smoothing: Smoothing, tolerance: Tolerance) -> SmoothFamily<M, N> {
-        SmoothFamily {
-            model: *self.model,
-            smoothing: Some(smoothing),
-            design: Design::None,
-            tolerance,
-            magnitude: [1.0; N],
-        }
+impl Copies<'_> {
+    pub(super) fn family(&self, smoothing: Smoothing, tolerance: Tolerance) -> Family {
+        let case = Case {
+            dynamics: Dynamics::Smoothed(smoothing),
+            ..self.case.clone()
+        };
+        self.system.family(&case).with_tolerance(tolerance)
     }
 
     /// Adds everything about one kernel to a trade.
@@ -71,7 +72,7 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         kernel: Kernel,
         scope: &Scope,
         watch: Watch<'_>,
-    ) -> (Curve, Vec<Found<N>>, ControlFlow<()>) {
+    ) -> (Curve, Vec<Found>, ControlFlow<()>) {
         let sizes = if kernel.is_bump() {
             &scope.bump_sizes
         } else {
@@ -86,7 +87,7 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
             max_abs: Vec::new(),
             need: None,
         };
-        let mut found: Vec<Found<N>> = Vec::new();
+        let mut found: Vec<Found> = Vec::new();
         let mut verdict = ControlFlow::Continue(());
         if curve.refused.is_some() {
             return (curve, found, verdict);
@@ -112,21 +113,27 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
             Fit::through(curve.points.iter().map(|point| (point.size, of(point))))
         };
         curve.frequency = errors(&|point| point.frequency);
-        curve.max_abs = (0..N).map(|j| errors(&|point| point.max_abs[j])).collect();
+        curve.max_abs = (0..self.truth.state.len())
+            .map(|j| errors(&|point| point.max_abs[j]))
+            .collect();
         (curve, found, verdict)
     }
 
-    fn refusal(&self, kernel: Kernel) -> Option<crate::field::SmoothingError> {
-        SmoothField::new(self.model, Some(smoothing(kernel, 1.0)), Design::None).err()
+    fn refusal(&self, kernel: Kernel) -> Option<SmoothingError> {
+        let family = self.family(smoothing(kernel, 1.0), Effort::TIGHT.tolerance);
+        match family.at(0.0).err()? {
+            FlowError::Smoothing(refusal) => Some(refusal),
+            _ => None,
+        }
     }
 
     /// One copy, measured and predicted.
     pub(super) fn point(
         &self,
         smoothing: Smoothing,
-        finer: Option<&Found<N>>,
-    ) -> Result<(Point, Shooting<N>), String> {
-        let predicted = predict(self.model, self.orbit, smoothing);
+        finer: Option<&Found>,
+    ) -> Result<(Point, Shooting), String> {
+        let predicted = self.system.predict(self.case, self.orbit, smoothing);
         let (shooting, effort) = self.find(smoothing, predicted.as_ref().ok(), finer)?;
         let (frequency, max_abs) = shooting.errors(self.truth);
         let family = self.family(smoothing, effort.tolerance);
@@ -149,16 +156,15 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         &self,
         smoothing: Smoothing,
         predicted: Option<&Prediction>,
-        finer: Option<&Found<N>>,
-    ) -> Result<(Shooting<N>, Effort), String> {
+        finer: Option<&Found>,
+    ) -> Result<(Shooting, Effort), String> {
         let exact = self.guess(self.truth);
-        let shifted = predicted.map(|prediction| Guess {
-            place: Place {
-                state: std::array::from_fn(|j| exact.place.state[j] + prediction.start[j]),
-                mode: (),
-            },
-            period: exact.period * (1.0 - prediction.frequency),
-            ..exact
+        let shifted = predicted.map(|prediction| {
+            let mut guess = exact.clone();
+            let state = guess.place.state.iter_mut();
+            state.zip(&prediction.start).for_each(|(y, by)| *y += by);
+            guess.period *= 1.0 - prediction.frequency;
+            guess
         });
         let beside = finer.map(|(_, copy)| self.guess(copy));
         let mut last = String::new();
@@ -177,14 +183,14 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         Ok((shooting, effort))
     }
 
-    fn guess(&self, shooting: &Shooting<N>) -> Guess<N, ()> {
+    fn guess(&self, shooting: &Shooting) -> Guess {
         Guess {
             place: Place {
-                state: shooting.state,
-                mode: (),
+                state: shooting.state.clone(),
+                modes: Vec::new(),
             },
             period: shooting.period,
-            magnitude: std::array::from_fn(|j| 0.5 * (shooting.max[j] - shooting.min[j])),
+            magnitude: shooting.magnitude(),
         }
     }
 
@@ -192,21 +198,27 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
         &self,
         from: Smoothing,
         to: Smoothing,
-        copy: &Shooting<N>,
-    ) -> Result<(Guess<N, ()>, Work), String> {
-        let family = SmoothFamily {
+        copy: &Shooting,
+    ) -> Result<(Guess, Work), String> {
+        let along = Along {
             design: Design::Smoothing,
-            ..self.family(from, Effort::TIGHT.tolerance)
+            from: from.size,
+            to: to.size,
         };
-        let way = (from.size.ln(), to.size.ln());
-        follow(&family, way, &self.guess(copy), Effort::TIGHT)
+        let case = Case {
+            dynamics: Dynamics::Smoothed(from),
+            along: Some(along),
+            ..self.case.clone()
+        };
+        follow(
+            &self.system.family(&case),
+            along.span(),
+            &self.guess(copy),
+            Effort::TIGHT,
+        )
     }
 
-    fn converge(
-        &self,
-        smoothing: Smoothing,
-        guess: &Guess<N, ()>,
-    ) -> Result<(Shooting<N>, Effort), String> {
+    fn converge(&self, smoothing: Smoothing, guess: &Guess) -> Result<(Shooting, Effort), String> {
         let mut last = String::new();
         for effort in EFFORTS {
             let family = self.family(smoothing, effort.tolerance);
@@ -222,7 +234,7 @@ impl<M: Model<N>, const N: usize> Copies<'_, M, N> {
     }
 
     /// Whether this is the exact orbit's copy and not another orbit.
-    fn same(&self, found: &Shooting<N>) -> Result<(), String> {
+    fn same(&self, found: &Shooting) -> Result<(), String> {
         if found.count != self.truth.count {
             return Err(format!(
                 "the copy's orbit crosses the section {} times instead of {}",

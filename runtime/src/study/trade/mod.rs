@@ -17,11 +17,11 @@ pub use record::{Cost, Curve, Finding, Point, Scope, Trade, Truth, worst};
 
 use std::ops::ControlFlow;
 
-use crate::field::exact::{ExactSystem, Mode, Modes};
+use super::case::Case;
+use super::system::System;
 use crate::field::{Kernel, Smoothing};
-use crate::flow::{ExactFamily, FlowError};
-use crate::integrate::Tolerance;
-use crate::model::{Model, ModelInfo};
+use crate::flow::FlowError;
+use crate::model::ModelInfo;
 use crate::shooting::{Orbit, OrbitError};
 use copy::Copies;
 use shoot::{Effort, Shooting};
@@ -64,52 +64,37 @@ pub(super) fn tradable(info: &ModelInfo) -> Result<(), TradeError> {
     }
 }
 
-/// Measures the trade of `model` near its exact `orbit`.
-///
-/// # Errors
-/// See [`TradeError`]; a copy without the orbit is no error but part of the answer.
-pub fn trade<M: Model<N>, const N: usize>(
-    model: &M,
-    orbit: &Orbit<N, Modes<M, N>>,
-    scope: &Scope,
-) -> Result<Trade, TradeError> {
-    watched(model, orbit, scope, &mut |_| ControlFlow::Continue(()))
-}
-
 /// Told of each finding of a trade; a break ends it there.
 pub type Watch<'a> = &'a mut dyn FnMut(Finding<'_>) -> ControlFlow<()>;
 
-/// The same as [`trade`]; `watch` sees what is found as it is found, and may end the trade there.
+/// Measures the trade of a system near the exact `orbit` of a case; `watch` sees what is found as it is found, and may
+/// end the trade there.
 ///
 /// # Errors
-/// See [`trade`].
-pub fn watched<M: Model<N>, const N: usize>(
-    model: &M,
-    orbit: &Orbit<N, Modes<M, N>>,
+/// See [`TradeError`]; a copy without the orbit is no error but part of the answer.
+pub(super) fn trade(
+    system: &System,
+    case: &Case,
+    orbit: &Orbit,
     scope: &Scope,
     watch: Watch<'_>,
 ) -> Result<Trade, TradeError> {
-    tradable(M::INFO)?;
-    let family = ExactFamily {
-        model: *model,
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-11),
-        magnitude: [1.0; N],
-    };
+    let family = system.family(case);
     let guess = shoot::guess(orbit);
     let truth = shoot::shoot(&family, 0.0, &guess, Effort::TIGHT)?;
     let cost = shoot::cost(&family, &truth)?;
     let copies = Copies {
-        model,
+        system,
+        case,
         orbit,
         truth: &truth,
-        stiffness: stiffness(model, &orbit.place.state),
+        stiffness: system.stiffness(case, &orbit.place.state),
     };
     let first = precision::of(None, &family, &truth, &truth, scope);
     let mut all = Trade {
         exact: Truth {
             period: truth.period,
-            max_abs: truth.max_abs().to_vec(),
+            max_abs: truth.max_abs(),
             period_count: truth.count,
             cost,
         },
@@ -130,15 +115,7 @@ pub fn watched<M: Model<N>, const N: usize>(
     Ok(all)
 }
 
-/// stick · G of each contact at `state`; the largest.
-fn stiffness<M: Model<N>, const N: usize>(model: &M, state: &[f64; N]) -> f64 {
-    let system = ExactSystem::new(model, None);
-    let affine = system.affine(state, &Modes::from_fn(|_| Mode::Stick));
-    let of = |i: usize| affine.compliance.as_ref()[i].as_ref()[i] * affine.stick.as_ref()[i];
-    (0..M::INFO.contacts.len()).map(of).fold(0.0, f64::max)
-}
-
-impl<const N: usize> Shooting<N> {
+impl Shooting {
     /// Relative, signed errors of frequency and largest magnitudes against `truth`.
     fn errors(&self, truth: &Self) -> (f64, Vec<f64>) {
         let pairs = self.max_abs().into_iter().zip(truth.max_abs());

@@ -3,7 +3,7 @@
 use super::shoot::{Effort, Shooting, cost, near, shoot};
 use super::{Cost, Scope};
 use crate::field::Smoothing;
-use crate::flow::Family;
+use crate::motion::Family;
 
 /// Newton converges to this share of the tolerance.
 const SHARE: f64 = 0.03;
@@ -44,11 +44,11 @@ pub struct PrecisionPoint {
 }
 
 /// The curve of `family` near its tight orbit.
-pub(super) fn of<F: Family<N> + Clone, const N: usize>(
+pub(super) fn of(
     smoothing: Option<Smoothing>,
-    family: &F,
-    tight: &Shooting<N>,
-    truth: &Shooting<N>,
+    family: &Family,
+    tight: &Shooting,
+    truth: &Shooting,
     scope: &Scope,
 ) -> Precision {
     let mut precision = Precision {
@@ -66,10 +66,10 @@ pub(super) fn of<F: Family<N> + Clone, const N: usize>(
 }
 
 /// The orbit at one tolerance, or why it is not found.
-pub(super) fn at<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    tight: &Shooting<N>,
-    truth: &Shooting<N>,
+pub(super) fn at(
+    family: &Family,
+    tight: &Shooting,
+    truth: &Shooting,
     tolerance: f64,
 ) -> Result<PrecisionPoint, String> {
     let effort = Effort::at(tolerance, (SHARE * tolerance).max(1e-12));

@@ -6,13 +6,12 @@ use nalgebra::DVector;
 
 use crate::continuation::{Branch, Ending, Settings, correct};
 use crate::field::Work;
-use crate::flow::{Family, Flow, FlowError, Place, Want};
+use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
+use crate::motion::{Family, Place, half_extents};
 use crate::shooting::{Guess, Orbit, OrbitError, problem};
 
 use super::Cost;
-
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
 
 /// Repetitions of which the fastest counts.
 const REPEATS: usize = 3;
@@ -43,12 +42,12 @@ impl Effort {
 }
 
 /// A converged orbit, as far as a trade is concerned.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Shooting<const N: usize> {
-    pub(super) state: [f64; N],
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shooting {
+    pub(super) state: Vec<f64>,
     pub(super) period: f64,
-    pub(super) min: [f64; N],
-    pub(super) max: [f64; N],
+    pub(super) min: Vec<f64>,
+    pub(super) max: Vec<f64>,
     /// Crossings of the section.
     pub(super) count: usize,
     /// Newton's last correction.
@@ -56,45 +55,42 @@ pub(super) struct Shooting<const N: usize> {
     pub(super) work: Work,
 }
 
-impl<const N: usize> Shooting<N> {
-    pub(super) fn max_abs(&self) -> [f64; N] {
-        std::array::from_fn(|j| self.max[j].abs().max(self.min[j].abs()))
+impl Shooting {
+    pub(super) fn max_abs(&self) -> Vec<f64> {
+        let pairs = self.max.iter().zip(&self.min);
+        pairs.map(|(max, min)| max.abs().max(min.abs())).collect()
     }
 
-    fn magnitude(&self) -> [f64; N] {
-        std::array::from_fn(|j| 0.5 * (self.max[j] - self.min[j]))
+    pub(super) fn magnitude(&self) -> Vec<f64> {
+        half_extents(&self.min, &self.max, &vec![1.0; self.min.len()])
     }
 }
 
 /// A found orbit as a guess for its own family.
-pub(super) fn guess<const N: usize, Mode: Copy>(orbit: &Orbit<N, Mode>) -> Guess<N, Mode> {
+pub(super) fn guess(orbit: &Orbit) -> Guess {
     Guess {
-        place: orbit.place,
+        place: orbit.place.clone(),
         period: orbit.period,
-        magnitude: std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j])),
+        magnitude: orbit.magnitude(),
     }
 }
 
 /// A shot orbit as a guess for another tolerance, or another family of the same states.
-pub(super) fn near<F: Family<N>, const N: usize>(
-    family: &F,
-    r: f64,
-    shooting: &Shooting<N>,
-) -> Result<Guess<N, Mode<F, N>>, FlowError> {
+pub(super) fn near(family: &Family, r: f64, shooting: &Shooting) -> Result<Guess, FlowError> {
     Ok(Guess {
-        place: family.at(r)?.place(shooting.state)?,
+        place: family.at(r)?.place(&shooting.state)?,
         period: shooting.period,
         magnitude: shooting.magnitude(),
     })
 }
 
 /// Newton from a guess.
-pub(super) fn shoot<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub(super) fn shoot(
+    family: &Family,
     r: f64,
-    guess: &Guess<N, Mode<F, N>>,
+    guess: &Guess,
     effort: Effort,
-) -> Result<Shooting<N>, OrbitError> {
+) -> Result<Shooting, OrbitError> {
     let family = family.with_tolerance(effort.tolerance);
     let (mut problem, z) = problem(family, r, guess, 1)?;
     let mut normal = DVector::zeros(z.len() + 1);
@@ -104,14 +100,14 @@ pub(super) fn shoot<F: Family<N> + Clone, const N: usize>(
     let shot = &found.linearisation.extra;
     let (min, max) = shot.extent();
     let size = |j: usize| guess.magnitude[j].max(max[j].abs());
-    if (0..N).all(|j| max[j] - min[j] <= EXTENT * size(j)) {
+    if (0..max.len()).all(|j| max[j] - min[j] <= EXTENT * size(j)) {
         return Err(OrbitError::Equilibrium {
-            state: shot.start.state.to_vec(),
+            state: shot.start.state.clone(),
         });
     }
     Ok(Shooting {
-        state: std::array::from_fn(|j| found.z[j]),
-        period: found.z[N],
+        state: found.z.rows(0, max.len()).iter().copied().collect(),
+        period: found.z[max.len()],
         min,
         max,
         count: shot.minima().count().max(1),
@@ -121,12 +117,12 @@ pub(super) fn shoot<F: Family<N> + Clone, const N: usize>(
 }
 
 /// Follows an orbit from r = `from` to r = `to`; a guess there, or why the branch ended before.
-pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
-    family: &F,
+pub(super) fn follow(
+    family: &Family,
     (from, to): (f64, f64),
-    start: &Guess<N, Mode<F, N>>,
+    start: &Guess,
     effort: Effort,
-) -> Result<(Guess<N, Mode<F, N>>, Work), String> {
+) -> Result<(Guess, Work), String> {
     let family = family.with_tolerance(effort.tolerance);
     let (mut problem, z) = problem(family, from, start, 1).map_err(|e| e.to_string())?;
     problem
@@ -139,14 +135,14 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
         Some(Ending::ReachedEnd) => {
             let (min, max) = last.extra.extent();
             let lowest = last.extra.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
-            let state = lowest.map_or(last.extra.start.state, |(_, state)| state);
+            let state = lowest.map_or(last.extra.start.state.clone(), |(_, state)| state);
             let guess = Guess {
                 place: Place {
                     state,
-                    mode: last.extra.start.mode,
+                    modes: last.extra.start.modes.clone(),
                 },
                 period: last.extra.period,
-                magnitude: std::array::from_fn(|j| 0.5 * (max[j] - min[j])),
+                magnitude: half_extents(&min, &max, &vec![1.0; min.len()]),
             };
             Ok((guess, branch.problem.work))
         }
@@ -159,10 +155,7 @@ pub(super) fn follow<F: Family<N> + Clone, const N: usize>(
 }
 
 /// What one period with derivatives and extrema costs at the family's tolerance.
-pub(super) fn cost<F: Family<N>, const N: usize>(
-    family: &F,
-    shooting: &Shooting<N>,
-) -> Result<Cost, FlowError> {
+pub(super) fn cost(family: &Family, shooting: &Shooting) -> Result<Cost, FlowError> {
     let want = Want {
         derivatives: true,
         extrema: true,
@@ -175,7 +168,7 @@ pub(super) fn cost<F: Family<N>, const N: usize>(
     for _ in 0..REPEATS {
         let clock = Instant::now();
         let flow = family.at(0.0)?;
-        let passage = flow.advance(&flow.place(shooting.state)?, shooting.period, want)?;
+        let passage = flow.advance(&flow.place(&shooting.state)?, shooting.period, want)?;
         cost.seconds = cost.seconds.min(clock.elapsed().as_secs_f64());
         cost.work = passage.work;
     }

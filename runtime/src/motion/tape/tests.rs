@@ -1,5 +1,3 @@
-use std::cell::RefCell;
-
 use super::*;
 use crate::examples::Belt;
 use crate::flow::ExactFamily;
@@ -12,26 +10,24 @@ const ALL: Want = Want {
     factors: true,
 };
 
-fn family() -> ExactFamily<Belt, 2> {
-    ExactFamily {
+fn family() -> Family {
+    let family: ExactFamily<Belt, 2> = ExactFamily {
         model: Belt::default(),
         design: Belt::INFO.parameters.iter().position(|p| p.name == "v_dr"),
         tolerance: Tolerance::for_accuracy(1e-8),
         magnitude: [1.0; 2],
-    }
+    };
+    family.into()
 }
 
 /// Three passages, the second of which fails, each from where the one before ended.
-fn journey(
-    tape: &Tape<'_>,
-    times: [f64; 3],
-) -> Vec<Result<Passage<2, impl Copy + std::fmt::Debug + PartialEq>, FlowError>> {
-    let flow = tape.record(family()).at(0.2).unwrap();
-    let mut place = flow.place([1.0, 0.0]).unwrap();
+fn journey(family: &Family, times: [f64; 3]) -> Vec<Result<Passage, FlowError>> {
+    let flow = family.at(0.2).unwrap();
+    let mut place = flow.place(&[1.0, 0.0]).unwrap();
     let follow = |time: f64| {
         let passage = flow.advance(&place, time, ALL);
         if let Ok(passage) = &passage {
-            place = passage.end;
+            place = passage.end.clone();
         }
         passage
     };
@@ -40,17 +36,20 @@ fn journey(
 
 /// What a journey notes if this is known of it.
 fn noted(known: &[Vec<u8>], times: [f64; 3]) -> (Vec<Vec<u8>>, String) {
-    let notes = RefCell::new(Vec::new());
-    let note = |record: &[u8]| notes.borrow_mut().push(record.to_vec());
-    let found = format!("{:?}", journey(&Tape::new(known.to_vec(), &note), times));
-    (notes.into_inner(), found)
+    let notes = Arc::new(Mutex::new(Vec::new()));
+    let kept = notes.clone();
+    let note = move |record: &[u8]| kept.lock().unwrap().push(record.to_vec());
+    let tape = Tape::new(known.to_vec(), Box::new(note));
+    let found = format!("{:?}", journey(&family().recorded(&tape), times));
+    let notes = notes.lock().unwrap().clone();
+    (notes, found)
 }
 
 const TIMES: [f64; 3] = [9.0, -1.0, 4.0];
 
 #[test]
 fn what_is_known_comes_back_to_the_last_bit() {
-    let plain = format!("{:?}", journey(&Tape::blank(), TIMES));
+    let plain = format!("{:?}", journey(&family(), TIMES));
     let (all, found) = noted(&[], TIMES);
     assert_eq!((all.len(), &found), (3, &plain));
     for known in 1..=3 {
@@ -62,12 +61,10 @@ fn what_is_known_comes_back_to_the_last_bit() {
 #[test]
 fn what_is_known_is_not_computed_again() {
     let flow = family().at(0.2).unwrap();
-    let place = flow.place([1.0, 0.0]).unwrap();
+    let place = flow.place(&[1.0, 0.0]).unwrap();
     let (all, _) = noted(&[], TIMES);
-    let tape = Tape::new(all, &|_| ());
-    let taped = tape.record(family()).at(0.2).unwrap();
-    let want = ALL;
-    let known = tape.recall(&(taped.r, place, TIMES[0], want), || {
+    let tape = Tape::new(all, Box::new(|_| ()));
+    let known = tape.recall(&(0.2, &place, TIMES[0], ALL), || {
         Err(FlowError::BadTime { time: 0.0 })
     });
     assert_eq!(known, flow.advance(&place, TIMES[0], ALL));
@@ -78,7 +75,7 @@ fn who_goes_another_way_is_not_misled() {
     let other = [9.0, 3.0, 4.0];
     let (all, _) = noted(&[], TIMES);
     let (rest, found) = noted(&all, other);
-    assert_eq!(found, format!("{:?}", journey(&Tape::blank(), other)));
+    assert_eq!(found, format!("{:?}", journey(&family(), other)));
     assert!(
         rest.is_empty(),
         "they would follow what belongs to another way"
@@ -87,5 +84,5 @@ fn who_goes_another_way_is_not_misled() {
     let mut damaged = all.clone();
     damaged[0].pop();
     let (_, found) = noted(&damaged, TIMES);
-    assert_eq!(found, format!("{:?}", journey(&Tape::blank(), TIMES)));
+    assert_eq!(found, format!("{:?}", journey(&family(), TIMES)));
 }

@@ -1,0 +1,100 @@
+//! The flow of an exact system, of any number of states.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::passage::fixed;
+use super::{Contact, Contacts, Derivatives, Flow, Passage, Place, Reading, Row, Velocity};
+use crate::field::exact::{Mode, Modes};
+use crate::flow::exact::ExactFlow;
+use crate::flow::{self, FlowError, Want};
+use crate::model::Model;
+use crate::scalar::Lanes;
+
+fn place<M: Model<N>, const N: usize>(at: &Place) -> flow::Place<N, Modes<M, N>> {
+    flow::Place {
+        state: fixed(&at.state),
+        mode: Modes::from_fn(|i| at.modes.get(i).copied().unwrap_or(Mode::Stick)),
+    }
+}
+
+fn modes<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> super::Modes {
+    modes.as_slice().to_vec()
+}
+
+fn row<L: Lanes<N>, const N: usize>(lanes: &L) -> Row {
+    Row {
+        value: lanes.re(),
+        slopes: lanes.slopes().0.to_vec(),
+    }
+}
+
+impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
+    fn order(&self) -> usize {
+        N
+    }
+
+    fn phase(&self) -> Option<usize> {
+        M::INFO.drive
+    }
+
+    fn place(&self, state: &[f64]) -> Result<Place, FlowError> {
+        let place = flow::Flow::place(self, fixed(state))?;
+        Ok(Place::of(&place, modes))
+    }
+
+    fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
+        let passage = flow::Flow::advance(self, &place(from), time, want)?;
+        Ok(Passage::of(passage, modes))
+    }
+
+    fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
+        Ok(flow::Flow::velocity(self, &place(at))?.into())
+    }
+
+    fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
+        let (end, derivatives) = ExactFlow::glide(self, &place(from), time)?;
+        Ok((Place::of(&end, modes), derivatives.into()))
+    }
+
+    fn touch(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
+        ExactFlow::touch(self, &place(at), contact)
+    }
+
+    fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
+        let (speeds, rounding) = self.speeds(&fixed(&at.state));
+        let signs = at.modes.iter().map(|mode| mode.sign());
+        signs
+            .enumerate()
+            .filter(|(_, sign)| *sign != 0.0)
+            .map(|(i, sign)| (i, sign * speeds.as_ref()[i] - rounding.as_ref()[i]))
+            .collect()
+    }
+
+    fn speeds(&self, state: &[f64]) -> Vec<f64> {
+        self.system().speeds(&fixed(state)).as_ref().to_vec()
+    }
+
+    fn check(&self, _at: &Place) -> Result<(), FlowError> {
+        Ok(())
+    }
+
+    fn read(&self, at: &Place) -> Result<Reading, FlowError> {
+        self.reading(&place(at))
+    }
+
+    fn contacts(&self, at: &Place) -> Result<Contacts, FlowError> {
+        let flow::Place { state, mode } = place::<M, N>(at);
+        let known = self.system().linear(&state, &mode)?;
+        let field = known.field.each_ref().map(row);
+        let contact = |i: usize| Contact {
+            speed: row(&known.speed.as_ref()[i]),
+            force: row(&known.force.as_ref()[i]),
+            stick: row(&known.stick.as_ref()[i]),
+        };
+        Ok(Contacts {
+            f: DVector::from_fn(N, |i, _| field[i].value),
+            jacobian: DMatrix::from_fn(N, N, |i, j| field[i].slopes[j]),
+            all: (0..M::INFO.contacts.len()).map(contact).collect(),
+        })
+    }
+}

@@ -1,0 +1,152 @@
+//! Flows that depend on a design variable.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::Flow;
+use super::passage::fixed;
+use super::tape::{Tape, Taped};
+use crate::field::Design;
+use crate::flow::{self, ExactFamily, FlowError, SmoothFamily};
+use crate::integrate::Tolerance;
+use crate::model::Model;
+
+/// One flow for each value of a design variable r.
+pub trait Flows: Send + Sync {
+    /// The number of states.
+    fn order(&self) -> usize;
+
+    /// The state that is the phase of a drive, if there is one.
+    fn phase(&self) -> Option<usize>;
+
+    /// The flow at r, with derivatives ∂/∂r.
+    ///
+    /// # Errors
+    /// r is outside what the model declares, or its smoothing would falsify a law there.
+    fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError>;
+
+    /// The same flows, integrated to another tolerance.
+    fn with_tolerance(&self, tolerance: Tolerance) -> Family;
+
+    /// The same flows, their states measured against these magnitudes where they pass through zero.
+    fn with_magnitude(&self, magnitude: &[f64]) -> Family;
+
+    /// The same flows along `design`, with `fixed` held at `value` (of a smoothing: the logarithm of its size).
+    fn steered(&self, design: Design, fixed: Design, value: f64) -> Family;
+}
+
+/// A family of flows that is cheap to clone: what all searches and branches are given.
+#[derive(Clone)]
+pub struct Family(Arc<dyn Flows>);
+
+impl<F: Flows + 'static> From<F> for Family {
+    fn from(flows: F) -> Self {
+        Self(Arc::new(flows))
+    }
+}
+
+impl fmt::Debug for Family {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a family of flows of order {}", self.order())
+    }
+}
+
+impl Family {
+    /// The number of states.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.0.order()
+    }
+
+    /// The state that is the phase of a drive, if there is one.
+    #[must_use]
+    pub fn phase(&self) -> Option<usize> {
+        self.0.phase()
+    }
+
+    /// The flow at r, with derivatives ∂/∂r.
+    ///
+    /// # Errors
+    /// r is outside what the model declares, or its smoothing would falsify a law there.
+    pub fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
+        self.0.at(r)
+    }
+
+    /// The same flows, integrated to another tolerance.
+    #[must_use]
+    pub fn with_tolerance(&self, tolerance: Tolerance) -> Self {
+        self.0.with_tolerance(tolerance)
+    }
+
+    /// The same flows, their states measured against these magnitudes where they pass through zero.
+    #[must_use]
+    pub fn with_magnitude(&self, magnitude: &[f64]) -> Self {
+        self.0.with_magnitude(magnitude)
+    }
+
+    /// The same flows along `design`, with `fixed` held at `value` (of a smoothing: the logarithm of its size).
+    #[must_use]
+    pub fn steered(&self, design: Design, fixed: Design, value: f64) -> Self {
+        self.0.steered(design, fixed, value)
+    }
+
+    /// The same flows, their passages kept on a tape.
+    #[must_use]
+    pub fn recorded(&self, tape: &Arc<Tape>) -> Self {
+        Taped::new(self.clone(), tape.clone()).into()
+    }
+}
+
+impl<M: Model<N>, const N: usize> Flows for SmoothFamily<M, N> {
+    fn order(&self) -> usize {
+        N
+    }
+
+    fn phase(&self) -> Option<usize> {
+        M::INFO.drive
+    }
+
+    fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
+        Ok(Box::new(flow::Family::at(self, r)?))
+    }
+
+    fn with_tolerance(&self, tolerance: Tolerance) -> Family {
+        Self { tolerance, ..*self }.into()
+    }
+
+    fn with_magnitude(&self, magnitude: &[f64]) -> Family {
+        let magnitude = fixed(magnitude);
+        Self { magnitude, ..*self }.into()
+    }
+
+    fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
+        flow::Steered::steered(self, design, fixed, value).into()
+    }
+}
+
+impl<M: Model<N>, const N: usize> Flows for ExactFamily<M, N> {
+    fn order(&self) -> usize {
+        N
+    }
+
+    fn phase(&self) -> Option<usize> {
+        M::INFO.drive
+    }
+
+    fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
+        Ok(Box::new(flow::Family::at(self, r)?))
+    }
+
+    fn with_tolerance(&self, tolerance: Tolerance) -> Family {
+        Self { tolerance, ..*self }.into()
+    }
+
+    fn with_magnitude(&self, magnitude: &[f64]) -> Family {
+        let magnitude = fixed(magnitude);
+        Self { magnitude, ..*self }.into()
+    }
+
+    fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
+        flow::Steered::steered(self, design, fixed, value).into()
+    }
+}

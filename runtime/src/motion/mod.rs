@@ -1,0 +1,108 @@
+//! Motions of any system behind one interface: the joint between what a model is and what is asked of it.
+//!
+//! Below, everything is generic over the model and its number of states N, and no step touches the heap. Here both are
+//! erased: a call of [`Flow::advance`] integrates for 10 to 400 µs, so that one virtual call and one conversion cost
+//! nothing that can be measured, and all that stands above is compiled once.
+
+mod contacts;
+mod enclosure;
+mod exact;
+mod extent;
+mod family;
+mod modes;
+mod passage;
+mod smooth;
+mod tape;
+mod written;
+
+pub use contacts::{Contact, Contacts, Row};
+pub use enclosure::{Enclosed, Enclosure};
+pub use extent::half_extents;
+pub use family::{Family, Flows};
+pub use modes::{Modes, sticking, word};
+pub use passage::{
+    Calm, Derivatives, Event, Extremum, Factor, Passage, Place, Sample, Segment, Velocity,
+};
+pub use tape::{Note, Tape};
+
+use std::f64::consts::TAU;
+
+use crate::flow::{FlowError, Want};
+
+/// Friction forces, and the `let` lines, at one place.
+pub type Reading = (Vec<f64>, Vec<f64>);
+
+/// The motion of a system with any number of states: smooth and exact systems are both just flows.
+pub trait Flow: Send + Sync {
+    /// The number of states.
+    fn order(&self) -> usize;
+
+    /// The state that is the phase of a drive, if there is one: 2π more of it is the same.
+    ///
+    /// It has no extrema; in their place a passage reports each time at which it begins anew, there as 0.
+    fn phase(&self) -> Option<usize>;
+
+    /// The place of a state: decides the modes from which the motion will continue.
+    ///
+    /// # Errors
+    /// No mode is consistent with the state.
+    fn place(&self, state: &[f64]) -> Result<Place, FlowError>;
+
+    /// Follows the motion from `from` for the time `time` ≥ 0.
+    ///
+    /// # Errors
+    /// Any [`FlowError`]; a result is never NaN.
+    fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError>;
+
+    /// f and its derivatives at a place (one-sided where the motion will continue).
+    ///
+    /// # Errors
+    /// The field is not finite there, or no mode is consistent.
+    fn velocity(&self, at: &Place) -> Result<Velocity, FlowError>;
+
+    /// The motion from `from` for the time `time`, in the mode in which it begins whatever its guards say.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError>;
+
+    /// The relative speed of a contact the way it slides in this mode, and its rate; `None` if there is
+    /// no such contact, or it sticks.
+    ///
+    /// # Errors
+    /// The forces are not determined there.
+    fn touch(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+
+    /// For each sliding contact its number and its relative speed the way it slides: not positive beyond the mode.
+    fn margins(&self, at: &Place) -> Vec<(usize, f64)>;
+
+    /// The relative speed of every set-valued contact at a state; none for a smooth system.
+    fn speeds(&self, state: &[f64]) -> Vec<f64>;
+
+    /// Whether the field stands for the system at this place.
+    ///
+    /// # Errors
+    /// A one-directional smoothing is used backwards.
+    fn check(&self, at: &Place) -> Result<(), FlowError>;
+
+    /// Friction forces and observables at a place.
+    ///
+    /// # Errors
+    /// The forces are not determined there.
+    fn read(&self, at: &Place) -> Result<Reading, FlowError>;
+
+    /// All that is known of set-valued contacts at a place, each number with its slopes; of a smooth system, which has
+    /// none, the field alone.
+    ///
+    /// # Errors
+    /// The forces are not determined there.
+    fn contacts(&self, at: &Place) -> Result<Contacts, FlowError>;
+
+    /// The state with its phase between 0 and 2π.
+    fn wrapped(&self, mut state: Vec<f64>) -> Vec<f64> {
+        if let Some(index) = self.phase() {
+            state[index] = state[index].rem_euclid(TAU);
+        }
+        state
+    }
+}

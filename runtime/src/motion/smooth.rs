@@ -1,0 +1,90 @@
+//! The flow of a smooth system, of any number of states.
+
+use super::passage::fixed;
+use super::{Contacts, Derivatives, Flow, Passage, Place, Reading, Velocity};
+use crate::flow::{self, FlowError, SmoothFlow, Want};
+use crate::model::Model;
+
+fn place<const N: usize>(at: &Place) -> flow::Place<N, ()> {
+    flow::Place {
+        state: fixed(&at.state),
+        mode: (),
+    }
+}
+
+fn modeless((): &()) -> super::Modes {
+    Vec::new()
+}
+
+impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
+    fn order(&self) -> usize {
+        N
+    }
+
+    fn phase(&self) -> Option<usize> {
+        M::INFO.drive
+    }
+
+    fn place(&self, state: &[f64]) -> Result<Place, FlowError> {
+        let place = flow::Flow::place(self, fixed(state))?;
+        Ok(Place::of(&place, modeless))
+    }
+
+    fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
+        let passage = flow::Flow::advance(self, &place(from), time, want)?;
+        Ok(Passage::of(passage, modeless))
+    }
+
+    fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
+        Ok(flow::Flow::velocity(self, &place(at))?.into())
+    }
+
+    /// Nothing switches: gliding is moving.
+    fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
+        let want = Want {
+            derivatives: true,
+            ..Want::default()
+        };
+        let passage = Flow::advance(self, from, time, want)?;
+        let derivatives = passage.derivatives.ok_or(FlowError::BadTime { time })?;
+        Ok((passage.end, derivatives))
+    }
+
+    fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
+        Ok(None)
+    }
+
+    fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
+        Vec::new()
+    }
+
+    fn speeds(&self, _state: &[f64]) -> Vec<f64> {
+        Vec::new()
+    }
+
+    fn check(&self, at: &Place) -> Result<(), FlowError> {
+        match self.field().backwards(&fixed(&at.state)) {
+            Some((contact, speed)) => Err(FlowError::Backwards {
+                contact,
+                time: 0.0,
+                speed,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    fn read(&self, at: &Place) -> Result<Reading, FlowError> {
+        let state = fixed(&at.state);
+        let forces = self.field().forces(&state).as_ref().to_vec();
+        Ok((forces, self.field().observables(&state).as_ref().to_vec()))
+    }
+
+    fn contacts(&self, at: &Place) -> Result<Contacts, FlowError> {
+        let Velocity { f, jacobian, .. } = Flow::velocity(self, at)?;
+        Ok(Contacts {
+            f,
+            jacobian,
+            all: Vec::new(),
+        })
+    }
+}

@@ -1,0 +1,104 @@
+//! Why a question has no answer.
+
+use super::branch::BranchRecord;
+use super::trade::TradeError;
+use crate::continuation::Failure;
+use crate::flow::FlowError;
+use crate::shooting::{OrbitError, SwitchError};
+
+/// Why a case has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StudyError {
+    /// The size of a smoothing was to be followed, but there is no smoothing.
+    #[error("there is no smoothing whose size could be followed")]
+    NothingToSmooth,
+    /// A branch was asked for, but not along what.
+    #[error("a branch needs a design variable to be followed along")]
+    NothingToFollow,
+    /// The errors of smoothing cannot be measured.
+    #[error(transparent)]
+    Trade(#[from] TradeError),
+    /// No equilibrium was found.
+    #[error(
+        "no equilibrium that could be followed was found from {starts} starts; `--start` says where to look first"
+    )]
+    NoEquilibrium {
+        /// From how many places it was looked for.
+        starts: usize,
+    },
+    /// A driven model never rests.
+    #[error(
+        "`{model}` has no equilibrium: its drive `{phase}` never stands still; `orbit` finds the motion that answers it"
+    )]
+    Driven {
+        /// The model.
+        model: &'static str,
+        /// The phase of its drive.
+        phase: &'static str,
+    },
+    /// A law holds any force between its stops while it rests.
+    #[error(
+        "`{model}` has no equilibrium that stands alone: at rest `{law}` holds any force between its stops; `simulate` \
+         shows where a motion comes to rest"
+    )]
+    NotIsolated {
+        /// The model.
+        model: &'static str,
+        /// The law.
+        law: &'static str,
+    },
+    /// An equilibrium cannot be followed.
+    #[error("the equilibrium cannot be followed: {0}")]
+    Equilibrium(Failure<FlowError>),
+    /// The branch has no such special point.
+    #[error("{}", no_special(.wanted.as_deref(), .labels))]
+    NoSpecial {
+        /// Its label, if one was asked for.
+        wanted: Option<String>,
+        /// The labels that there are.
+        labels: Vec<String>,
+    },
+    /// The branch of the special point was interrupted; as far as it came.
+    #[error("the branch was interrupted before the curve began")]
+    Interrupted(Box<BranchRecord>),
+    /// A special point that has no curve here.
+    #[error(
+        "{label} is a {kind} point, and only folds, flips, torus and grazing points can be followed in two parameters"
+    )]
+    NotFollowed {
+        /// Its label.
+        label: String,
+        /// What it is.
+        kind: &'static str,
+    },
+    /// A curve cannot be begun.
+    #[error("the special point cannot be followed: {0}")]
+    Curve(Failure<FlowError>),
+    /// No orbit was found.
+    #[error(transparent)]
+    Orbit(#[from] OrbitError),
+    /// The equilibrium has no Hopf point on the way.
+    #[error(
+        "the equilibrium has no Hopf point there from which orbits could be followed: `equilibria` shows what it has"
+    )]
+    NoHopf,
+    /// No orbit begins at the Hopf point.
+    #[error("no orbit was found that begins at the Hopf point: {0}")]
+    Hopf(SwitchError),
+    /// The motion cannot be followed.
+    #[error(transparent)]
+    Flow(#[from] FlowError),
+}
+
+fn no_special(wanted: Option<&str>, labels: &[String]) -> String {
+    let there = match labels {
+        [] => "the branch has no special point at all".to_owned(),
+        labels => format!("the branch has {}", labels.join(", ")),
+    };
+    match wanted {
+        Some(wanted) => format!("there is no special point {wanted}: {there}"),
+        None => format!(
+            "there is no fold, flip, torus or grazing point to be followed in two parameters: {there}"
+        ),
+    }
+}

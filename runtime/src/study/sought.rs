@@ -1,0 +1,146 @@
+//! Where the orbit of a case is looked for, and what is told where there is none.
+
+use super::case::{Case, Dynamics};
+use super::modes::sliding_modes;
+use super::seed::{Seed, on_the_belt};
+use super::system::System;
+use crate::bifurcation::{Kind, Located};
+use crate::equilibrium::find;
+use crate::flow::FlowError;
+use crate::motion::Family;
+use crate::shooting::{Orbit, OrbitError, Search, closest};
+
+/// A motion that has settled is this near to its equilibrium.
+const SETTLED: f64 = 1e-3;
+
+/// How much a failure tells of the system: that motions settle elsewhere is more than that a search ended.
+fn tells(error: &OrbitError) -> u8 {
+    match error {
+        OrbitError::NotIsolated { .. } => 3,
+        OrbitError::Equilibrium { .. } => 2,
+        OrbitError::NotSettled { .. } => 1,
+        OrbitError::Newton(_) | OrbitError::Flow(_) => 0,
+    }
+}
+
+/// A family with what is sought in it.
+pub(super) struct Sought<'a> {
+    pub(super) system: &'a System,
+    pub(super) family: Family,
+    pub(super) case: &'a Case,
+    /// Tried in this order.
+    seeds: Vec<Seed>,
+    pub(super) search: Search,
+}
+
+impl System {
+    /// What is sought in a case.
+    ///
+    /// # Errors
+    /// The case has no flow.
+    pub(super) fn sought<'a>(&'a self, case: &'a Case) -> Result<Sought<'a>, FlowError> {
+        Ok(Sought {
+            system: self,
+            family: self.family(case),
+            case,
+            seeds: self.seeds(case)?,
+            search: Search {
+                start: self.start(case),
+                period: case.period,
+                accuracy: case.accuracy,
+                segments: 1,
+            },
+        })
+    }
+
+    /// Where orbits are looked for, first places first.
+    fn seeds(&self, case: &Case) -> Result<Vec<Seed>, FlowError> {
+        let start = self.start(case);
+        let declared = Seed::at(start.clone());
+        let period = case.period;
+        let mut seeds = match (&case.start, period) {
+            (Some(_), _) => return Ok(vec![Seed { start, period }]),
+            (None, Some(_)) => return Ok(vec![Seed { start, period }, declared]),
+            _ if self.rubs(case) => on_the_belt(self.at(case)?.as_ref(), &start),
+            _ if self.info().contacts.is_empty() => Vec::new(),
+            _ => self.exact_orbit(case).map_or_else(Vec::new, |seed| {
+                // A copy may be out of reach of Newton and yet settle from there.
+                let settling = Seed::at(seed.start.clone());
+                vec![seed, settling]
+            }),
+        };
+        seeds.push(declared);
+        Ok(seeds)
+    }
+
+    /// The orbit of the exact system as a seed for its smooth copies.
+    fn exact_orbit(&self, case: &Case) -> Option<Seed> {
+        let Dynamics::Smoothed(_) = case.dynamics else {
+            return None;
+        };
+        let exact = Case {
+            dynamics: Dynamics::Exact,
+            along: None,
+            ..case.clone()
+        };
+        let orbit = self.sought(&exact).ok()?.orbit(0.0).ok()?;
+        Some(Seed {
+            start: orbit.place.state,
+            period: Some(orbit.period),
+        })
+    }
+
+    /// An error that names an equilibrium, with its exact place where Newton finds it.
+    pub(super) fn sharpened(&self, case: &Case, error: OrbitError) -> OrbitError {
+        let (OrbitError::Equilibrium { state: near }, Ok(flow)) = (&error, self.at(case)) else {
+            return error;
+        };
+        let starts = std::slice::from_ref(near);
+        let modes = |y: &[f64]| sliding_modes(flow.as_ref(), y);
+        let found = find(&self.family(case), self.beginning(case), starts, modes);
+        let size = near.iter().fold(1.0_f64, |size, y| size.max(y.abs()));
+        let close = |place: &&Vec<f64>| {
+            let off = place.iter().zip(near).map(|(a, b)| (a - b).abs());
+            off.fold(0.0, f64::max) <= SETTLED * size
+        };
+        match found.iter().map(|one| &one.place.state).find(close) {
+            Some(state) => OrbitError::Equilibrium {
+                state: state.clone(),
+            },
+            None => error,
+        }
+    }
+}
+
+impl Sought<'_> {
+    /// Tells a branch point from one at which a symmetry is lost.
+    pub(super) fn tell_symmetry(&self, found: &mut Located<Orbit>) {
+        // An orbit that cannot be gone around once more has no symmetry that could be told.
+        if found.kind == Kind::BranchPoint && found.point.loses_symmetry(&self.family) == Ok(true) {
+            found.kind = Kind::SymmetryBreaking;
+        }
+    }
+
+    /// The orbit at r, in the family's own count, from the first seed that leads to one.
+    pub(super) fn orbit(&self, r: f64) -> Result<Orbit, OrbitError> {
+        let mut telling = None::<OrbitError>;
+        for seed in &self.seeds {
+            let search = Search {
+                start: seed.start.clone(),
+                period: seed.period,
+                ..self.search.clone()
+            };
+            match closest(&self.family, r, &search) {
+                Ok(orbit) => return Ok(orbit),
+                Err(error) if telling.as_ref().is_none_or(|t| tells(t) <= tells(&error)) => {
+                    telling = Some(error);
+                }
+                Err(_) => {}
+            }
+        }
+        Err(telling.unwrap_or(OrbitError::NotSettled {
+            time: 0.0,
+            last: None,
+        }))
+    }
+}

@@ -1,0 +1,144 @@
+//! A declared model that answers questions, whatever its type.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::case::{Case, Dynamics};
+use super::characteristic::Characteristic;
+use super::declared::{Declared, Of};
+use super::error::StudyError;
+use super::predict::{PredictError, Prediction};
+use crate::field::exact::Mode;
+use crate::field::{Design, Smoothing};
+use crate::flow::FlowError;
+use crate::integrate::Tolerance;
+use crate::model::{Model, ModelInfo};
+use crate::motion::{Enclosure, Family, Flow, Tape};
+use crate::shooting::Orbit;
+
+/// A declared model that answers a [`Case`]; cheap to clone.
+#[derive(Clone)]
+pub struct System {
+    declared: Arc<dyn Declared>,
+    tape: Option<Arc<Tape>>,
+}
+
+impl fmt::Debug for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.info().name)
+    }
+}
+
+impl System {
+    /// The model `M`; the number of its states is inferred: `System::of::<BeltOscillator, _>()`.
+    #[must_use]
+    pub fn of<M: Model<N>, const N: usize>() -> Self {
+        Self {
+            declared: Arc::new(Of::<M, N>::new()),
+            tape: None,
+        }
+    }
+
+    /// The same system, its passages kept on a tape: what is on the tape of the same question is not computed again.
+    #[must_use]
+    pub fn recorded(&self, tape: Arc<Tape>) -> Self {
+        Self {
+            tape: Some(tape),
+            ..self.clone()
+        }
+    }
+
+    /// The model as data.
+    #[must_use]
+    pub fn info(&self) -> &'static ModelInfo {
+        self.declared.info()
+    }
+
+    /// Whether the case can be asked at all: at both ends of what is followed.
+    ///
+    /// # Errors
+    /// A parameter is out of its bounds, a smoothing would falsify a law, or there is nothing to follow.
+    pub fn check(&self, case: &Case) -> Result<(), StudyError> {
+        if design(case) == Design::Smoothing && case.smoothing().is_none() {
+            return Err(StudyError::NothingToSmooth);
+        }
+        let family = self.family(case);
+        let (from, to) = case.along.map_or((0.0, 0.0), |along| along.span());
+        family.at(from)?;
+        family.at(to)?;
+        Ok(())
+    }
+
+    /// Shows the law of each contact with its number, at the parameters and the start of the case.
+    pub fn laws(&self, case: &Case, see: &mut dyn FnMut(usize, &dyn Characteristic)) {
+        self.declared.laws(&case.parameters, &self.start(case), see);
+    }
+
+    /// Whether friction acts as declared, by set-valued laws.
+    pub(super) fn rubs(&self, case: &Case) -> bool {
+        case.dynamics == Dynamics::Exact && !self.info().contacts.is_empty()
+    }
+
+    /// The flows that the case is about, along its design variable.
+    pub(super) fn family(&self, case: &Case) -> Family {
+        let tolerance = Tolerance::for_accuracy(case.accuracy);
+        let (values, design) = (&case.parameters, design(case));
+        let family = if self.rubs(case) {
+            self.declared.exact(values, design, tolerance)
+        } else {
+            let smoothing = case.smoothing();
+            self.declared.smooth(values, smoothing, design, tolerance)
+        };
+        match &self.tape {
+            Some(tape) => family.recorded(tape),
+            None => family,
+        }
+    }
+
+    /// The flow where the case begins.
+    pub(super) fn at(&self, case: &Case) -> Result<Box<dyn Flow>, FlowError> {
+        self.family(case).at(self.beginning(case))
+    }
+
+    /// r, as the families count it, where the case begins.
+    pub(super) fn beginning(&self, case: &Case) -> f64 {
+        case.along.map_or(0.0, |along| along.span().0)
+    }
+
+    /// The state with which the case begins.
+    pub(super) fn start(&self, case: &Case) -> Vec<f64> {
+        let given = case.start.as_deref().unwrap_or_default();
+        let states = self.info().states.iter().enumerate();
+        states
+            .map(|(j, state)| given.get(j).copied().unwrap_or(state.start))
+            .collect()
+    }
+
+    /// The field of the case over boxes: sliding in these modes, or smooth.
+    pub(super) fn enclosure(&self, case: &Case, modes: Option<&[Mode]>) -> Box<dyn Enclosure> {
+        let smoothing = case.smoothing();
+        self.declared.enclosure(&case.parameters, modes, smoothing)
+    }
+
+    /// stick · G of each contact at a state, all of them held; the largest.
+    pub(super) fn stiffness(&self, case: &Case, state: &[f64]) -> f64 {
+        self.declared.stiffness(&case.parameters, state)
+    }
+
+    /// The errors of the copy with this smoothing, predicted from the exact orbit of the case.
+    ///
+    /// # Errors
+    /// See [`PredictError`].
+    pub fn predict(
+        &self,
+        case: &Case,
+        orbit: &Orbit,
+        smoothing: Smoothing,
+    ) -> Result<Prediction, PredictError> {
+        self.declared.predict(&case.parameters, orbit, smoothing)
+    }
+}
+
+fn design(case: &Case) -> Design {
+    case.along.map_or(Design::None, |along| along.design)
+}
