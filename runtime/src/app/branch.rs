@@ -49,7 +49,7 @@ pub(super) fn perform(app: &App, options: &ArgMatches) -> Result<(), Failure> {
     drop(progress);
     deliver(&output, info, &case, &branch)?;
     passages.discard();
-    let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word, ended.reason);
+    let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word(), ended.reason);
     if let Some(ended) = branch.unlocated() {
         return Err(Failure::failed(reason(ended)));
     }
@@ -202,7 +202,7 @@ fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
         text.push_str(&format!(
             "\nbranch {i}, period {count}, leaves its parent at {from}; {} points, ended: {}\n",
             below.points.len(),
-            below.ended.word
+            below.ended.word()
         ));
         if !below.special.is_empty() {
             text.push_str(&table(&special(info, below)));

@@ -261,9 +261,9 @@ impl<'a> Branch<'a> {
                 .collect(),
             special: branch.special.iter().map(Point::new).collect(),
             from: branch.from.as_deref(),
-            ended: branch.ended.word,
+            ended: branch.ended.word(),
             reason: &branch.ended.reason,
-            began: branch.began.as_ref().map(|ended| ended.word),
+            began: branch.began.as_ref().map(|ended| ended.word()),
             branches: branch
                 .branches
                 .iter()

@@ -117,8 +117,8 @@ impl Output {
         if ended.is_interrupted() {
             return Err(self.interrupted(found));
         }
-        let reason = format!("the {what} ended, {}: {}", ended.word, ended.reason);
-        if !ended.located {
+        let reason = format!("the {what} ended, {}: {}", ended.word(), ended.reason);
+        if !ended.is_located() {
             return Err(Failure::failed(reason));
         }
         self.note(reason);

@@ -1,8 +1,8 @@
 //! Why a branch goes no further.
 
 use super::Kind;
-use super::detect::Located;
-use super::watched::{Margin, Watched};
+use super::periodic::{Margin, PeriodicPoint};
+use crate::continuation::Located;
 
 /// Points at the very end that may be too uncertain to show what they lead to.
 const LATE: usize = 2;
@@ -21,7 +21,7 @@ const UPRIGHT: f64 = 1e3;
 ///
 /// An event that is about to be missed is a graze: nothing continues the orbit beyond it. A branch on
 /// which r no longer changes while the orbit does is turning, however sharply.
-pub fn explain<P: Watched>(points: &[P], accuracy: f64) -> Option<Located<P>> {
+pub fn explain<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> {
     let last = &points[points.len().saturating_sub(POINTS)..];
     let earlier = (0..=LATE).filter_map(|late| last.get(..last.len().checked_sub(late)?));
     earlier
@@ -31,9 +31,9 @@ pub fn explain<P: Watched>(points: &[P], accuracy: f64) -> Option<Located<P>> {
 }
 
 /// The event whose guard falls ever more slowly, where it would no longer fall.
-fn missed<P: Watched>(points: &[P]) -> Option<Located<P>> {
+fn missed<P: PeriodicPoint>(points: &[P]) -> Option<Located<P>> {
     let last = points.last()?;
-    let same = points.iter().filter(|point| point.same_word(last));
+    let same = points.iter().filter(|point| point.same_regime(last));
     let history: Vec<(f64, Vec<Margin>)> =
         same.map(|point| (point.r(), point.close_calls())).collect();
     let graze = |margin: &&Margin| margin.kind != Kind::VanishingSegment;
@@ -41,20 +41,13 @@ fn missed<P: Watched>(points: &[P]) -> Option<Located<P>> {
     let vanishing = nearest.iter().filter(graze).filter_map(|margin| {
         let series: Vec<(f64, f64)> = history
             .iter()
-            .filter_map(|(r, margins)| Some((*r, smallest(margins, margin)?)))
+            .filter_map(|(r, margins)| Some((*r, margin.smallest(margins)?)))
             .collect();
         extrapolate(&series).map(|r| (margin.kind, r))
     });
     let steps = |r: f64| (r - last.r()).abs();
     let (kind, r) = vanishing.min_by(|a, b| steps(a.1).total_cmp(&steps(b.1)))?;
     Some(Located::at(kind, r, last.clone()))
-}
-
-fn smallest(margins: &[Margin], wanted: &Margin) -> Option<f64> {
-    let same = margins
-        .iter()
-        .filter(|m| m.kind == wanted.kind && m.contact == wanted.contact);
-    same.map(|m| m.value).min_by(f64::total_cmp)
 }
 
 /// r where a series of (r, rate) vanishes, if it falls towards zero.
@@ -86,7 +79,7 @@ fn neville(points: &[(f64, f64)]) -> f64 {
 }
 
 /// Where r stands still while the period goes on changing.
-fn turning<P: Watched>(points: &[P], accuracy: f64) -> Option<Located<P>> {
+fn turning<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> {
     if points.len() < POINTS {
         return None;
     }

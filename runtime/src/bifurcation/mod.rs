@@ -1,20 +1,16 @@
 //! Stability of periodic motions, and where it changes.
 //!
-//! Knows multipliers, margins and a path between two points; nothing of how orbits are found.
+//! Knows multipliers, margins and the monitors made of them; nothing of how orbits are found or branches followed.
 
-mod detect;
 mod ending;
 mod exponents;
 mod floquet;
-mod kind;
-mod locate;
+mod monitors;
+mod periodic;
 pub mod test_function;
-mod watched;
-mod word_change;
 
-pub use detect::{Findings, Located, Unexplained, detect};
+pub use crate::continuation::Kind;
 pub use ending::explain;
 pub use floquet::{Floquet, Stability, floquet};
-pub use kind::Kind;
-pub use locate::reach;
-pub use watched::{Margin, Path, Watched};
+pub use monitors::monitors;
+pub use periodic::{Margin, PeriodicPoint};

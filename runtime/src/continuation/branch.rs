@@ -6,7 +6,7 @@ use super::ZeroProblem;
 use super::corrector::{Corrected, Failure, correct};
 use super::link::Link;
 use super::predictor::tangent;
-use super::range::{Ending, Settings};
+use super::range::{Settings, Stop};
 use super::step::{angles, growth};
 
 /// An accepted point of a branch.
@@ -41,7 +41,7 @@ pub struct Branch<P: ZeroProblem> {
     count: usize,
     /// Steps in a row that were tiny.
     tiny: usize,
-    ending: Option<Ending<P::Error>>,
+    stop: Option<Stop<P::Error>>,
 }
 
 /// Share of a step that was taken back with which the next one begins.
@@ -54,14 +54,14 @@ const CREEPING: usize = 300;
 const PATIENCE: usize = 3;
 
 /// Why a step was not made.
-enum Stop<E> {
+enum Refusal<E> {
     /// A smaller one may succeed.
     Retry(Failure<E>),
     /// The problem ends the branch here.
     Refused(E),
 }
 
-impl<E> From<Failure<E>> for Stop<E> {
+impl<E> From<Failure<E>> for Refusal<E> {
     fn from(failure: Failure<E>) -> Self {
         Self::Retry(failure)
     }
@@ -118,22 +118,22 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             before: None,
             tiny: 0,
             step: settings.first_step,
-            ending: (span == 0.0).then_some(Ending::ReachedEnd),
+            stop: (span == 0.0).then_some(Stop::ReachedEnd),
             count: 0,
         };
         let point = branch
             .accept(corrected, direction)
             .map_err(|stop| match stop {
-                Stop::Retry(failure) => failure,
-                Stop::Refused(error) => Failure::Evaluation(error),
+                Refusal::Retry(failure) => failure,
+                Refusal::Refused(error) => Failure::Evaluation(error),
             })?;
         Ok((branch, point))
     }
 
     /// Why the branch ended; `None` while it goes on.
     #[must_use]
-    pub fn ending(&self) -> Option<&Ending<P::Error>> {
-        self.ending.as_ref()
+    pub fn stop(&self) -> Option<&Stop<P::Error>> {
+        self.stop.as_ref()
     }
 
     /// The step to the last point; `None` at the first.
@@ -157,7 +157,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         self.step = step;
         self.count -= 1;
         self.link = None;
-        self.ending = None;
+        self.stop = None;
         true
     }
 
@@ -165,7 +165,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         &mut self,
         corrected: Corrected<P::Extra>,
         direction: &DVector<f64>,
-    ) -> Result<Point<P::Extra>, Stop<P::Error>> {
+    ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let mut corrected = corrected;
         let mut newton = corrected.corrections.len();
         let before = self.problem.scale();
@@ -173,7 +173,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let moved = self
             .problem
             .accept(&corrected.z, corrected.r, &corrected.linearisation.extra)
-            .map_err(Stop::Refused)?;
+            .map_err(Refusal::Refused)?;
         let mut tangent = rescaled(tangent, &before.component_div(&self.problem.scale()));
         if let Some(z) = moved {
             let (r, n) = (corrected.r, z.len());
@@ -226,7 +226,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     }
 
     /// One prediction and correction with the present step.
-    fn attempt(&mut self, base: &Base) -> Result<Point<P::Extra>, Stop<P::Error>> {
+    fn attempt(&mut self, base: &Base) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let Settings { accuracy, .. } = self.settings;
         let n = base.z.len();
         let scale = self.problem.scale();
@@ -262,7 +262,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         self.before = Some(before);
         self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
         self.step = (self.step * factor).min(self.settings.largest_step);
-        self.ending = end.map(|(_, ending)| ending);
+        self.stop = end.map(|(_, stop)| stop);
         Ok(point)
     }
 
@@ -339,15 +339,15 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
     type Item = Point<P::Extra>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        if self.ending.is_some() {
+        if self.stop.is_some() {
             return None;
         }
         if self.count >= self.settings.points {
-            self.ending = Some(Ending::TooManyPoints);
+            self.stop = Some(Stop::TooManyPoints);
             return None;
         }
         if self.tiny > CREEPING {
-            self.ending = Some(Ending::Creeping(TINY));
+            self.stop = Some(Stop::Creeping(TINY));
             return None;
         }
         let mut base = self.point.clone()?;
@@ -355,11 +355,11 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
         loop {
             match self.attempt(&base) {
                 Ok(point) => return Some(point),
-                Err(Stop::Refused(error)) => {
-                    self.ending = Some(Ending::Refused(error));
+                Err(Refusal::Refused(error)) => {
+                    self.stop = Some(Stop::Refused(error));
                     return None;
                 }
-                Err(Stop::Retry(failure)) => {
+                Err(Refusal::Retry(failure)) => {
                     failures += 1;
                     if failures % PATIENCE == 0
                         && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
@@ -369,7 +369,7 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
                     }
                     self.step *= 0.4;
                     if self.step < self.settings.smallest_step {
-                        self.ending = Some(Ending::StepTooSmall(failure));
+                        self.stop = Some(Stop::StepTooSmall(failure));
                         return None;
                     }
                 }

@@ -54,11 +54,8 @@ impl<P: ZeroProblem> Link<P> {
     /// # Errors
     /// The corrector failed, or went to another branch.
     pub fn between(&mut self, share: f64) -> Result<Point<P::Extra>, Failure<P::Error>> {
-        let [from, to] = &self.ends;
-        let z = &from.0 + (&to.0 - &from.0) * share;
-        let r = from.1 + (to.1 - from.1) * share;
-        let (problem, chord) = (&mut self.problem, &self.chord);
-        let found = correct(problem, z.clone(), r, chord, self.r_scale, self.accuracy)?;
+        let (z, r) = self.on_chord(share);
+        let found = self.across(share, &self.chord.clone())?;
         let scale = self.problem.scale();
         let off = scaled(&scale, self.r_scale, &(&found.z - z), found.r - r).norm();
         if off > OFF * self.length {
@@ -69,7 +66,38 @@ impl<P: ZeroProblem> Link<P> {
                 r: found.r,
             });
         }
-        let direction = tangent(&found.linearisation, &scale, self.r_scale, chord)
+        Ok(found)
+    }
+
+    /// The point of the branch at which r has gone this share of its way, 0 < share < 1; where r turns between the ends,
+    /// it may be none of those between.
+    ///
+    /// # Errors
+    /// The corrector failed.
+    pub fn level(&mut self, share: f64) -> Result<Point<P::Extra>, Failure<P::Error>> {
+        let [from, to] = &self.ends;
+        let mut normal = DVector::zeros(from.0.len() + 1);
+        normal[from.0.len()] = (to.1 - from.1).signum();
+        self.across(share, &normal)
+    }
+
+    /// The point of the chord at this share of it.
+    fn on_chord(&self, share: f64) -> (DVector<f64>, f64) {
+        let [from, to] = &self.ends;
+        let z = &from.0 + (&to.0 - &from.0) * share;
+        (z, from.1 + (to.1 - from.1) * share)
+    }
+
+    /// The point of the branch in the plane across `normal` through this share of the chord.
+    fn across(
+        &mut self,
+        share: f64,
+        normal: &DVector<f64>,
+    ) -> Result<Point<P::Extra>, Failure<P::Error>> {
+        let (z, r) = self.on_chord(share);
+        let found = correct(&mut self.problem, z, r, normal, self.r_scale, self.accuracy)?;
+        let scale = self.problem.scale();
+        let direction = tangent(&found.linearisation, &scale, self.r_scale, normal)
             .ok_or(Failure::Singular { r: found.r })?;
         let Corrected {
             z,

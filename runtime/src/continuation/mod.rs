@@ -3,21 +3,36 @@
 //! Knows a zero problem and nothing of orbits.
 
 mod branch;
+mod change;
 mod corrector;
+mod detect;
+mod kind;
 mod link;
+mod located;
+mod monitor;
+mod path;
 mod predictor;
 mod range;
+mod reading;
 mod root;
 mod step;
 mod switch;
+mod walk;
 
 pub use branch::{Branch, Point, Started};
 pub use corrector::{Corrected, Failure, correct};
+pub use detect::{Monitors, detect};
+pub use kind::Kind;
 pub use link::Link;
+pub use located::{Findings, Located, Unexplained};
+pub use monitor::{Monitor, Verdict, changes};
+pub use path::{Path, Spot, Watched};
 pub(crate) use predictor::tangent;
-pub use range::{Ending, Settings};
-pub(crate) use root::root;
+pub use range::{Settings, Stop};
+pub use reading::{Between, Reader, Reading};
+pub use root::reach;
 pub use switch::across;
+pub use walk::{Counted, Ending, Followed, Walked, walk};
 
 use nalgebra::{DMatrix, DVector};
 

@@ -45,12 +45,12 @@ impl Settings {
 
 impl Settings {
     /// The end of the range that lies between r = `base` and `r`, or at `r`; `None` if `r` is inside.
-    pub(super) fn passed<E>(&self, base: f64, r: f64) -> Option<(f64, Ending<E>)> {
+    pub(super) fn passed<E>(&self, base: f64, r: f64) -> Option<(f64, Stop<E>)> {
         let (from, to) = (self.from, self.to);
         if (r - to) * (to - from) >= 0.0 {
-            Some((to, Ending::ReachedEnd))
+            Some((to, Stop::ReachedEnd))
         } else if (r - from) * (to - from) <= 0.0 && base != from {
-            Some((from, Ending::ReachedStart))
+            Some((from, Stop::ReachedStart))
         } else {
             None
         }
@@ -59,7 +59,7 @@ impl Settings {
 
 /// Why a branch ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Ending<E> {
+pub enum Stop<E> {
     /// r reached its end.
     ReachedEnd,
     /// r came back to where it began.

@@ -1,57 +1,139 @@
-//! A safeguarded secant.
+//! Where on a path a function of its points vanishes.
 
-/// Brackets this narrow are not worth another evaluation.
-const NARROW: f64 = 1e-14;
-const TRIALS: usize = 80;
+use super::path::{Path, Spot, Watched};
 
-/// Follows the sign change of a test function over the shares 0 to 1 of a step (Illinois), and shows `try_at` each
-/// share tried; `try_at` gives the test there, or `None` where it cannot be had.
-pub(crate) fn root(at_0: f64, at_1: f64, mut try_at: impl FnMut(f64) -> Option<f64>) {
-    let (mut low, mut high) = ((0.0, at_0), (1.0, at_1));
-    let (mut last, mut side) = (f64::NAN, 0);
-    for _ in 0..TRIALS {
-        let width = high.0 - low.0;
-        let secant = low.0 + width * low.1 / (low.1 - high.1);
-        let middle = low.0 + 0.5 * width;
-        let inside = secant > low.0 && secant < high.0;
-        let first = if inside { secant } else { middle };
-        let Some((share, test)) = try_at(first)
-            .map(|test| (first, test))
-            .or_else(|| try_at(middle).map(|test| (middle, test)))
-        else {
-            return;
-        };
-        if test == 0.0 || width <= NARROW || (share - last).abs() <= NARROW {
-            return;
-        }
-        last = share;
-        // An end that stays put twice counts half, so that the secant cannot lean on it for ever.
-        if (test >= 0.0) == (at_0 >= 0.0) {
-            low = (share, test);
-            high.1 *= if side == 1 { 0.5 } else { 1.0 };
-            side = 1;
-        } else {
-            high = (share, test);
-            low.1 *= if side == -1 { 0.5 } else { 1.0 };
-            side = -1;
-        }
+const ITERATIONS: usize = 40;
+/// Part of the accuracy asked for at which a point has converged.
+const SETTLED: f64 = 0.01;
+/// Width of a bracket, as a share of the path, at which a point that cannot be found ends the search.
+const NARROW: f64 = 1e-4;
+/// Distance, as a part of the bracket, at which another point is tried instead.
+const BESIDE: f64 = 0.01;
+
+/// The point at this share, or next to it: at a branch point itself the corrector is singular.
+fn beside<Q: Path>(
+    path: &mut Q,
+    share: f64,
+    [low, high]: [f64; 2],
+) -> Result<Spot<Q::Point>, Q::Error> {
+    let error = match path.at(share) {
+        Ok(point) => return Ok(Spot { share, point }),
+        Err(error) => error,
+    };
+    let off = BESIDE * (high - low);
+    let inside = [share + off, share - off].into_iter();
+    let mut inside = inside.filter(|share| *share > low && *share < high);
+    let found = inside.find_map(|share| {
+        let point = path.at(share).ok()?;
+        Some(Spot { share, point })
+    });
+    found.ok_or(error)
+}
+
+/// The point of a path between `from` and `to` at which the design variable is `r`, if it is there.
+///
+/// # Errors
+/// A point on the way could not be found.
+pub fn reach<Q: Path>(
+    path: &mut Q,
+    [from, to]: [&Q::Point; 2],
+    r: f64,
+    accuracy: f64,
+) -> Result<Option<Q::Point>, Q::Error> {
+    if (from.r() - r) * (to.r() - r) > 0.0 {
+        return Ok(None);
     }
+    let ends = [&Spot::new(0.0, from), &Spot::new(1.0, to)];
+    zero(path, ends, |point| point.r() - r, accuracy).map(|at| Some(at.point))
+}
+
+/// The zero between two spots at which `test` has different signs: regula falsi with Illinois' rule,
+/// and halving where that is too slow.
+pub(super) fn zero<Q: Path>(
+    path: &mut Q,
+    [a, b]: [&Spot<Q::Point>; 2],
+    test: impl Fn(&Q::Point) -> f64,
+    accuracy: f64,
+) -> Result<Spot<Q::Point>, Q::Error> {
+    let (mut low, mut high) = ((a.share, test(&a.point)), (b.share, test(&b.point)));
+    let nearer = if low.1.abs() < high.1.abs() { a } else { b };
+    let mut best = nearer.clone();
+    let (mut width, mut raised) = (high.0 - low.0, None);
+    for iteration in 0..ITERATIONS {
+        let slow = iteration % 4 == 3 && high.0 - low.0 > 0.5 * width;
+        if iteration % 4 == 3 {
+            width = high.0 - low.0;
+        }
+        let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+        let inside = secant > low.0 && secant < high.0;
+        let middle = 0.5 * (low.0 + high.0);
+        let share = if inside && !slow { secant } else { middle };
+        if share <= low.0 || share >= high.0 {
+            break;
+        }
+        let spot = match beside(path, share, [low.0, high.0]) {
+            Ok(found) => found,
+            // As near as the corrector comes to where it is singular.
+            Err(_) if high.0 - low.0 < NARROW => break,
+            Err(error) => return Err(error),
+        };
+        let value = test(&spot.point);
+        let settled = spot.point.moved(&best.point) <= SETTLED * accuracy;
+        best = spot;
+        if value == 0.0 || (settled && !slow && iteration > 1) {
+            break;
+        }
+        // An end that stays put twice counts half, so that the secant cannot lean on it for ever.
+        let raises = value * low.1 > 0.0;
+        let again = raised == Some(raises);
+        if raises {
+            low = (best.share, value);
+            high.1 *= if again { 0.5 } else { 1.0 };
+        } else {
+            high = (best.share, value);
+            low.1 *= if again { 0.5 } else { 1.0 };
+        }
+        raised = Some(raises);
+    }
+    Ok(best)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{NARROW, root};
+    use super::*;
+
+    #[derive(Clone)]
+    struct Number(f64);
+
+    impl Watched for Number {
+        fn r(&self) -> f64 {
+            self.0
+        }
+
+        fn slope(&self) -> f64 {
+            1.0
+        }
+    }
+
+    struct Line(usize);
+
+    impl Path for Line {
+        type Point = Number;
+        type Error = &'static str;
+
+        fn at(&mut self, share: f64) -> Result<Number, &'static str> {
+            self.0 += 1;
+            Ok(Number(share))
+        }
+    }
 
     #[test]
-    fn a_root_is_found_to_the_narrowest_bracket() {
-        let (mut best, mut trials) = (0.0, 0);
-        let test = |x: f64| (x - 0.3).exp() - 1.0 + (x - 0.3).powi(3);
-        root(test(0.0), test(1.0), |x| {
-            best = x;
-            trials += 1;
-            Some(test(x))
-        });
-        assert!((best - 0.3_f64).abs() < NARROW, "{best}");
-        assert!(trials < 40, "{trials}");
+    fn a_root_is_found_to_its_accuracy() {
+        let ends = [&Spot::new(0.0, &Number(0.0)), &Spot::new(1.0, &Number(1.0))];
+        let test = |x: &Number| (x.0 - 0.3).exp() - 1.0 + (x.0 - 0.3).powi(3);
+        let mut line = Line(0);
+        let found = zero(&mut line, ends, test, 1e-12).unwrap();
+        assert!((found.point.0 - 0.3).abs() < 1e-14, "{}", found.point.0);
+        assert!(line.0 < 15, "{}", line.0);
     }
 }

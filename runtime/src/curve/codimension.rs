@@ -1,89 +1,63 @@
-//! Points of a curve where a second condition is met: codimension two.
+//! What is looked for on a curve: points where a second condition is met, of codimension two, and the ends of its range.
 
 use nalgebra::Complex;
 
 use super::condition::pairs;
 use super::point::CurvePoint;
-use crate::bifurcation::{Kind, test_function};
+use crate::bifurcation::test_function::{flip, fold};
+use crate::continuation::{Kind, Monitor, Verdict};
 
-/// Which second condition.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Codimension {
-    /// The quadratic coefficient of a fold vanishes: the curve turns back in both variables at once.
-    Cusp,
-    /// A multiplier 1 beside a multiplier −1.
-    FoldFlip,
-    /// Two multipliers 1.
-    Resonance1,
-    /// Two multipliers −1.
-    Resonance2,
-    /// A pair at a third of a turn.
-    Resonance3,
-    /// A pair at a quarter of a turn.
-    Resonance4,
+/// The part along p that is left of a tangent at a cusp, relative to its neighbours.
+const CUSP: f64 = 0.1;
+
+/// What is looked for on a curve of this kind.
+pub(super) fn monitors<'a>(of: Kind) -> Vec<Monitor<'a, CurvePoint>> {
+    let last = |kind| move |_: [&CurvePoint; 2], _: &CurvePoint| Some(Verdict::Last(kind));
+    let multipliers = |point: &CurvePoint| point.floquet().multipliers.clone();
+    let cosine = move |point: &CurvePoint| cosine(&multipliers(point)).unwrap_or(f64::NAN);
+    match of {
+        Kind::Fold => vec![
+            Monitor::new(Kind::Cusp, |point: &CurvePoint| point.tangent[1]).judged(cusp),
+            Monitor::new(Kind::FoldFlip, move |point| flip(&multipliers(point))),
+            Monitor::new(Kind::Resonance1, move |point| {
+                fold(&without(&multipliers(point), 1.0))
+            }),
+        ],
+        Kind::Flip => vec![
+            Monitor::new(Kind::FoldFlip, move |point| fold(&multipliers(point))),
+            Monitor::new(Kind::Resonance2, move |point| {
+                flip(&without(&multipliers(point), -1.0))
+            }),
+        ],
+        // Beyond a double multiplier ±1 a torus curve has a neutral saddle.
+        Kind::Torus => vec![
+            Monitor::new(Kind::Resonance1, move |point| 1.0 - cosine(point))
+                .judged(last(Kind::Resonance1)),
+            Monitor::new(Kind::Resonance2, move |point| 1.0 + cosine(point))
+                .judged(last(Kind::Resonance2)),
+            Monitor::new(Kind::Resonance3, move |point| 0.5 + cosine(point)),
+            Monitor::new(Kind::Resonance4, cosine),
+        ],
+        _ => Vec::new(),
+    }
 }
 
-impl Codimension {
-    /// All there are.
-    pub const ALL: [Self; 6] = [
-        Self::Cusp,
-        Self::FoldFlip,
-        Self::Resonance1,
-        Self::Resonance2,
-        Self::Resonance3,
-        Self::Resonance4,
-    ];
+/// Whether the curve stands still in p too where it turns in q.
+fn cusp([before, after]: [&CurvePoint; 2], at: &CurvePoint) -> Option<Verdict> {
+    let along_p = |point: &CurvePoint| point.tangent[0].abs();
+    let still = along_p(at) <= CUSP * along_p(before).max(along_p(after));
+    still.then_some(Verdict::Special(Kind::Cusp))
+}
 
-    /// The word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Cusp => "cusp",
-            Self::FoldFlip => "fold-flip",
-            Self::Resonance1 => "resonance-1-1",
-            Self::Resonance2 => "resonance-1-2",
-            Self::Resonance3 => "resonance-1-3",
-            Self::Resonance4 => "resonance-1-4",
-        }
-    }
-
-    /// The letters of its label: CP1, R2, ... are numbered.
-    #[must_use]
-    pub const fn letters(self) -> &'static str {
-        match self {
-            Self::Cusp => "CP",
-            Self::FoldFlip => "LPPD",
-            Self::Resonance1 => "R1-",
-            Self::Resonance2 => "R2-",
-            Self::Resonance3 => "R3-",
-            Self::Resonance4 => "R4-",
-        }
-    }
-
-    /// Whether it ends a curve of this kind: beyond a double multiplier ±1 a torus curve has a neutral saddle.
-    #[must_use]
-    pub fn ends(self, kind: Kind) -> bool {
-        kind == Kind::Torus && matches!(self, Self::Resonance1 | Self::Resonance2)
-    }
-
-    /// A function that changes sign there along a curve of this kind; `None` if there is no such point on one.
-    pub(super) fn test(self, kind: Kind, point: &CurvePoint) -> Option<f64> {
-        let multipliers = &point.floquet().multipliers;
-        match (kind, self) {
-            (Kind::Fold, Self::Cusp) => Some(point.tangent[1]),
-            (Kind::Fold, Self::FoldFlip) => Some(test_function::flip(multipliers)),
-            (Kind::Flip, Self::FoldFlip) => Some(test_function::fold(multipliers)),
-            (Kind::Fold, Self::Resonance1) => Some(test_function::fold(&without(multipliers, 1.0))),
-            (Kind::Flip, Self::Resonance2) => {
-                Some(test_function::flip(&without(multipliers, -1.0)))
-            }
-            (Kind::Torus, Self::Resonance1) => Some(1.0 - cosine(multipliers)?),
-            (Kind::Torus, Self::Resonance2) => Some(1.0 + cosine(multipliers)?),
-            (Kind::Torus, Self::Resonance3) => Some(0.5 + cosine(multipliers)?),
-            (Kind::Torus, Self::Resonance4) => cosine(multipliers),
-            _ => None,
-        }
-    }
+/// Where p leaves its range.
+pub(super) fn window<'a, P>(
+    range: [f64; 2],
+    p: impl Fn(&P) -> f64 + Copy + 'a,
+) -> impl Iterator<Item = Monitor<'a, P>> {
+    let bound = move |bound: f64| Monitor::new(Kind::Window, move |point: &P| p(point) - bound);
+    range
+        .into_iter()
+        .map(move |end| bound(end).judged(|_, _| Some(Verdict::Bound)))
 }
 
 /// All multipliers but the one nearest to `critical`.

@@ -2,10 +2,14 @@
 
 use std::ops::ControlFlow;
 
-use super::follow::End;
+use super::codimension::window;
+use super::follow::Curve;
 use super::grazing::{Graze, GrazingProblem, GrazingShot};
 use super::plane::Plane;
-use crate::continuation::{Branch, Ending, Failure, Point, Settings, root};
+use super::point::moved;
+use crate::continuation::{
+    Branch, Failure, Monitors, Point, Reader, Reading, Settings, Watched, walk,
+};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::shooting::Orbit;
@@ -21,17 +25,22 @@ pub struct GrazingPoint {
     pub shot: GrazingShot,
     /// Norm of the residual of its equations.
     pub residual: f64,
+    /// Component of the unit tangent along q, in scaled coordinates.
+    pub slope: f64,
 }
 
-/// A curve of grazing orbits.
-#[derive(Debug, Clone)]
-pub struct GrazingCurve {
-    /// Its points in the order in which they were found.
-    pub points: Vec<GrazingPoint>,
-    /// Why it ended.
-    pub end: End,
-    /// What it cost.
-    pub work: Work,
+impl Watched for GrazingPoint {
+    fn r(&self) -> f64 {
+        self.q
+    }
+
+    fn slope(&self) -> f64 {
+        self.slope
+    }
+
+    fn moved(&self, from: &Self) -> f64 {
+        moved([self.p, self.q], [from.p, from.q])
+    }
 }
 
 /// Follows the graze that `orbit` nearly meets at (p, q = settings.from) as [`follow`](super::follow) does; `None` if no
@@ -46,7 +55,7 @@ pub fn follow_graze(
     window: [f64; 2],
     settings: Settings,
     watch: &mut dyn FnMut(&GrazingPoint) -> ControlFlow<()>,
-) -> Result<Option<GrazingCurve>, Failure<FlowError>> {
+) -> Result<Option<Curve<GrazingPoint>>, Failure<FlowError>> {
     let Some(graze) = Graze::of(orbit) else {
         return Ok(None);
     };
@@ -60,50 +69,45 @@ pub fn follow_graze(
     };
     let problem = GrazingProblem::new(plane, orbit, graze, scales);
     let z = problem.unknowns(p);
-    let (mut branch, first) = Branch::start(problem, z, settings)?;
-    let bounds = [window[0].min(window[1]), window[0].max(window[1])];
-    let mut points: Vec<GrazingPoint> = Vec::new();
-    let mut next = Some(first);
-    let mut end = None;
-    while let (Some(point), None) = (next.take(), &end) {
-        let mut here = grazing(&point);
-        if !here.shot.least {
-            end = Some(End::Lost(here.shot.rate.abs()));
-            break;
-        }
-        if let (Some(before), Some(link)) = (points.last(), branch.link())
-            && let Some(bound) = bounds
-                .into_iter()
-                .find(|b| (before.p - b) * (here.p - b) < 0.0)
-        {
-            let mut link = link.clone();
-            root(before.p - bound, here.p - bound, |share| {
-                here = grazing(&link.between(share).ok()?);
-                Some(here.p - bound)
-            });
-            end = Some(End::Window);
-        }
-        if watch(&here).is_break() {
-            end.get_or_insert(End::Stopped);
-        }
-        points.push(here);
-        if end.is_none() {
-            next = branch.next();
-        }
-    }
-    let ending = || branch.ending().cloned().unwrap_or(Ending::TooManyPoints);
-    Ok(Some(GrazingCurve {
-        points,
-        end: end.unwrap_or_else(|| End::Followed(ending())),
-        work: branch.problem.work,
-    }))
+    let started = Branch::start(problem, z, settings)?;
+    let mut branch = Reading::new(Grazing { window }, started, settings);
+    let walked = walk(&mut branch, watch);
+    let mut work = branch.work();
+    work += walked.searched;
+    Ok(Some((walked, work)))
 }
 
-fn grazing(point: &Point<GrazingShot>) -> GrazingPoint {
-    GrazingPoint {
-        p: point.z[point.z.len() - 1],
-        q: point.r,
-        shot: point.extra.clone(),
-        residual: point.residual,
+/// Reads grazing orbits off their unknowns.
+#[derive(Clone)]
+struct Grazing {
+    window: [f64; 2],
+}
+
+impl Reader for Grazing {
+    type Problem = GrazingProblem;
+    type Point = GrazingPoint;
+
+    fn read(&self, _problem: &GrazingProblem, point: &Point<GrazingShot>) -> GrazingPoint {
+        let count = point.z.len();
+        GrazingPoint {
+            p: point.z[count - 1],
+            q: point.r,
+            shot: point.extra.clone(),
+            residual: point.residual,
+            slope: point.tangent[count],
+        }
+    }
+
+    fn monitors(&self) -> Monitors<'_, GrazingPoint> {
+        Monitors::smooth(window(self.window, |point: &GrazingPoint| point.p).collect())
+    }
+
+    /// Whether the speed of the contact is largest there, and not least.
+    fn lost(&self, point: &GrazingPoint) -> Option<f64> {
+        (!point.shot.least).then(|| point.shot.rate.abs())
+    }
+
+    fn work(problem: &GrazingProblem) -> Work {
+        problem.work
     }
 }

@@ -13,11 +13,10 @@ mod grazing;
 mod plane;
 mod point;
 
-pub use codimension::Codimension;
 pub use condition::Condition;
 pub use critical::{CriticalProblem, CriticalShot};
-pub use follow::{Curve, End, Found, follow};
-pub use follow_graze::{GrazingCurve, GrazingPoint, follow_graze};
+pub use follow::{Curve, follow};
+pub use follow_graze::{GrazingPoint, follow_graze};
 pub use grazing::{Graze, GrazingProblem, GrazingShot};
 pub use plane::Plane;
 pub use point::CurvePoint;

@@ -1,6 +1,7 @@
 //! A point of a curve.
 
 use crate::bifurcation::Floquet;
+use crate::continuation::Watched;
 use crate::shooting::Orbit;
 
 /// An orbit that is special, and where.
@@ -24,4 +25,27 @@ impl CurvePoint {
     pub fn floquet(&self) -> &Floquet {
         &self.orbit.floquet
     }
+}
+
+impl Watched for CurvePoint {
+    fn r(&self) -> f64 {
+        self.q
+    }
+
+    fn slope(&self) -> f64 {
+        self.tangent[1]
+    }
+
+    fn moved(&self, from: &Self) -> f64 {
+        moved([self.p, self.q], [from.p, from.q])
+    }
+}
+
+/// How far a point moves in both variables, relative to their values.
+pub(super) fn moved(to: [f64; 2], from: [f64; 2]) -> f64 {
+    let relative = to
+        .iter()
+        .zip(from)
+        .map(|(to, from)| ((to - from) / to).abs());
+    relative.fold(0.0, f64::max)
 }

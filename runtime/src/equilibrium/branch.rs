@@ -1,42 +1,21 @@
-//! A branch of equilibria along the design variable, with everything that happens on it.
+//! A branch of equilibria along the design variable.
 
 use std::ops::ControlFlow;
 
 use nalgebra::DVector;
 
 use super::EquilibriumProblem;
-use super::locate::{Locator, spot};
-use super::special::{Found, Kind, Spot};
-use crate::continuation::{self, Ending, Failure, Settings};
+use super::special::{EquilibriumPoint, monitors, turns};
+use super::spectrum::Spectrum;
+use crate::continuation::{
+    self, Failure, Monitors, Point, Reader, Reading, Settings, Walked, walk,
+};
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::motion::{Family, Modes, Place, Velocity};
+use crate::motion::{Family, Place, Velocity};
 
-/// A branch that has been followed.
-#[derive(Debug, Clone)]
-pub struct Branch {
-    /// Its points in the order in which they were found.
-    pub points: Vec<Spot>,
-    /// What happens on it, in the same order.
-    pub special: Vec<Found>,
-    /// Why it ended.
-    pub end: End,
-    /// What it cost.
-    pub work: Work,
-}
-
-/// Why a branch of equilibria ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum End {
-    /// As any branch does.
-    Followed(Ending<FlowError>),
-    /// This contact has no relative speed any more.
-    Boundary(usize),
-    /// Whoever watched wanted no more.
-    Stopped,
-    /// The stability changes between these values of r, and no bifurcation was found there.
-    Unexplained(f64, f64),
-}
+/// A branch that has been followed, and what it cost.
+pub type Branch = (Walked<EquilibriumPoint, FlowError>, Work);
 
 /// Follows the equilibrium at `from`; `watch` sees each point as it is found, and may end the branch there.
 ///
@@ -46,84 +25,16 @@ pub fn follow(
     family: &Family,
     from: &Place,
     settings: Settings,
-    watch: &mut dyn FnMut(&Spot) -> ControlFlow<()>,
+    watch: &mut dyn FnMut(&EquilibriumPoint) -> ControlFlow<()>,
 ) -> Result<Branch, Failure<FlowError>> {
     let problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = DVector::from_column_slice(&from.state);
-    let (mut branch, first) = continuation::Branch::start(problem, z, settings)?;
-    let mut walk = Walk {
-        r_scale: (settings.to - settings.from).abs(),
-        accuracy: settings.accuracy,
-        points: Vec::new(),
-        special: Vec::new(),
-    };
-    let mut next = Some(first);
-    let mut end = None;
-    while let (Some(point), None) = (next.take(), &end) {
-        end = walk.on(&mut branch.problem, &point);
-        let seen = walk.points.last().map(&mut *watch);
-        if seen.is_some_and(|verdict| verdict.is_break()) {
-            end.get_or_insert(End::Stopped);
-        }
-        if end.is_none() {
-            next = branch.next();
-        }
-    }
-    let ending = branch.ending().cloned().unwrap_or(Ending::TooManyPoints);
-    Ok(Branch {
-        points: walk.points,
-        special: walk.special,
-        end: end.unwrap_or(End::Followed(ending)),
-        work: branch.problem.work,
-    })
-}
-
-/// A branch on the way.
-struct Walk {
-    r_scale: f64,
-    accuracy: f64,
-    points: Vec<Spot>,
-    special: Vec<Found>,
-}
-
-impl Walk {
-    /// Takes in the next point; `Some` if the branch ends with it.
-    fn on(
-        &mut self,
-        problem: &mut EquilibriumProblem,
-        point: &continuation::Point<Velocity>,
-    ) -> Option<End> {
-        let continuation::Point { z, r, extra, .. } = point;
-        let tangent_r = point.tangent[z.len()];
-        let mut here = spot(problem, z, *r, extra, tangent_r, point.residual)?;
-        let mut locator = Locator {
-            problem,
-            r_scale: self.r_scale,
-            accuracy: self.accuracy,
-        };
-        let boundary = Kind::BoundaryEquilibrium;
-        let beyond = here.test(boundary) <= 0.0;
-        let mut end = None;
-        if let Some(last) = self.points.last() {
-            if beyond {
-                here = locator.locate(last, &here, boundary);
-            }
-            match locator.events(last, &here) {
-                Ok(found) => self.special.extend(found),
-                Err((from, to)) => end = Some(End::Unexplained(from, to)),
-            }
-        }
-        if beyond {
-            let nearest = here.margins.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-            end = nearest.map(|(contact, _)| End::Boundary(*contact));
-            self.special.push(Found {
-                kind: boundary,
-                spot: here.clone(),
-            });
-        }
-        self.points.push(here);
-        end
-    }
+    let started = continuation::Branch::start(problem, z, settings)?;
+    let mut branch = Reading::new(Equilibria, started, settings);
+    let walked = walk(&mut branch, watch);
+    let mut work = branch.work();
+    work += walked.searched;
+    Ok((walked, work))
 }
 
 /// How a branch of equilibria is followed: they cost so little that the steps may be short.
@@ -135,13 +46,37 @@ pub fn settings(from: f64, to: f64) -> Settings {
     }
 }
 
-impl Spot {
-    /// The place of this point in these modes.
-    #[must_use]
-    pub fn place(&self, modes: Modes) -> Place {
-        Place {
-            state: self.state.clone(),
-            modes,
+/// Reads equilibria off their unknowns.
+#[derive(Clone)]
+struct Equilibria;
+
+impl Reader for Equilibria {
+    type Problem = EquilibriumProblem;
+    type Point = EquilibriumPoint;
+
+    fn read(&self, problem: &EquilibriumProblem, point: &Point<Velocity>) -> EquilibriumPoint {
+        let (place, velocity) = (problem.place(&point.z), &point.extra);
+        let flow = problem.family.at(point.r);
+        EquilibriumPoint {
+            spectrum: Spectrum::of(&velocity.jacobian),
+            residual: point.residual,
+            margins: flow.map_or_else(|_| Vec::new(), |flow| flow.margins(&place)),
+            state: place.state,
+            r: point.r,
+            slope: point.tangent[point.z.len()],
+            determinant: EquilibriumPoint::determinant_of(&velocity.jacobian),
         }
+    }
+
+    fn monitors(&self) -> Monitors<'_, EquilibriumPoint> {
+        monitors()
+    }
+
+    fn straight(&self, ends: [&EquilibriumPoint; 2]) -> bool {
+        !turns(ends) && ends[0].r != ends[1].r
+    }
+
+    fn work(problem: &EquilibriumProblem) -> Work {
+        problem.work
     }
 }

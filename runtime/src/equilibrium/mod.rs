@@ -5,7 +5,6 @@
 
 mod branch;
 mod krawczyk;
-mod locate;
 mod newton;
 mod problem;
 mod special;
@@ -13,11 +12,11 @@ mod spectrum;
 mod starts;
 mod sticking;
 
-pub use branch::{Branch, End, follow, settings};
+pub use branch::{Branch, follow, settings};
 pub use krawczyk::{Proof, Unproven, prove};
 pub use newton::{Equilibrium, find, settle};
 pub use problem::EquilibriumProblem;
-pub use special::{Found, Kind, Spot};
+pub use special::EquilibriumPoint;
 pub use spectrum::Spectrum;
 pub use starts::starts;
 pub use sticking::{StickingSet, sticking_sets};

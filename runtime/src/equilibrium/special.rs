@@ -1,58 +1,13 @@
-//! Points of a branch of equilibria where something changes.
+//! Points of a branch of equilibria, and what is looked for on it.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::Spectrum;
-
-/// What changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// The branch turns.
-    Fold,
-    /// A complex pair crosses the imaginary axis: periodic orbits begin here.
-    Hopf,
-    /// An eigenvalue passes through zero, but the branch does not turn: another one crosses it.
-    BranchPoint,
-    /// The relative speed of a contact reaches zero: its mode ends.
-    BoundaryEquilibrium,
-}
-
-impl Kind {
-    /// The word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fold => "fold",
-            Self::Hopf => "hopf",
-            Self::BranchPoint => "branch-point",
-            Self::BoundaryEquilibrium => "boundary-equilibrium",
-        }
-    }
-
-    /// The letters with which its points are numbered.
-    #[must_use]
-    pub const fn letters(self) -> &'static str {
-        match self {
-            Self::Fold => "LP",
-            Self::Hopf => "HB",
-            Self::BranchPoint => "BP",
-            Self::BoundaryEquilibrium => "BE",
-        }
-    }
-
-    /// By how many the number of unstable eigenvalues changes there, up to its sign; `None` if by any.
-    pub(super) const fn crossing(self) -> Option<usize> {
-        match self {
-            Self::Fold | Self::BranchPoint => Some(1),
-            Self::Hopf => Some(2),
-            Self::BoundaryEquilibrium => None,
-        }
-    }
-}
+use crate::continuation::{Kind, Monitor, Monitors, Verdict, Watched, changes};
 
 /// A point of a branch of equilibria.
 #[derive(Debug, Clone)]
-pub struct Spot {
+pub struct EquilibriumPoint {
     /// The state.
     pub state: Vec<f64>,
     /// The design variable.
@@ -64,27 +19,17 @@ pub struct Spot {
     /// Of each sliding contact, see [`Flow::margins`](crate::motion::Flow::margins).
     pub margins: Vec<(usize, f64)>,
     /// r-component of the unit tangent: changes sign at a fold.
-    pub(super) tangent_r: f64,
+    pub(super) slope: f64,
     /// Sign of the product of all eigenvalues.
     pub(super) determinant: f64,
 }
 
-impl Spot {
-    /// The test function of a kind; it changes sign there.
-    pub(super) fn test(&self, kind: Kind) -> f64 {
-        match kind {
-            Kind::Fold => self.tangent_r,
-            Kind::Hopf => self.spectrum.hopf_test(),
-            Kind::BranchPoint => self.determinant,
-            Kind::BoundaryEquilibrium => {
-                let margins = self.margins.iter().map(|(_, margin)| *margin);
-                margins.fold(f64::INFINITY, f64::min)
-            }
-        }
-    }
-
-    pub(super) fn unknowns(&self) -> DVector<f64> {
-        DVector::from_column_slice(&self.state)
+impl EquilibriumPoint {
+    /// The least relative speed of a sliding contact the way it slides, and its number.
+    #[must_use]
+    pub fn margin(&self) -> Option<(usize, f64)> {
+        let margins = self.margins.iter().copied();
+        margins.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Its Jacobian's determinant, of rows of length 1.
@@ -100,11 +45,45 @@ impl Spot {
     }
 }
 
-/// A special point.
-#[derive(Debug, Clone)]
-pub struct Found {
-    /// What it is.
-    pub kind: Kind,
-    /// Where it is.
-    pub spot: Spot,
+impl Watched for EquilibriumPoint {
+    fn r(&self) -> f64 {
+        self.r
+    }
+
+    fn slope(&self) -> f64 {
+        self.slope
+    }
+
+    fn unstable(&self) -> usize {
+        self.spectrum.unstable
+    }
+
+    fn is_certain(&self) -> bool {
+        true
+    }
+}
+
+/// Folds, Hopf and branch points, and where a contact no longer slides as it did.
+pub(super) fn monitors<'a>() -> Monitors<'a, EquilibriumPoint> {
+    type Point = EquilibriumPoint;
+    // At a sharp corner the tangent alone may point backwards, but no eigenvalue passes zero.
+    let passes = |[from, to]: [&Point; 2]| changes(from.determinant, to.determinant);
+    let hopf = Monitor::new(Kind::Hopf, |point: &Point| point.spectrum.hopf_test());
+    let boundary = |point: &Point| point.margin().map_or(f64::INFINITY, |(_, margin)| margin);
+    Monitors::smooth(vec![
+        Monitor::new(Kind::Fold, Point::slope).only_if(passes),
+        Monitor::new(Kind::BranchPoint, |point: &Point| point.determinant)
+            .only_if(|ends| !turns(ends)),
+        hopf.judged(|_, at| {
+            let frequency = at.spectrum.critical_frequency();
+            frequency.map(|_| Verdict::Special(Kind::Hopf))
+        }),
+        Monitor::new(Kind::BoundaryEquilibrium, boundary)
+            .judged(|_, _| Some(Verdict::Last(Kind::BoundaryEquilibrium))),
+    ])
+}
+
+/// Whether the branch turns.
+pub(super) fn turns([from, to]: [&EquilibriumPoint; 2]) -> bool {
+    changes(from.slope, to.slope) && changes(from.determinant, to.determinant)
 }

@@ -7,8 +7,11 @@ use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
 use super::problem::{OrbitProblem, Shot};
 use super::search::Search;
-use crate::bifurcation::Path;
-use crate::continuation::{Branch, Ending, Failure, Link, Point, Settings, Started};
+use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
+use crate::continuation::{
+    Branch, Counted, Ending, Failure, Followed, Link, Located, Monitors, Path, Point, Settings,
+    Started, Stop,
+};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
@@ -16,6 +19,10 @@ use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
+/// Two orbits at one r are one if they differ by this share of their extents at most.
+const SAME: f64 = 1e-5;
+/// A branch whose period has grown this many times has none in the end.
+const ENDLESS: f64 = 1e6;
 
 /// Periodic orbits along r; an iterator over them.
 pub struct OrbitBranch {
@@ -91,32 +98,6 @@ impl OrbitBranch {
         self.first.as_ref()
     }
 
-    /// Why the branch ended; `None` while it goes on.
-    #[must_use]
-    pub fn ending(&self) -> Option<&Ending<FlowError>> {
-        self.branch.ending()
-    }
-
-    /// Takes the last step back: see [`Branch::retract`].
-    pub fn retract(&mut self) -> bool {
-        self.branch.retract()
-    }
-
-    /// What lies between the last two orbits; `None` at the first.
-    #[must_use]
-    pub fn path(&self) -> Option<OrbitPath> {
-        let mut link = self.branch.link()?.clone();
-        // Multipliers lose digits that the orbit keeps.
-        let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);
-        link.problem.family = link.problem.family.with_tolerance(tolerance);
-        let counted = link.problem.work;
-        Some(OrbitPath {
-            link,
-            accuracy: self.accuracy,
-            counted,
-        })
-    }
-
     fn read(&mut self, point: &Point<Shot>) -> Orbit {
         let total = self.branch.problem.work;
         let work = total.since(&self.counted);
@@ -144,10 +125,8 @@ pub struct OrbitPath {
     counted: Work,
 }
 
-impl OrbitPath {
-    /// Work of all orbits found on it.
-    #[must_use]
-    pub fn work(&self) -> Work {
+impl Counted for OrbitPath {
+    fn work(&self) -> Work {
         self.link.problem.work.since(&self.counted)
     }
 }
@@ -177,5 +156,76 @@ impl Iterator for OrbitBranch {
         }
         let point = self.branch.next()?;
         Some(self.read(&point))
+    }
+}
+
+impl Followed for OrbitBranch {
+    type Point = Orbit;
+    type Error = FlowError;
+    type Path = OrbitPath;
+
+    const CLOSES: bool = true;
+    const ENDS_ON_POINTS: bool = false;
+
+    fn step(&mut self) -> Option<Orbit> {
+        self.next()
+    }
+
+    fn stop(&self) -> Option<&Stop<FlowError>> {
+        self.branch.stop()
+    }
+
+    fn retract(&mut self) -> bool {
+        self.branch.retract()
+    }
+
+    fn path(&self) -> Option<OrbitPath> {
+        let mut link = self.branch.link()?.clone();
+        // Multipliers lose digits that the orbit keeps.
+        let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);
+        link.problem.family = link.problem.family.with_tolerance(tolerance);
+        let counted = link.problem.work;
+        Some(OrbitPath {
+            link,
+            accuracy: self.accuracy,
+            counted,
+        })
+    }
+
+    fn monitors(&self) -> Monitors<'_, Orbit> {
+        monitors()
+    }
+
+    fn accuracy(&self) -> f64 {
+        self.accuracy
+    }
+
+    /// A shorter orbit, gone around twice: the step went past where the branch meets the one from which it doubles.
+    fn strays(&self, orbit: &Orbit) -> bool {
+        orbit.asymmetry() <= SAME
+    }
+
+    /// Tells a branch point from one at which a symmetry is lost.
+    fn refine(&self, found: &mut Located<Orbit>) {
+        let family = &self.branch.problem.family;
+        // An orbit that cannot be gone around once more has no symmetry that could be told.
+        if found.kind == Kind::BranchPoint && found.point.loses_symmetry(family) == Ok(true) {
+            found.kind = Kind::SymmetryBreaking;
+        }
+    }
+
+    fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {
+        explain(orbits, self.accuracy)
+    }
+
+    fn ends(&self, orbits: &[Orbit]) -> Option<Ending<FlowError>> {
+        let [first, .., last] = orbits else {
+            return None;
+        };
+        (last.period > ENDLESS * first.period).then_some(Ending::Endless(ENDLESS))
+    }
+
+    fn closes(&self, first: &Orbit, back: &Orbit) -> bool {
+        first.coincides(back, SAME)
     }
 }

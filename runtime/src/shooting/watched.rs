@@ -1,7 +1,9 @@
 //! What is watched of an orbit along its branch.
 
 use super::orbit::Orbit;
-use crate::bifurcation::{Floquet, Kind, Margin, Watched};
+use crate::bifurcation::{Floquet, Kind, Margin, PeriodicPoint, Stability};
+use crate::continuation::Watched;
+use crate::field::Work;
 use crate::field::exact::Mode as ContactMode;
 use crate::flow::EventKind;
 use crate::motion::{Event, Modes};
@@ -11,20 +13,35 @@ impl Watched for Orbit {
         self.r
     }
 
-    fn period(&self) -> f64 {
-        self.period
-    }
-
     fn slope(&self) -> f64 {
         self.heading.slope
     }
 
-    fn floquet(&self) -> &Floquet {
-        &self.floquet
+    fn unstable(&self) -> usize {
+        self.floquet.unstable
     }
 
-    fn same_word(&self, other: &Self) -> bool {
+    fn is_certain(&self) -> bool {
+        self.floquet.stability != Stability::Undecided
+    }
+
+    fn work(&mut self) -> Option<&mut Work> {
+        Some(&mut self.work)
+    }
+
+    /// Whether both orbits run through the same modes in the same cyclic order.
+    fn same_regime(&self, other: &Self) -> bool {
         self.has_word_of(other, 1)
+    }
+}
+
+impl PeriodicPoint for Orbit {
+    fn period(&self) -> f64 {
+        self.period
+    }
+
+    fn floquet(&self) -> &Floquet {
+        &self.floquet
     }
 
     fn word_length(&self) -> usize {

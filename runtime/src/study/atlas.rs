@@ -10,8 +10,7 @@ use super::follow::{Stretch, follow};
 use super::sought::Sought;
 use super::special::numbered;
 use super::system::System;
-use crate::bifurcation::{Kind, Located};
-use crate::continuation::Settings;
+use crate::continuation::{Kind, Located, Settings};
 use crate::field::Work;
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
 
@@ -116,7 +115,7 @@ impl Atlas<'_> {
         let orbit = self.sought.orbit(r)?;
         let ahead = to >= from;
         let forth = self.orbit(&orbit, (r, ahead), orbit.work)?;
-        if !both || forth.ended.word == "closed" || forth.ended.is_interrupted() {
+        if !both || forth.ended.is_closed() || forth.ended.is_interrupted() {
             return Ok(forth);
         }
         let back = self.orbit(&orbit, (r, !ahead), Work::default())?;
@@ -152,7 +151,7 @@ impl Atlas<'_> {
     /// A branch with those that leave it, `depth` switches deep.
     fn record(&mut self, stretch: Stretch, from: Option<String>, depth: usize) -> BranchRecord {
         let mut special = numbered(&self.along, &stretch.located, &stretch.after);
-        let met = stretch.located.iter().filter(|event| event.meets);
+        let met = stretch.located.iter().filter(|event| event.last);
         self.known.extend(met.cloned());
         let mut branches = Vec::new();
         let mut stopped = stretch.is_interrupted();
@@ -160,10 +159,10 @@ impl Atlas<'_> {
             if stopped {
                 break;
             }
-            if event.kind == Kind::Flip && !event.meets {
+            if event.kind == Kind::Flip && !event.last {
                 special.criticality = self.criticality(event);
             }
-            if event.meets || depth == 0 || !self.sought.case.switch.wants(event.kind) {
+            if event.last || depth == 0 || !self.sought.case.switch.wants(event.kind) {
                 continue;
             }
             if self.known.iter().any(|known| same(known, event)) {

@@ -8,7 +8,8 @@ use super::equilibrium::{EquilibriumRecord, SpecialEquilibrium};
 use super::modes::{sliding_mode, sliding_modes, sticking_modes};
 use super::system::System;
 use crate::bifurcation::Stability;
-use crate::equilibrium::{Found, find, follow, settings, sticking_sets};
+use crate::continuation::Located;
+use crate::equilibrium::{EquilibriumPoint, find, follow, settings, sticking_sets};
 use crate::field::Design;
 
 /// Special points of both systems this close, relative to r, are the same one.
@@ -18,7 +19,7 @@ const SHIFT: f64 = 0.1;
 pub(super) struct Counterpart<'a> {
     system: &'a System,
     case: Case,
-    special: OnceCell<Vec<Found>>,
+    special: OnceCell<Vec<Located<EquilibriumPoint>>>,
 }
 
 impl<'a> Counterpart<'a> {
@@ -67,14 +68,14 @@ impl<'a> Counterpart<'a> {
         let special = self
             .special
             .get_or_init(|| self.followed(along, &copy.state).unwrap_or_default());
-        let same = |exact: &Found| {
-            exact.kind.name() == copy.kind && (exact.spot.r - copy.r).abs() <= SHIFT * copy.r.abs()
+        let same = |exact: &Located<EquilibriumPoint>| {
+            exact.kind.name() == copy.kind && (exact.r - copy.r).abs() <= SHIFT * copy.r.abs()
         };
         !special.iter().any(same)
     }
 
     /// What happens to the exact equilibrium; nothing along the size of a smoothing, which it does not know.
-    fn followed(&self, along: Along, state: &[f64]) -> Option<Vec<Found>> {
+    fn followed(&self, along: Along, state: &[f64]) -> Option<Vec<Located<EquilibriumPoint>>> {
         if along.design == Design::Smoothing {
             return None;
         }
@@ -84,7 +85,8 @@ impl<'a> Counterpart<'a> {
         let start = [state.to_vec()];
         let first = find(&family, from, &start, |y| sliding_modes(&*flow, y)).pop()?;
         let mut go_on = |_: &_| ControlFlow::Continue(());
-        let branch = follow(&family, &first.place, settings(from, to), &mut go_on);
-        Some(branch.ok()?.special)
+        let followed = follow(&family, &first.place, settings(from, to), &mut go_on);
+        let (walked, _) = followed.ok()?;
+        Some(walked.located)
     }
 }

@@ -1,21 +1,20 @@
 //! A bifurcation followed in two design variables, and all that is reported of it.
 
-use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use nalgebra::Complex;
 
-use super::branch::{BranchRecord, Ended};
+use super::branch::BranchRecord;
 use super::case::{Along, Case};
+use super::ended::Ended;
 use super::error::StudyError;
 use super::follow::follow as follow_branch;
 use super::orbit::OrbitRecord;
 use super::sought::Sought;
-use super::special::numbered;
+use super::special::{labels, numbered};
 use super::system::System;
-use crate::bifurcation::Kind;
-use crate::continuation::Settings;
-use crate::curve::{self, Codimension, CurvePoint, End, GrazingPoint, Plane, follow, follow_graze};
+use crate::continuation::{Kind, Settings};
+use crate::curve::{self, CurvePoint, GrazingPoint, Plane, follow, follow_graze};
 use crate::field::Work;
 use crate::integrate::Tolerance;
 use crate::shooting::{OrbitBranch, OrbitError};
@@ -171,31 +170,31 @@ impl Sought<'_> {
             along,
             and: scope.and,
         };
-        if kind == Kind::GrazingSliding {
-            let located = &located[place];
-            let mut seen = |point: &GrazingPoint| watch(CurveFinding::Point(&read.graze(point)));
+        let (located, window) = (&located[place], [from, to]);
+        let mut see = |point: &CurvePointRecord| watch(CurveFinding::Point(point));
+        let curve = if kind == Kind::GrazingSliding {
+            let mut seen = |point: &GrazingPoint| see(&read.graze(point));
             let (orbit, r) = (&located.point, located.r);
-            let found = follow_graze(&plane, orbit, r, [from, to], settings, &mut seen)
-                .map_err(StudyError::Curve)?
-                .ok_or_else(|| not_followed(label, kind))?;
-            return Ok(CurveRecord {
-                branch,
-                along,
-                and: scope.and,
-                of: label.clone(),
-                kind: kind.name(),
-                points: found.points.iter().map(|one| read.graze(one)).collect(),
-                special: Vec::new(),
-                ended: Ended::of_curve(&found.end),
-                work: found.work,
-            });
-        }
-        let mut seen = |point: &CurvePoint| watch(CurveFinding::Point(&read.point(point)));
-        let orbit = &located[place].point;
-        let found = follow(&plane, kind, orbit, [from, to], settings, &mut seen)
-            .map_err(StudyError::Curve)?
-            .ok_or_else(|| not_followed(label, kind))?;
-        Ok(read.record(branch, label.clone(), found))
+            let found = follow_graze(&plane, orbit, r, window, settings, &mut seen);
+            found.map(|found| found.map(|found| read.curve(found, Reader::graze)))
+        } else {
+            let mut seen = |point: &CurvePoint| see(&read.point(point));
+            let found = follow(&plane, kind, &located.point, window, settings, &mut seen);
+            found.map(|found| found.map(|found| read.curve(found, Reader::point)))
+        };
+        let curve = curve.map_err(StudyError::Curve)?;
+        let (points, special, ended, work) = curve.ok_or_else(|| not_followed(label, kind))?;
+        Ok(CurveRecord {
+            branch,
+            along,
+            and: scope.and,
+            of: label.clone(),
+            kind: kind.name(),
+            points,
+            special,
+            ended,
+            work,
+        })
     }
 }
 
@@ -233,6 +232,32 @@ struct Reader {
 }
 
 impl Reader {
+    /// The points of a curve, the special ones among them, and why it ended.
+    fn curve<P>(
+        &self,
+        (walked, work): curve::Curve<P>,
+        read: fn(&Self, &P) -> CurvePointRecord,
+    ) -> (Vec<CurvePointRecord>, Vec<SpecialCurvePoint>, Ended, Work) {
+        let labels = labels(walked.located.iter().map(|found| found.kind));
+        let special = walked
+            .located
+            .iter()
+            .zip(labels)
+            .map(|(found, label)| SpecialCurvePoint {
+                kind: found.kind.name(),
+                label,
+                point: read(self, &found.point),
+            });
+        let special = special.collect();
+        let points = walked.points.iter().map(|point| read(self, point));
+        (
+            points.collect(),
+            special,
+            Ended::of(&walked.ending, self.and),
+            work,
+        )
+    }
+
     fn point(&self, point: &CurvePoint) -> CurvePointRecord {
         let floquet = point.floquet();
         CurvePointRecord {
@@ -256,59 +281,6 @@ impl Reader {
             multipliers: Vec::new(),
             residual: point.residual,
             test: point.shot.rate,
-        }
-    }
-
-    fn record(&self, branch: BranchRecord, of: String, found: curve::Curve) -> CurveRecord {
-        let mut counts: HashMap<Codimension, usize> = HashMap::new();
-        let special = found.special.iter().map(|one| {
-            let count = counts.entry(one.codimension).or_default();
-            *count += 1;
-            SpecialCurvePoint {
-                kind: one.codimension.name(),
-                label: format!("{}{count}", one.codimension.letters()),
-                point: self.point(&one.point),
-            }
-        });
-        CurveRecord {
-            branch,
-            along: self.along,
-            and: self.and,
-            of,
-            kind: found.kind.name(),
-            special: special.collect(),
-            points: found.points.iter().map(|point| self.point(point)).collect(),
-            ended: Ended::of_curve(&found.end),
-            work: found.work,
-        }
-    }
-}
-
-impl Ended {
-    fn of_curve(end: &End) -> Self {
-        match end {
-            End::Followed(ending) => Self::from(ending),
-            End::Stopped => Self::interrupted(),
-            End::Window => Self {
-                word: "left-range",
-                located: true,
-                reason: "it reaches an end of the range of `--along`".to_owned(),
-            },
-            End::Degenerate(codimension) => Self {
-                word: codimension.name(),
-                located: true,
-                reason: format!(
-                    "it meets a {} point, beyond which it is a curve of neutral saddles",
-                    codimension.name()
-                ),
-            },
-            End::Lost(off) => Self {
-                word: "lost",
-                located: false,
-                reason: format!(
-                    "what was followed is no such bifurcation any more: off by {off:.1e}"
-                ),
-            },
         }
     }
 }

@@ -2,17 +2,20 @@
 
 use std::ops::ControlFlow;
 
-use super::branch::Ended;
 use super::case::{Along, Case};
 use super::counterpart::Counterpart;
+use super::ended::Ended;
 use super::equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 use super::error::StudyError;
 use super::modes::{sliding_mode, sliding_modes, spelt, sticking_modes};
+use super::special::labels;
 use super::system::System;
+use crate::continuation::{Ending, Kind, Located, Walked};
 use crate::equilibrium::{
-    Branch, End, Found, Kind, Proof, Spectrum, Spot, StickingSet, Unproven, find, follow, prove,
-    settings, starts, sticking_sets,
+    EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, follow, prove, settings,
+    starts, sticking_sets,
 };
+use crate::flow::FlowError;
 use crate::model::ModelInfo;
 use crate::motion::{Family, Place};
 
@@ -62,9 +65,12 @@ impl System {
         let family = self.family(case);
         let first = self.first(case, &family)?;
         let mut points = Vec::new();
-        let mut take = |spot: &Spot| {
+        let mut take = |spot: &EquilibriumPoint| {
             let at = case.at(along.value(spot.r));
-            let place = spot.place(first.modes.clone());
+            let place = Place {
+                state: spot.state.clone(),
+                modes: first.modes.clone(),
+            };
             let point = EquilibriumRecord {
                 r: Some(along.value(spot.r)),
                 ..self.record(&at, place, &spot.spectrum)
@@ -74,9 +80,9 @@ impl System {
             verdict
         };
         let (from, to) = along.span();
-        let branch = follow(&family, &first, settings(from, to), &mut take)
+        let (walked, work) = follow(&family, &first, settings(from, to), &mut take)
             .map_err(StudyError::Equilibrium)?;
-        let mut special = numbered(along, &branch.special);
+        let mut special = numbered(along, &walked.located);
         if let Some(exact) = self.counterpart(case) {
             for point in &mut special {
                 point.artefact = exact.lacks(along, point);
@@ -85,8 +91,8 @@ impl System {
         Ok(EquilibriaRecord {
             along,
             special,
-            ended: ended(self.info(), &branch),
-            work: branch.work,
+            ended: ended(self.info(), &walked, along),
+            work,
             points,
         })
     }
@@ -184,52 +190,35 @@ impl System {
     }
 }
 
-fn numbered(along: Along, found: &[Found]) -> Vec<SpecialEquilibrium> {
-    let label = |i: usize| {
-        let kind = found[i].kind;
-        let number = found[..=i]
-            .iter()
-            .filter(|other| other.kind == kind)
-            .count();
-        format!("{}{number}", kind.letters())
-    };
-    let special = |(i, Found { kind, spot }): (usize, &Found)| {
-        let frequency = spot.spectrum.critical_frequency();
-        let frequency = frequency.filter(|_| *kind == Kind::Hopf);
+fn numbered(along: Along, located: &[Located<EquilibriumPoint>]) -> Vec<SpecialEquilibrium> {
+    let labels = labels(located.iter().map(|found| found.kind));
+    let special = |(found, label): (&Located<EquilibriumPoint>, String)| {
+        let (kind, point) = (found.kind, &found.point);
+        let frequency = point.spectrum.critical_frequency();
+        let frequency = frequency.filter(|_| kind == Kind::Hopf);
         SpecialEquilibrium {
             kind: kind.name(),
-            label: label(i),
-            r: along.value(spot.r),
-            state: spot.state.clone(),
-            eigenvalues: spot.spectrum.eigenvalues.clone(),
+            label,
+            r: along.value(point.r),
+            state: point.state.clone(),
+            eigenvalues: point.spectrum.eigenvalues.clone(),
             period: frequency.map(|omega| std::f64::consts::TAU / omega),
             artefact: false,
         }
     };
-    found.iter().enumerate().map(special).collect()
+    located.iter().zip(labels).map(special).collect()
 }
 
-fn ended(info: &ModelInfo, branch: &Branch) -> Ended {
-    match &branch.end {
-        End::Followed(ending) => Ended::from(ending),
-        End::Stopped => Ended::interrupted(),
-        End::Boundary(contact) => {
-            let contact = info.contacts.get(*contact);
-            let name = contact.map_or("?", |contact| contact.name);
-            Ended {
-                word: Kind::BoundaryEquilibrium.name(),
-                located: true,
-                reason: format!(
-                    "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
-                ),
-            }
-        }
-        End::Unexplained(from, to) => Ended {
-            word: "unexplained-change",
-            located: false,
-            reason: format!(
-                "its stability changes between {from} and {to}, and no bifurcation was found there"
-            ),
-        },
+/// Why a branch ended: the contact whose way of sliding ends is named.
+fn ended(info: &ModelInfo, walked: &Walked<EquilibriumPoint, FlowError>, along: Along) -> Ended {
+    let mut ended = Ended::of(&walked.ending, along);
+    if let Ending::At(Kind::BoundaryEquilibrium, _) = walked.ending {
+        let margin = walked.points.last().and_then(EquilibriumPoint::margin);
+        let contact = margin.and_then(|(contact, _)| info.contacts.get(contact));
+        let name = contact.map_or("?", |contact| contact.name);
+        ended.reason = format!(
+            "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
+        );
     }
+    ended
 }

@@ -2,8 +2,8 @@
 
 use nalgebra::Complex;
 
-use super::branch::Ended;
 use super::case::{Along, Dynamics};
+use super::ended::Ended;
 use crate::bifurcation::Stability;
 use crate::field::Work;
 

@@ -1,18 +1,13 @@
 //! One branch of periodic orbits, followed in one direction.
 
-use super::branch::{ENDLESS, Ended, Watch};
+use super::branch::Watch;
 use super::case::Along;
+use super::ended::Ended;
 use super::orbit::OrbitRecord;
 use super::sought::Sought;
-use crate::bifurcation::{Located, Unexplained, Watched, detect, explain, reach};
-use crate::continuation::Ending;
+use crate::continuation::{Ending, Located, walk};
 use crate::field::Work;
 use crate::shooting::{Guess, Orbit, OrbitBranch, converge};
-
-/// Orbits after which a branch may have come round.
-const ROUND: usize = 3;
-/// Two orbits at one r are one if they differ by this share of their extents at most.
-pub(super) const SAME: f64 = 1e-5;
 
 /// A branch as far as it was followed in one direction, or in both.
 pub(super) struct Stretch {
@@ -55,164 +50,31 @@ impl Stretch {
     }
 }
 
-/// A branch being followed.
-struct Following<'a> {
-    sought: &'a Sought<'a>,
-    along: Along,
-    branch: OrbitBranch,
-    orbits: Vec<Orbit>,
-    points: Vec<OrbitRecord>,
-    located: Vec<Located<Orbit>>,
-    after: Vec<usize>,
-    unexplained: Option<Unexplained>,
-    /// Work on steps that were taken back.
-    wasted: Work,
-}
-
-/// What to do after a step.
-enum Verdict {
-    GoOn,
-    /// It was taken back.
-    Again,
-    End(Ended),
-}
-
 /// Follows a branch to its end; `before` is work that its first point has cost besides.
 pub(super) fn follow(
     sought: &Sought<'_>,
     along: Along,
-    branch: OrbitBranch,
+    mut branch: OrbitBranch,
     before: Work,
     watch: Watch<'_>,
 ) -> Stretch {
-    let mut following = Following {
-        sought,
-        along,
-        branch,
-        orbits: Vec::new(),
-        points: Vec::new(),
-        located: Vec::new(),
-        after: Vec::new(),
-        unexplained: None,
-        wasted: Work::default(),
-    };
-    let ended = following.run(before, watch);
-    let unexplained = following.unexplained.filter(|_| !ended.is_interrupted());
-    let unexplained = unexplained.map(|change| Unexplained {
-        between: change.between.map(|r| along.value(r)),
-        ..change
+    let (mut points, mut before) = (Vec::new(), Some(before));
+    let mut walked = walk(&mut branch, &mut |orbit| {
+        let mut point = sought.record(orbit);
+        point.work += before.take().unwrap_or_default();
+        let verdict = watch(&point);
+        points.push(point);
+        verdict
     });
+    if let (Ending::Meets(_), Some(met)) = (&walked.ending, walked.located.last_mut()) {
+        undouble(sought, met);
+    }
     Stretch {
-        points: following.points,
-        located: following.located,
-        after: following.after,
-        ended: unexplained.map_or(ended, |change| Ended::unexplained(&change)),
+        points,
+        located: walked.located,
+        after: walked.after,
+        ended: Ended::of(&walked.ending, along),
         began: None,
-    }
-}
-
-impl Following<'_> {
-    fn run(&mut self, before: Work, watch: Watch<'_>) -> Ended {
-        while let Some(orbit) = self.branch.next() {
-            let mut point = self.sought.record(&orbit);
-            if self.points.is_empty() {
-                point.work += before;
-            }
-            match self.examine(&orbit, &mut point) {
-                Verdict::GoOn => {}
-                Verdict::Again => continue,
-                Verdict::End(ended) => return ended,
-            }
-            let verdict = watch(&point);
-            let first = self.points.first().map_or(point.period, |p| p.period);
-            let endless = point.period > ENDLESS * first;
-            self.points.push(point);
-            self.orbits.push(orbit);
-            if endless {
-                return Ended::endless();
-            }
-            if verdict.is_break() {
-                return Ended::interrupted();
-            }
-        }
-        let reason = match self.branch.ending() {
-            Some(Ending::StepTooSmall(_) | Ending::Creeping(_)) => {
-                explain(&self.orbits, self.sought.search.accuracy)
-            }
-            _ => None,
-        };
-        match reason {
-            Some(reason) => self.end(reason),
-            None => self
-                .branch
-                .ending()
-                .map_or_else(Ended::endless, Ended::from),
-        }
-    }
-
-    /// Looks for bifurcations on the way to `orbit`, and for the end of the branch before it.
-    fn examine(&mut self, orbit: &Orbit, point: &mut OrbitRecord) -> Verdict {
-        let (Some(mut path), Some(before)) = (self.branch.path(), self.orbits.last()) else {
-            return Verdict::GoOn;
-        };
-        if orbit.asymmetry() <= SAME {
-            return self.undoubled(orbit, point.work);
-        }
-        let accuracy = self.sought.search.accuracy;
-        let mut findings = detect(&mut path, before, orbit, accuracy);
-        for found in &mut findings.located {
-            self.sought.tell_symmetry(found);
-        }
-        if !findings.unexplained.is_empty() {
-            self.wasted += path.work();
-            self.wasted += point.work;
-            // Beyond a graze, what was found is not the same motion any more.
-            if let Some(reason) = explain(&self.orbits, accuracy) {
-                return Verdict::End(self.end(reason));
-            }
-            if self.branch.retract() {
-                return Verdict::Again;
-            }
-        }
-        let home = self.orbits.first().filter(|_| self.orbits.len() > ROUND);
-        let round = home.and_then(|home| {
-            let back = reach(&mut path, [before, orbit], home.r, accuracy).ok()??;
-            home.coincides(&back, SAME).then_some(home.r)
-        });
-        point.work += path.work();
-        point.work += std::mem::take(&mut self.wasted);
-        let meeting = findings.located.iter().position(|event| event.meets);
-        let count = meeting.map_or(findings.located.len(), |last| last + 1);
-        self.located
-            .extend(findings.located.into_iter().take(count));
-        self.after.resize(self.located.len(), self.points.len());
-        if let (Some(_), Some(met)) = (meeting, self.located.last_mut()) {
-            undouble(self.sought, met);
-            return Verdict::End(Ended::meets(self.along.value(met.r)));
-        }
-        let first = findings.unexplained.into_iter().next();
-        self.unexplained = self.unexplained.take().or(first);
-        round.map_or(Verdict::GoOn, |r| {
-            Verdict::End(Ended::closed(self.along.value(r)))
-        })
-    }
-
-    /// What was found is a shorter orbit, gone around twice: the step went past where the branch meets the one from which
-    /// it doubles.
-    fn undoubled(&mut self, orbit: &Orbit, work: Work) -> Verdict {
-        self.wasted += work;
-        if self.branch.retract() {
-            Verdict::Again
-        } else {
-            Verdict::End(Ended::falls_back(self.along.value(orbit.r)))
-        }
-    }
-
-    fn end(&mut self, reason: Located<Orbit>) -> Ended {
-        let ended = Ended::at(reason.kind, self.along.value(reason.r));
-        self.located.push(reason);
-        self.after.push(self.points.len());
-        ended
     }
 }
 

@@ -12,6 +12,7 @@ mod counterpart;
 mod curve;
 mod declared;
 mod diagram;
+mod ended;
 mod ends;
 mod error;
 
@@ -32,7 +33,7 @@ mod system;
 pub mod trade;
 mod trajectory;
 
-pub use branch::{BranchRecord, Ended};
+pub use branch::BranchRecord;
 pub use case::{Along, Beginning, Case, Dynamics, Switch};
 pub use characteristic::Characteristic;
 pub use choice::{Choice, choose};
@@ -40,6 +41,7 @@ pub use curve::{CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Special
 pub use diagram::{
     Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
 };
+pub use ended::Ended;
 pub use ends::{End, TradeRecord};
 pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;

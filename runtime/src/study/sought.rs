@@ -4,7 +4,6 @@ use super::case::{Case, Dynamics};
 use super::modes::sliding_modes;
 use super::seed::{Seed, on_the_belt};
 use super::system::System;
-use crate::bifurcation::{Kind, Located};
 use crate::equilibrium::find;
 use crate::flow::FlowError;
 use crate::motion::Family;
@@ -113,14 +112,6 @@ impl System {
 }
 
 impl Sought<'_> {
-    /// Tells a branch point from one at which a symmetry is lost.
-    pub(super) fn tell_symmetry(&self, found: &mut Located<Orbit>) {
-        // An orbit that cannot be gone around once more has no symmetry that could be told.
-        if found.kind == Kind::BranchPoint && found.point.loses_symmetry(&self.family) == Ok(true) {
-            found.kind = Kind::SymmetryBreaking;
-        }
-    }
-
     /// The orbit at r, in the family's own count, from the first seed that leads to one.
     pub(super) fn orbit(&self, r: f64) -> Result<Orbit, OrbitError> {
         let mut telling = None::<OrbitError>;

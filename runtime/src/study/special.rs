@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use nalgebra::Complex;
 
 use super::case::Along;
-use crate::bifurcation::{Kind, Located};
+use crate::continuation::{Kind, Located};
 use crate::shooting::Orbit;
 
 /// A point of a branch where something changes.
@@ -33,24 +33,30 @@ pub struct Special {
     pub note: Option<String>,
 }
 
+/// The label of each special point: its kind and number, for instance `PD1`.
+pub(super) fn labels(kinds: impl IntoIterator<Item = Kind>) -> impl Iterator<Item = String> {
+    let mut counts: HashMap<Kind, usize> = HashMap::new();
+    kinds.into_iter().map(move |kind| {
+        let count = counts.entry(kind).or_default();
+        *count += 1;
+        format!("{}{count}", kind.letters())
+    })
+}
+
 /// The special points as they are reported.
 pub(super) fn numbered(along: &Along, located: &[Located<Orbit>], after: &[usize]) -> Vec<Special> {
-    let mut counts: HashMap<Kind, usize> = HashMap::new();
-    let special = |(found, after): (&Located<Orbit>, &usize)| {
-        let count = counts.entry(found.kind).or_default();
-        *count += 1;
-        Special {
-            kind: found.kind.name(),
-            label: format!("{}{count}", found.kind.letters()),
-            after: *after,
-            r: along.value(found.r),
-            period: found.point.period,
-            multipliers: found.point.floquet.multipliers.clone(),
-            state: found.point.place.state.clone(),
-            max_abs: found.point.max_abs(),
-            criticality: None,
-            note: None,
-        }
+    let labels = labels(located.iter().map(|found| found.kind));
+    let special = |((found, after), label): ((&Located<Orbit>, &usize), String)| Special {
+        kind: found.kind.name(),
+        label,
+        after: *after,
+        r: along.value(found.r),
+        period: found.point.period,
+        multipliers: found.point.floquet.multipliers.clone(),
+        state: found.point.place.state.clone(),
+        max_abs: found.point.max_abs(),
+        criticality: None,
+        note: None,
     };
-    located.iter().zip(after).map(special).collect()
+    located.iter().zip(after).zip(labels).map(special).collect()
 }

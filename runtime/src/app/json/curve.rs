@@ -63,7 +63,7 @@ impl<'a> CurveDocument<'a> {
             kind: curve.kind,
             points: points.map(|one| Point::new(info, ranges, one)).collect(),
             special: special.collect(),
-            ended: curve.ended.word,
+            ended: curve.ended.word(),
             reason: &curve.ended.reason,
             units: units(info),
             work: Counts::from(&curve.work),

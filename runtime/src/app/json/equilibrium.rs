@@ -124,7 +124,7 @@ impl<'a> EquilibriumBranch<'a> {
             along: Range::new(info, &branch.along),
             points: points.map(|one| Equilibrium::new(info, one)).collect(),
             special: special.map(|point| Special::new(info, point)).collect(),
-            ended: branch.ended.word,
+            ended: branch.ended.word(),
             reason: &branch.ended.reason,
             units: units(info),
             work: Counts::from(&branch.work),

@@ -29,7 +29,7 @@ fn goes_through_a_fold_and_comes_back() {
     let start = DVector::from_element(1, 1.0);
     let (mut branch, first) = Branch::start(Circle, start, Settings::new(0.0, 2.0, 1e-12)).unwrap();
     let points: Vec<_> = std::iter::once(first).chain(branch.by_ref()).collect();
-    assert_eq!(branch.ending(), Some(&Ending::ReachedStart));
+    assert_eq!(branch.stop(), Some(&Stop::ReachedStart));
     let largest = points.iter().map(|point| point.r).fold(0.0, f64::max);
     assert!((0.9..=1.0 + 1e-12).contains(&largest), "{largest}");
     assert!(points.last().unwrap().z[0] < -0.9);
@@ -52,7 +52,7 @@ fn ends_exactly_at_the_end() {
     let last = branch.by_ref().last().unwrap();
     assert_eq!(last.r, 0.7);
     assert!((last.z[0] - (1.0_f64 - 0.49).sqrt()).abs() < 1e-12);
-    assert_eq!(branch.ending(), Some(&Ending::ReachedEnd));
+    assert_eq!(branch.stop(), Some(&Stop::ReachedEnd));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use nalgebra::DVector;
 
-use crate::continuation::{Branch, Ending, Settings, correct};
+use crate::continuation::{Branch, Settings, Stop, correct};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
@@ -131,8 +131,8 @@ pub(super) fn follow(
     let settings = Settings::new(from, to, effort.accuracy.max(1e-8));
     let (mut branch, first) = Branch::start(problem, z, settings).map_err(|e| e.to_string())?;
     let last = branch.by_ref().last().unwrap_or(first);
-    match branch.ending() {
-        Some(Ending::ReachedEnd) => {
+    match branch.stop() {
+        Some(Stop::ReachedEnd) => {
             let (min, max) = last.extra.extent();
             let lowest = last.extra.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
             let state = lowest.map_or(last.extra.start.state.clone(), |(_, state)| state);

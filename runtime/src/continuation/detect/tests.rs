@@ -1,51 +1,35 @@
-use nalgebra::Complex;
-
 use super::*;
-use crate::bifurcation::{Floquet, Margin};
 
-/// An orbit of which only the multipliers count.
+/// A point of which only the multipliers count.
 #[derive(Debug, Clone)]
-struct Orbit {
+struct Point {
     r: f64,
-    floquet: Floquet,
+    multipliers: [f64; 2],
 }
 
-impl Watched for Orbit {
+impl Watched for Point {
     fn r(&self) -> f64 {
         self.r
-    }
-
-    fn period(&self) -> f64 {
-        1.0
     }
 
     fn slope(&self) -> f64 {
         1.0
     }
 
-    fn floquet(&self) -> &Floquet {
-        &self.floquet
+    fn unstable(&self) -> usize {
+        self.multipliers.iter().filter(|mu| mu.abs() > 1.0).count()
     }
 
-    fn same_word(&self, _other: &Self) -> bool {
-        true
+    fn is_certain(&self) -> bool {
+        self.multipliers
+            .iter()
+            .all(|mu| (mu.abs() - 1.0).abs() >= 1e-9)
     }
+}
 
-    fn word_length(&self) -> usize {
-        0
-    }
-
-    fn asymmetry(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    fn near_misses(&self) -> Vec<Margin> {
-        Vec::new()
-    }
-
-    fn close_calls(&self) -> Vec<Margin> {
-        Vec::new()
-    }
+/// (1 + μ₁) (1 + μ₂).
+fn flip(point: &Point) -> f64 {
+    point.multipliers.iter().map(|mu| 1.0 + mu).product()
 }
 
 /// A branch along r from 0 to 1 with these multipliers; between its ends it can be looked at as far as `known`.
@@ -55,40 +39,27 @@ struct Along {
 }
 
 impl Along {
-    fn orbit(&self, r: f64) -> Orbit {
-        let multipliers = (self.multipliers)(r);
-        let unstable = multipliers.iter().filter(|mu| mu.abs() > 1.0).count();
-        Orbit {
+    fn point(&self, r: f64) -> Point {
+        Point {
             r,
-            floquet: Floquet {
-                multipliers: multipliers.map(|mu| Complex::new(mu, 0.0)).to_vec(),
-                log_moduli: multipliers.map(|mu| Some(mu.abs().ln())).to_vec(),
-                trivial_error: 0.0,
-                stability: if multipliers.iter().any(|mu| (mu.abs() - 1.0).abs() < 1e-9) {
-                    Stability::Undecided
-                } else if unstable == 0 {
-                    Stability::Stable
-                } else {
-                    Stability::Unstable
-                },
-                unstable,
-            },
+            multipliers: (self.multipliers)(r),
         }
     }
 
-    fn findings(mut self) -> Findings<Orbit> {
-        let ends = [0.0, 1.0].map(|r| self.orbit(r));
-        detect(&mut self, &ends[0], &ends[1], 1e-9)
+    fn findings(mut self) -> Findings<Point> {
+        let ends = [0.0, 1.0].map(|r| self.point(r));
+        let monitors = Monitors::smooth(vec![Monitor::new(Kind::Flip, flip)]);
+        detect(&mut self, &monitors, [&ends[0], &ends[1]], 1e-9)
     }
 }
 
 impl Path for Along {
-    type Point = Orbit;
+    type Point = Point;
     type Error = &'static str;
 
-    fn at(&mut self, share: f64) -> Result<Orbit, &'static str> {
+    fn at(&mut self, share: f64) -> Result<Point, &'static str> {
         self.known
-            .then(|| self.orbit(share))
+            .then(|| self.point(share))
             .ok_or("nobody knows what lies here")
     }
 }

@@ -1,23 +1,15 @@
-//! What detection needs to know of a branch: its points, and what lies between two of them.
+//! What is told of a periodic orbit as a point of its branch.
 
 use super::{Floquet, Kind};
+use crate::continuation::Watched;
 
-/// A point of a branch of periodic orbits.
-pub trait Watched: Clone {
-    /// The design variable.
-    fn r(&self) -> f64;
-
+/// A point of a branch of periodic orbits; its regime is the cyclic order of the modes that it runs through.
+pub trait PeriodicPoint: Watched {
     /// The period.
     fn period(&self) -> f64;
 
-    /// r-component of the unit tangent of the branch.
-    fn slope(&self) -> f64;
-
     /// Multipliers.
     fn floquet(&self) -> &Floquet;
-
-    /// Whether both orbits run through the same modes in the same cyclic order.
-    fn same_word(&self, other: &Self) -> bool;
 
     /// How many modes it runs through in a period.
     fn word_length(&self) -> usize;
@@ -44,23 +36,12 @@ pub struct Margin {
     pub value: f64,
 }
 
-/// The branch between two neighbouring points.
-pub trait Path {
-    /// Its points.
-    type Point: Watched;
-    /// Why one could not be found.
-    type Error: std::fmt::Display;
-
-    /// The point at a share of the way, 0 < share < 1.
-    ///
-    /// # Errors
-    /// No point could be found there.
-    fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error>;
-}
-
-/// A point and its place on a path.
-#[derive(Debug, Clone)]
-pub(super) struct Spot<P> {
-    pub(super) share: f64,
-    pub(super) point: P,
+impl Margin {
+    /// The smallest distance of the same kind and contact among others.
+    pub(super) fn smallest(&self, among: &[Self]) -> Option<f64> {
+        let same = among
+            .iter()
+            .filter(|m| m.kind == self.kind && m.contact == self.contact);
+        same.map(|m| m.value).min_by(f64::total_cmp)
+    }
 }

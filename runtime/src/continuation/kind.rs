@@ -1,4 +1,4 @@
-//! The kinds of bifurcations of periodic orbits.
+//! The kinds of special points of a branch, of whatever it is one.
 
 /// What changes at a special point of a branch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -23,6 +23,24 @@ pub enum Kind {
     AddingSliding,
     /// A stretch of constant mode loses its duration.
     VanishingSegment,
+    /// A complex pair of eigenvalues crosses the imaginary axis: periodic orbits begin at this equilibrium.
+    Hopf,
+    /// The relative speed of a contact reaches zero at an equilibrium: its mode ends.
+    BoundaryEquilibrium,
+    /// The quadratic coefficient of a fold vanishes: its curve turns back in both variables at once.
+    Cusp,
+    /// A multiplier 1 beside a multiplier −1.
+    FoldFlip,
+    /// Two multipliers 1.
+    Resonance1,
+    /// Two multipliers −1.
+    Resonance2,
+    /// A pair at a third of a turn.
+    Resonance3,
+    /// A pair at a quarter of a turn.
+    Resonance4,
+    /// The first design variable of a curve leaves its range.
+    Window,
 }
 
 impl Kind {
@@ -40,6 +58,15 @@ impl Kind {
             Self::SwitchingSliding => "switching-sliding",
             Self::AddingSliding => "adding-sliding",
             Self::VanishingSegment => "vanishing-segment",
+            Self::Hopf => "hopf",
+            Self::BoundaryEquilibrium => "boundary-equilibrium",
+            Self::Cusp => "cusp",
+            Self::FoldFlip => "fold-flip",
+            Self::Resonance1 => "resonance-1-1",
+            Self::Resonance2 => "resonance-1-2",
+            Self::Resonance3 => "resonance-1-3",
+            Self::Resonance4 => "resonance-1-4",
+            Self::Window => "left-range",
         }
     }
 
@@ -57,14 +84,23 @@ impl Kind {
             Self::SwitchingSliding => "SS",
             Self::AddingSliding => "AS",
             Self::VanishingSegment => "VS",
+            Self::Hopf => "HB",
+            Self::BoundaryEquilibrium => "BE",
+            Self::Cusp => "CP",
+            Self::FoldFlip => "LPPD",
+            Self::Resonance1 => "R1-",
+            Self::Resonance2 => "R2-",
+            Self::Resonance3 => "R3-",
+            Self::Resonance4 => "R4-",
+            Self::Window => "WB",
         }
     }
 
-    /// By how many the number of unstable multipliers changes; `None` if it may be any number.
+    /// By how many the number of unstable directions changes; `None` if it may be any number.
     pub(super) const fn jump(self) -> Option<i64> {
         match self {
             Self::Fold | Self::Flip | Self::BranchPoint | Self::SymmetryBreaking => Some(1),
-            Self::Torus => Some(2),
+            Self::Torus | Self::Hopf => Some(2),
             _ => None,
         }
     }

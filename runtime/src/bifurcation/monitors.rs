@@ -1,0 +1,109 @@
+//! What is looked for on a branch of periodic orbits.
+
+use super::Kind;
+use super::periodic::{Margin, PeriodicPoint};
+use super::test_function::{flip, fold, is_torus, torus};
+use crate::continuation::{Monitor, Monitors, Spot, Verdict, changes};
+
+/// A doubled orbit whose halves differ by this share of what they did has met the orbit that it doubles.
+const MEETING: f64 = 0.1;
+/// Halves that differ by less than this are one: where branches meet, steps become short.
+const NO_ASYMMETRY: f64 = 1e-3;
+/// A margin that has shrunk to this share of its largest value vanishes at a change of word.
+const SHRUNK: f64 = 1e-2;
+
+/// The monitors of smooth bifurcations, and what tells the others apart.
+///
+/// A doubled orbit may meet the one from which it branches: there both of its halves become one, and beyond, its branch
+/// only runs back.
+#[must_use]
+pub fn monitors<'a, P: PeriodicPoint + 'a>() -> Monitors<'a, P> {
+    let branch_point = Monitor::new(Kind::BranchPoint, closed)
+        .only_if(|ends| !turns(ends))
+        .judged(|[from, _], at: &P| {
+            // So near a meeting a multiplier is 1 but for its digits.
+            let halves = at.asymmetry();
+            let closing = halves <= NO_ASYMMETRY && halves < from.asymmetry();
+            Some(if closing {
+                Verdict::Last(Kind::Flip)
+            } else {
+                Verdict::Special(Kind::BranchPoint)
+            })
+        });
+    let torus =
+        Monitor::new(Kind::Torus, |p: &P| torus(&p.floquet().multipliers)).judged(|_, at| {
+            is_torus(&at.floquet().multipliers).then_some(Verdict::Special(Kind::Torus))
+        });
+    let turn = Monitor::new(Kind::Fold, P::slope)
+        .only_if(|ends| critical(ends) || asymmetry(ends).is_finite())
+        .judged(turn);
+    Monitors {
+        named: vec![
+            branch_point,
+            Monitor::new(Kind::Flip, |p: &P| flip(&p.floquet().multipliers)),
+            torus,
+            turn,
+        ],
+        change: word_change,
+    }
+}
+
+fn closed<P: PeriodicPoint>(point: &P) -> f64 {
+    fold(&point.floquet().multipliers)
+}
+
+fn turns<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
+    changes(from.slope(), to.slope())
+}
+
+/// Whether a multiplier passes through 1.
+fn critical<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
+    changes(closed(from), closed(to))
+}
+
+fn asymmetry<P: PeriodicPoint>([from, to]: [&P; 2]) -> f64 {
+    from.asymmetry().max(to.asymmetry())
+}
+
+/// Where r turns: at a fold if a multiplier passes through 1, or where a doubled orbit meets the one from which it
+/// branches. There both halves of the orbit become one, and a multiplier only touches 1, as far as its digits tell.
+fn turn<P: PeriodicPoint>(ends: [&P; 2], at: &P) -> Option<Verdict> {
+    let (critical, before) = (critical(ends), asymmetry(ends));
+    let near = if critical {
+        NO_ASYMMETRY
+    } else {
+        (MEETING * before).max(NO_ASYMMETRY)
+    };
+    if before.is_finite() && at.asymmetry() <= near {
+        return Some(Verdict::Last(Kind::Flip));
+    }
+    critical.then_some(Verdict::Special(Kind::Fold))
+}
+
+/// The margin that vanishes: on the side of the shorter word what is about to happen, else on the
+/// side of the longer one what is about to be missed.
+fn word_change<P: PeriodicPoint>(before: &[Spot<P>], after: &[Spot<P>]) -> Kind {
+    let length = |side: &[Spot<P>]| side.first().map_or(0, |spot| spot.point.word_length());
+    let (short, long) = if length(before) <= length(after) {
+        (before, after)
+    } else {
+        (after, before)
+    };
+    let happens = vanishing(short, P::near_misses);
+    happens
+        .or_else(|| vanishing(long, P::close_calls))
+        .unwrap_or(Kind::VanishingSegment)
+}
+
+/// The kind of the margin that has shrunk most towards the last of these spots.
+fn vanishing<P: PeriodicPoint>(spots: &[Spot<P>], margins: fn(&P) -> Vec<Margin>) -> Option<Kind> {
+    let smallest = |spot: &Spot<P>, wanted: &Margin| wanted.smallest(&margins(&spot.point));
+    let shrunk = |near: &Margin| {
+        let largest = spots.iter().filter_map(|spot| smallest(spot, near));
+        near.value / largest.fold(f64::MIN_POSITIVE, f64::max)
+    };
+    let last = margins(&spots.last()?.point);
+    let ratios = last.iter().map(|margin| (margin.kind, shrunk(margin)));
+    let (kind, ratio) = ratios.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    (ratio <= SHRUNK).then_some(kind)
+}

@@ -1,0 +1,72 @@
+//! Where a branch passes from one regime to another.
+
+use super::path::{Path, Spot, Watched};
+
+const ITERATIONS: usize = 60;
+/// Part of the accuracy asked for to which r is bracketed.
+const SETTLED: f64 = 0.01;
+/// Relative width of a bracket that cannot be made smaller, beyond which nothing is located.
+const WIDE: f64 = 1e-6;
+/// Where in a bracket the next point is tried: in the middle, elsewhere if there is none.
+const TRIALS: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
+
+/// The points on both sides of a change of regime, each nearer to it than the one before.
+pub(super) struct Change<P> {
+    pub(super) before: Vec<Spot<P>>,
+    pub(super) after: Vec<Spot<P>>,
+}
+
+impl<P: Watched> Change<P> {
+    /// The two nearest to it.
+    pub(super) fn nearest(&self) -> [&Spot<P>; 2] {
+        [&self.before, &self.after].map(|side| &side[side.len() - 1])
+    }
+
+    /// Whether r is known well enough.
+    pub(super) fn is_sharp(&self) -> bool {
+        width(self.nearest()) <= WIDE
+    }
+}
+
+/// Brackets the first change of regime between two spots whose regimes differ.
+pub(super) fn change<Q: Path>(
+    path: &mut Q,
+    [from, to]: [&Spot<Q::Point>; 2],
+    accuracy: f64,
+) -> Change<Q::Point> {
+    let mut found = Change {
+        before: vec![from.clone()],
+        after: vec![to.clone()],
+    };
+    for _ in 0..ITERATIONS {
+        let ends = found.nearest();
+        if width(ends) <= SETTLED * accuracy {
+            break;
+        }
+        let Some(spot) = try_between(path, ends) else {
+            break;
+        };
+        if spot.point.same_regime(&from.point) {
+            found.before.push(spot);
+        } else if spot.point.same_regime(&ends[1].point) {
+            found.after.push(spot);
+        } else {
+            found.after = vec![spot];
+        }
+    }
+    found
+}
+
+fn width<P: Watched>([a, b]: [&Spot<P>; 2]) -> f64 {
+    let r = a.point.r();
+    (b.point.r() - r).abs() / r.abs().max(f64::MIN_POSITIVE)
+}
+
+fn try_between<Q: Path>(path: &mut Q, [low, high]: [&Spot<Q::Point>; 2]) -> Option<Spot<Q::Point>> {
+    TRIALS.iter().find_map(|part| {
+        let share = low.share + part * (high.share - low.share);
+        let inside = share > low.share && share < high.share;
+        let point = inside.then(|| path.at(share).ok()).flatten()?;
+        Some(Spot { share, point })
+    })
+}

@@ -1,0 +1,212 @@
+//! What happens between two neighbouring points of a branch, with bookkeeping.
+
+use super::change::change;
+use super::kind::Kind;
+use super::located::{Findings, Located, Unexplained};
+use super::monitor::{Monitor, Verdict};
+use super::path::{Path, Spot, Watched};
+use super::root::zero;
+
+/// Where a step is divided; the second where the number of unstable directions is not certain at the first.
+const MIDDLES: [f64; 2] = [0.5, 0.4];
+/// Halvings of a step after which a change stays unexplained.
+const HALVINGS: u32 = 12;
+/// Distance between two changes of regime, in units of the accuracy, below which they are one.
+const SAME: f64 = 30.0;
+
+/// What is looked for on a branch.
+pub struct Monitors<'a, P> {
+    /// Functions that change sign where something happens.
+    pub named: Vec<Monitor<'a, P>>,
+    /// Tells a change of regime.
+    pub change: Change<P>,
+}
+
+/// Tells a change of regime by the points on both sides of it, each nearer to it than the one before.
+pub type Change<P> = fn(&[Spot<P>], &[Spot<P>]) -> Kind;
+
+impl<'a, P> Monitors<'a, P> {
+    /// These monitors of a branch that lies in one regime.
+    #[must_use]
+    pub fn smooth(named: Vec<Monitor<'a, P>>) -> Self {
+        Self {
+            named,
+            change: |_, _| Kind::VanishingSegment,
+        }
+    }
+}
+
+/// Finds what happens between two neighbouring points: by the signs of monitors and by the regimes; a step on which
+/// special points do not account for the change of stability is halved.
+pub fn detect<Q: Path>(
+    path: &mut Q,
+    monitors: &Monitors<'_, Q::Point>,
+    [from, to]: [&Q::Point; 2],
+    accuracy: f64,
+) -> Findings<Q::Point> {
+    let mut hunt = Hunt {
+        path,
+        monitors,
+        accuracy,
+        located: Vec::new(),
+        unexplained: Vec::new(),
+        bound: None,
+    };
+    hunt.step(&Spot::new(0.0, from), &Spot::new(1.0, to), HALVINGS);
+    hunt.findings()
+}
+
+struct Hunt<'a, 'm, Q: Path> {
+    path: &'a mut Q,
+    monitors: &'a Monitors<'m, Q::Point>,
+    accuracy: f64,
+    located: Vec<Located<Q::Point>>,
+    unexplained: Vec<Unexplained>,
+    bound: Option<Spot<Q::Point>>,
+}
+
+/// What the monitors show on one stretch.
+struct Events<P> {
+    located: Vec<Located<P>>,
+    bound: Option<Spot<P>>,
+}
+
+impl<Q: Path> Hunt<'_, '_, Q> {
+    fn findings(self) -> Findings<Q::Point> {
+        let (mut located, accuracy) = (self.located, self.accuracy);
+        located.sort_by(|a, b| a.share.total_cmp(&b.share));
+        // Events that switch together at one value of r do so in two steps for a tolerance.
+        located.dedup_by(|b, a| {
+            let distance = (b.r - a.r).abs();
+            a.abrupt && b.abrupt && distance <= SAME * accuracy * a.r.abs()
+        });
+        if let Some(bound) = &self.bound {
+            located.retain(|event| event.share <= bound.share);
+        }
+        let last = located.iter().position(|event| event.last);
+        located.truncate(last.map_or(located.len(), |last| last + 1));
+        Findings {
+            located,
+            unexplained: self.unexplained,
+            bound: self.bound.map(|spot| spot.point),
+        }
+    }
+
+    fn step(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        if !from.point.same_regime(&to.point) {
+            return self.change(from, to, halvings);
+        }
+        match self.events([from, to]) {
+            Ok(events) if explains(&events, &from.point, &to.point) => {
+                self.located.extend(events.located);
+                self.bound = self.bound.take().or(events.bound);
+            }
+            _ if halvings == 0 => self.give_up(from, to, "the step cannot be halved any more"),
+            _ => self.halve(from, to, halvings - 1),
+        }
+    }
+
+    fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        match self.middle(from, to) {
+            Ok(middle) => {
+                self.step(from, &middle, halvings);
+                self.step(&middle, to, halvings);
+            }
+            Err(error) => self.give_up(from, to, &error.to_string()),
+        }
+    }
+
+    /// A point between two others at which the number of unstable directions is certain, if there is one: where it is not,
+    /// every change would pass as explained.
+    fn middle(
+        &mut self,
+        from: &Spot<Q::Point>,
+        to: &Spot<Q::Point>,
+    ) -> Result<Spot<Q::Point>, Q::Error> {
+        let mut divided = |part: f64| {
+            let share = from.share + part * (to.share - from.share);
+            let point = self.path.at(share)?;
+            Ok(Spot { share, point })
+        };
+        let [first, second] = MIDDLES;
+        let middle = divided(first)?;
+        if middle.point.is_certain() {
+            return Ok(middle);
+        }
+        let beside: Result<_, Q::Error> = divided(second);
+        let certain = |spot: &Spot<Q::Point>| spot.point.is_certain();
+        Ok(beside.ok().filter(certain).unwrap_or(middle))
+    }
+
+    /// A step on which the regime changes: up to the change, the change, and what lies beyond.
+    fn change(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        let found = change(self.path, [from, to], self.accuracy);
+        let [before, after] = found.nearest();
+        if before.share > from.share {
+            self.step(from, before, halvings);
+        }
+        if found.is_sharp() {
+            let kind = (self.monitors.change)(&found.before, &found.after);
+            self.located.push(Located {
+                r: 0.5 * (before.point.r() + after.point.r()),
+                abrupt: true,
+                ..Located::between(kind, [before, after], before.clone())
+            });
+        } else {
+            let reason = "the events change, and no orbit was found between";
+            self.give_up(before, after, reason);
+        }
+        if after.share < to.share {
+            self.step(after, to, halvings);
+        }
+    }
+
+    /// What the monitors show between two spots of one regime.
+    fn events(&mut self, ends: [&Spot<Q::Point>; 2]) -> Result<Events<Q::Point>, Q::Error> {
+        let points = ends.map(|spot| &spot.point);
+        let (mut located, mut bound) = (Vec::new(), None);
+        for monitor in &self.monitors.named {
+            if !monitor.crosses(points) {
+                continue;
+            }
+            let at = zero(self.path, ends, &monitor.test, self.accuracy)?;
+            match monitor.verdict(points, &at.point) {
+                Some(Verdict::Special(kind)) => located.push(Located::between(kind, ends, at)),
+                Some(Verdict::Last(kind)) => located.push(Located {
+                    last: true,
+                    ..Located::between(kind, ends, at)
+                }),
+                Some(Verdict::Bound) => bound = Some(at),
+                None => {}
+            }
+        }
+        Ok(Events { located, bound })
+    }
+
+    fn give_up(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, reason: &str) {
+        let pair = [&from.point, &to.point];
+        self.unexplained.push(Unexplained {
+            between: pair.map(Watched::r),
+            unstable: pair.map(Watched::unstable),
+            reason: reason.to_owned(),
+        });
+    }
+}
+
+/// Whether the special points account for the change in the number of unstable directions. Where that number is not
+/// certain, they do, and where the branch ends: beyond, it is none or only runs back.
+fn explains<P: Watched>(events: &Events<P>, from: &P, to: &P) -> bool {
+    if !(from.is_certain() && to.is_certain()) || events.located.iter().any(|event| event.last) {
+        return true;
+    }
+    let change = to.unstable() as i64 - from.unstable() as i64;
+    let jumps = events.located.iter().filter_map(|event| event.kind.jump());
+    let sums = jumps.fold(vec![0], |sums, jump| {
+        let both = |sum: &i64| [sum - jump, sum + jump];
+        sums.iter().flat_map(both).collect()
+    });
+    sums.contains(&change)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,102 @@
+//! Special points of a branch, and changes that none of them explains.
+
+use super::kind::Kind;
+use super::path::{Spot, Watched};
+
+/// A special point that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Located<P> {
+    /// Which.
+    pub kind: Kind,
+    /// The design variable there.
+    pub r: f64,
+    /// The point of the branch there, or the nearest on the side from which the branch came.
+    pub point: P,
+    /// Whether the branch is none any more beyond, or only runs back.
+    pub last: bool,
+    /// r and number of unstable directions at the points between which it was found.
+    pub sides: [(f64, usize); 2],
+    pub(super) share: f64,
+    /// Whether it was found between two regimes.
+    pub(super) abrupt: bool,
+}
+
+impl<P> Located<P> {
+    /// A special point found by other means than a path.
+    #[must_use]
+    pub fn at(kind: Kind, r: f64, point: P) -> Self {
+        Self {
+            kind,
+            r,
+            point,
+            last: false,
+            sides: [(r, 0); 2],
+            share: 1.0,
+            abrupt: false,
+        }
+    }
+
+    pub(super) fn between(kind: Kind, ends: [&Spot<P>; 2], at: Spot<P>) -> Self
+    where
+        P: Watched,
+    {
+        Self {
+            r: at.point.r(),
+            sides: ends.map(|spot| (spot.point.r(), spot.point.unstable())),
+            share: at.share,
+            ..Self::at(kind, f64::NAN, at.point)
+        }
+    }
+
+    /// Which side of it a branch at `r` lies on: by how many directions the branch on which it was found
+    /// is more unstable there than on the other side. `None` where that cannot be told.
+    #[must_use]
+    pub fn more_unstable_towards(&self, r: f64) -> Option<i64> {
+        let [here, there] = self.unstable_from(r)?;
+        let change = here as i64 - there as i64;
+        (change != 0).then_some(change)
+    }
+
+    /// How many unstable directions a branch that leaves here has at `r`, as long as nothing else happens on it: the two
+    /// branches exchange their stability, so that it has as many as the other one has across the crossing.
+    /// `None` where that cannot be told.
+    #[must_use]
+    pub fn unstable_beside(&self, r: f64) -> Option<usize> {
+        let [here, across] = self.unstable_from(r)?;
+        (here.abs_diff(across) == 1).then_some(across)
+    }
+
+    /// The numbers of unstable directions on the side of `r` and on the other.
+    fn unstable_from(&self, r: f64) -> Option<[usize; 2]> {
+        let [from, to] = self.sides;
+        let between = (from.0 - self.r) * (to.0 - self.r) < 0.0;
+        let (here, there) = if (from.0 - self.r) * (r - self.r) > 0.0 {
+            (from, to)
+        } else {
+            (to, from)
+        };
+        (between && r != self.r).then_some([here.1, there.1])
+    }
+}
+
+/// A change in the number of unstable directions, or of the regime, with no special point to explain it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unexplained {
+    /// The design variable before and after.
+    pub between: [f64; 2],
+    /// Number of unstable directions before and after.
+    pub unstable: [usize; 2],
+    /// Why it was not looked at more closely.
+    pub reason: String,
+}
+
+/// All that was found on one step of a branch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Findings<P> {
+    /// Special points, in their order along the branch.
+    pub located: Vec<Located<P>>,
+    /// What they do not explain.
+    pub unexplained: Vec<Unexplained>,
+    /// Where the branch leaves what was asked for.
+    pub bound: Option<P>,
+}

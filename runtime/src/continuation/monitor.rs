@@ -1,0 +1,67 @@
+//! Named functions of the points of a branch that change sign where something happens.
+
+use super::kind::Kind;
+
+/// What the zero of a monitor means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// A special point.
+    Special(Kind),
+    /// A special point beyond which the branch is none any more.
+    Last(Kind),
+    /// The branch leaves what was asked for.
+    Bound,
+}
+
+type Test<'a, P> = Box<dyn Fn(&P) -> f64 + 'a>;
+type Applies<'a, P> = Box<dyn Fn([&P; 2]) -> bool + 'a>;
+type Judge<'a, P> = Box<dyn Fn([&P; 2], &P) -> Option<Verdict> + 'a>;
+
+/// A function of a point that changes sign where something happens.
+pub struct Monitor<'a, P> {
+    pub(super) test: Test<'a, P>,
+    applies: Applies<'a, P>,
+    judge: Judge<'a, P>,
+}
+
+impl<'a, P> Monitor<'a, P> {
+    /// The monitor of a special point: `test` changes its sign there; NaN where it has no value.
+    pub fn new(kind: Kind, test: impl Fn(&P) -> f64 + 'a) -> Self {
+        Self {
+            test: Box::new(test),
+            applies: Box::new(|_| true),
+            judge: Box::new(move |_, _| Some(Verdict::Special(kind))),
+        }
+    }
+
+    /// The same, where the two points between which it changes sign allow it.
+    #[must_use]
+    pub fn only_if(mut self, applies: impl Fn([&P; 2]) -> bool + 'a) -> Self {
+        self.applies = Box::new(applies);
+        self
+    }
+
+    /// The same, with what is told by the points beside the zero and by the point at it; `None` if nothing happens there.
+    #[must_use]
+    pub fn judged(mut self, judge: impl Fn([&P; 2], &P) -> Option<Verdict> + 'a) -> Self {
+        self.judge = Box::new(judge);
+        self
+    }
+
+    /// Whether it changes sign between two points, and counts there.
+    pub(super) fn crosses(&self, ends: [&P; 2]) -> bool {
+        let [from, to] = ends.map(&self.test);
+        changes(from, to) && (self.applies)(ends)
+    }
+
+    pub(super) fn verdict(&self, ends: [&P; 2], at: &P) -> Option<Verdict> {
+        (self.judge)(ends, at)
+    }
+}
+
+/// Whether two values lie on different sides of 0. A point may lie on the zero itself: 0 has a sign like any number, so
+/// that one of the steps beside it sees it.
+#[must_use]
+pub fn changes(from: f64, to: f64) -> bool {
+    !(from.is_nan() || to.is_nan()) && (from < 0.0) != (to < 0.0)
+}

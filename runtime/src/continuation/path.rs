@@ -1,0 +1,71 @@
+//! What lies between two neighbouring points of a branch, as far as those who look need to know.
+
+use std::fmt::Display;
+
+use crate::field::Work;
+
+/// A point of a branch as it is read off the unknowns.
+pub trait Watched: Clone {
+    /// The design variable.
+    fn r(&self) -> f64;
+
+    /// r-component of the unit tangent of the branch.
+    fn slope(&self) -> f64;
+
+    /// How far it is from another point, relative to the values of what is followed.
+    fn moved(&self, from: &Self) -> f64 {
+        ((self.r() - from.r()) / self.r()).abs()
+    }
+
+    /// The number of unstable directions.
+    fn unstable(&self) -> usize {
+        0
+    }
+
+    /// Whether that number is certain; where it is not, no change of it asks for a reason.
+    fn is_certain(&self) -> bool {
+        false
+    }
+
+    /// What it has cost, if that is told of each point.
+    fn work(&mut self) -> Option<&mut Work> {
+        None
+    }
+
+    /// Whether both lie in one regime: what lies between two regimes is not smooth.
+    fn same_regime(&self, _other: &Self) -> bool {
+        true
+    }
+}
+
+/// The branch between two neighbouring points.
+pub trait Path {
+    /// Its points.
+    type Point: Watched;
+    /// Why one could not be found.
+    type Error: Display;
+
+    /// The point at a share of the way, 0 < share < 1.
+    ///
+    /// # Errors
+    /// No point could be found there.
+    fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error>;
+}
+
+/// A point and its place on a path.
+#[derive(Debug, Clone)]
+pub struct Spot<P> {
+    /// Its share of the way.
+    pub share: f64,
+    /// The point.
+    pub point: P,
+}
+
+impl<P: Clone> Spot<P> {
+    pub(super) fn new(share: f64, point: &P) -> Self {
+        Self {
+            share,
+            point: point.clone(),
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Why something that was followed ended, as it is reported.
+
+use super::case::Along;
+use crate::continuation::{Ending, Kind, Stop, Unexplained};
+use crate::flow::FlowError;
+
+/// Why a branch or a curve ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ended {
+    /// Which way, the design variable as the continuation counts it.
+    pub ending: Ending<FlowError>,
+    /// In a sentence.
+    pub reason: String,
+}
+
+impl Ended {
+    pub(super) fn of(ending: &Ending<FlowError>, along: Along) -> Self {
+        Self {
+            reason: reason(ending, along),
+            ending: ending.clone(),
+        }
+    }
+
+    /// In one word, for instance `reached-end`.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match &self.ending {
+            Ending::Stopped(Stop::ReachedEnd) => "reached-end",
+            Ending::Stopped(Stop::ReachedStart) => "reached-start",
+            Ending::Stopped(Stop::TooManyPoints) => "too-many-points",
+            Ending::Stopped(Stop::Refused(FlowError::Vanished { .. })) => "equilibrium",
+            Ending::Stopped(Stop::Refused(_)) => "refused",
+            Ending::Stopped(Stop::StepTooSmall(_) | Stop::Creeping(_)) | Ending::FallsBack(_) => {
+                "step-too-small"
+            }
+            Ending::At(kind, _) => kind.name(),
+            Ending::Meets(_) => Kind::Flip.name(),
+            Ending::Closed(_) => "closed",
+            Ending::Left => Kind::Window.name(),
+            Ending::Endless(_) => "infinite-period",
+            Ending::Lost(_) => "lost",
+            Ending::Interrupted => "interrupted",
+            Ending::Unexplained(_) => "unexplained-change",
+        }
+    }
+
+    /// Whether this is a reason that lies in the branch and not in the computation.
+    #[must_use]
+    pub fn is_located(&self) -> bool {
+        match &self.ending {
+            Ending::Stopped(stop) => match stop {
+                Stop::ReachedEnd | Stop::ReachedStart => true,
+                Stop::Refused(error) => matches!(error, FlowError::Vanished { .. }),
+                Stop::StepTooSmall(_) | Stop::Creeping(_) | Stop::TooManyPoints => false,
+            },
+            Ending::At(..)
+            | Ending::Meets(_)
+            | Ending::Closed(_)
+            | Ending::Left
+            | Ending::Endless(_) => true,
+            Ending::FallsBack(_)
+            | Ending::Lost(_)
+            | Ending::Interrupted
+            | Ending::Unexplained(_) => false,
+        }
+    }
+
+    /// Whether it ended because whoever watched it wanted no more.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        self.ending.is_interrupted()
+    }
+
+    /// Whether it came round to where it began.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        matches!(self.ending, Ending::Closed(_))
+    }
+}
+
+fn reason(ending: &Ending<FlowError>, along: Along) -> String {
+    let value = |r: &f64| along.value(*r);
+    match ending {
+        Ending::Stopped(stop) => stopped(stop),
+        Ending::At(Kind::Fold, r) => {
+            format!("it turns at {}, too sharply to be followed round", value(r))
+        }
+        Ending::At(kind @ (Kind::Resonance1 | Kind::Resonance2), _) => format!(
+            "it meets a {} point, beyond which it is a curve of neutral saddles",
+            kind.name()
+        ),
+        Ending::At(kind, r) => format!(
+            "it meets a {} point at {}: no orbit continues it",
+            kind.name(),
+            value(r)
+        ),
+        Ending::Meets(r) => format!(
+            "at {} both halves of the orbit become one: it meets the branch from which it doubles",
+            value(r)
+        ),
+        Ending::FallsBack(r) => format!(
+            "at {} it falls back on the branch from which it doubles, however short the step",
+            value(r)
+        ),
+        Ending::Closed(r) => format!(
+            "it is closed: it came back to the orbit at {} with which it began",
+            value(r)
+        ),
+        Ending::Left => "it reaches an end of the range of `--along`".to_owned(),
+        Ending::Endless(times) => format!("its period has grown more than {times:e} times"),
+        Ending::Lost(off) => {
+            format!("what was followed is no such bifurcation any more: off by {off:.1e}")
+        }
+        Ending::Interrupted => "it was interrupted".to_owned(),
+        Ending::Unexplained(change) => unexplained(change, along),
+    }
+}
+
+fn stopped(stop: &Stop<FlowError>) -> String {
+    match stop {
+        Stop::ReachedEnd => "its end is reached".to_owned(),
+        Stop::ReachedStart => "it turned and came back to where it began".to_owned(),
+        Stop::StepTooSmall(failure) => format!("no step is small enough: {failure}"),
+        Stop::Creeping(length) => {
+            format!("no step was longer than {length:e} of its extent for too long")
+        }
+        Stop::TooManyPoints => "it has more points than are allowed".to_owned(),
+        Stop::Refused(error) => error.to_string(),
+    }
+}
+
+fn unexplained(change: &Unexplained, along: Along) -> String {
+    let [from, to] = change.between.map(|r| along.value(r));
+    let ([before, after], reason) = (change.unstable, &change.reason);
+    format!(
+        "between {from} and {to} its {before} unstable multipliers become {after}, or its events change, and no \
+         bifurcation was located there: {reason}"
+    )
+}
