@@ -1,9 +1,9 @@
 //! What the report asks of the systems, as any program would, and what the answers cost.
 
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use stickslip::field::{Design, Work};
+use stickslip::field::Design;
 use stickslip::flow::Tape;
 use stickslip::model::{Model, ModelInfo, ParamId};
 use stickslip::study::trade::{Finding, Scope, Trade};
@@ -13,6 +13,7 @@ use stickslip::study::{
 };
 
 use super::ReproduceError;
+use super::branch::{Branch, at};
 
 /// Relative accuracy of the orbits of the report.
 const ACCURACY: f64 = 1e-8;
@@ -31,38 +32,6 @@ pub(super) struct Subject {
 pub(super) struct Cycle {
     pub(super) orbit: OrbitRecord,
     pub(super) path: Vec<Vec<f64>>,
-    pub(super) time: Duration,
-}
-
-/// A branch as far as its first fold, and what it cost.
-pub(super) struct Branch {
-    pub(super) along: Along,
-    pub(super) points: Vec<OrbitRecord>,
-    pub(super) end: End,
-    pub(super) time: Duration,
-    pub(super) work: Work,
-}
-
-/// Where a branch ends, and why.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct End {
-    pub(super) r: f64,
-    pub(super) why: Why,
-}
-
-/// Why a branch ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Why {
-    /// It was told to.
-    Reached,
-    /// The cycle has shrunk to an equilibrium.
-    Vanishes,
-    /// The cycle meets an unstable one and turns back with it.
-    Folds,
-    /// The motion comes to rest for an instant only.
-    Grazes,
-    /// Path following gave up.
-    GaveUp,
 }
 
 impl Subject {
@@ -95,8 +64,7 @@ impl Subject {
 
     /// The orbit where the parameter is r.
     pub(super) fn cycle(&self, dynamics: Dynamics, r: f64) -> Result<Cycle, ReproduceError> {
-        let case = self.case(dynamics, r);
-        self.drawn(&case).map_err(self.missing(&case))
+        self.drawn(&self.case(dynamics, r))
     }
 
     /// The orbit where the parameter is r to which the motion from `start` settles.
@@ -108,20 +76,16 @@ impl Subject {
     ) -> Result<Cycle, ReproduceError> {
         let mut case = self.case(dynamics, r);
         case.start = Some(start.to_vec());
-        let clock = Instant::now();
         let motion = self.entry.motion(&case, SETTLED);
         case.start = motion.map_err(self.missing(&case))?.states.pop();
-        let cycle = self.drawn(&case).map_err(self.missing(&case))?;
-        let time = clock.elapsed();
-        Ok(Cycle { time, ..cycle })
+        self.drawn(&case)
     }
 
-    fn drawn(&self, case: &Case) -> Result<Cycle, StudyError> {
-        let clock = Instant::now();
-        let orbit = self.entry.orbit(case)?;
-        let time = clock.elapsed();
-        let path = self.motion(&orbit, ACCURACY)?.states;
-        Ok(Cycle { orbit, path, time })
+    fn drawn(&self, case: &Case) -> Result<Cycle, ReproduceError> {
+        let orbit = self.entry.orbit(case).map_err(self.missing(case))?;
+        let motion = self.motion(&orbit, ACCURACY);
+        let path = motion.map_err(self.missing(case))?.states;
+        Ok(Cycle { orbit, path })
     }
 
     /// One period of an orbit.
@@ -131,36 +95,48 @@ impl Subject {
         accuracy: f64,
     ) -> Result<Trajectory, StudyError> {
         let case = Case {
+            parameters: orbit.parameters.clone(),
+            start: Some(orbit.state.clone()),
             accuracy,
-            ..self.from(orbit)
+            ..Case::declared(self.info(), orbit.dynamics)
         };
         self.entry.motion(&case, orbit.period)
     }
 
-    /// The branch from `orbit` until the parameter is `to`, or as far as it goes.
-    pub(super) fn branch(&self, orbit: &OrbitRecord, to: f64) -> Result<Branch, ReproduceError> {
-        let mut case = self.from(orbit);
-        let along = self.along(orbit.parameters[self.parameter], to);
-        case.along = Some(along);
+    /// The branch between two values of the parameter, or as far as it goes.
+    pub(super) fn branch(
+        &self,
+        dynamics: Dynamics,
+        from: f64,
+        to: f64,
+    ) -> Result<Branch, ReproduceError> {
+        let mut case = self.case(dynamics, from);
+        case.along = Some(self.along(from, to));
         let clock = Instant::now();
         let mut farthest = 0.0_f64;
         let mut watch = |point: &OrbitRecord| {
-            let share = (at(point) - along.from) / (along.to - along.from);
+            let share = (at(point) - from) / (to - from);
             farthest = farthest.max(share);
-            if share < farthest - TURNED {
-                return ControlFlow::Break(());
+            match share < farthest - TURNED {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
             }
-            ControlFlow::Continue(())
         };
-        let record = self.entry.branch(&case, &Tape::blank(), &mut watch);
-        let record = record.map_err(self.missing(&case))?;
+        let record = self.follow(&case, &mut watch)?;
         Ok(Branch::of(record, clock.elapsed()))
     }
 
     /// The branch of a case with all that leave it.
     pub(super) fn branches(&self, case: &Case) -> Result<BranchRecord, ReproduceError> {
-        let mut watch = |_: &OrbitRecord| ControlFlow::Continue(());
-        let record = self.entry.branch(case, &Tape::blank(), &mut watch);
+        self.follow(case, &mut |_| ControlFlow::Continue(()))
+    }
+
+    fn follow(
+        &self,
+        case: &Case,
+        watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
+    ) -> Result<BranchRecord, ReproduceError> {
+        let record = self.entry.branch(case, &Tape::blank(), watch);
         record.map_err(self.missing(case))
     }
 
@@ -205,60 +181,13 @@ impl Subject {
         Along { design, from, to }
     }
 
-    /// The case whose orbit is known.
-    fn from(&self, orbit: &OrbitRecord) -> Case {
-        Case {
-            parameters: orbit.parameters.clone(),
-            start: Some(orbit.state.clone()),
-            period: Some(orbit.period),
-            accuracy: ACCURACY,
-            ..Case::declared(self.info(), orbit.dynamics)
-        }
-    }
-
     fn missing(&self, case: &Case) -> impl FnOnce(StudyError) -> ReproduceError {
         let info = self.info();
-        let (parameter, r) = (self.parameter, case.parameters[self.parameter]);
-        let name = info.parameters[parameter].name;
+        let (name, r) = (
+            info.parameters[self.parameter].name,
+            case.parameters[self.parameter],
+        );
         let what = format!("{}, {}, {name} = {r}", info.command, case.dynamics);
         |source| ReproduceError::Missing { what, source }
     }
-}
-
-impl Branch {
-    fn of(record: BranchRecord, time: Duration) -> Self {
-        let fold = record.special.iter().find(|point| point.kind == "fold");
-        let special = record.special.last().map_or(f64::NAN, |point| point.r);
-        let last = record.points.last().map_or(f64::NAN, at);
-        let (r, why) = match (fold, record.ended.word) {
-            (Some(fold), _) => (fold.r, Why::Folds),
-            (None, "reached-end") => (last, Why::Reached),
-            (None, "equilibrium") => (last, Why::Vanishes),
-            (None, "grazing-sliding") => (special, Why::Grazes),
-            (None, _) => (last, Why::GaveUp),
-        };
-        let work = work(&record.points);
-        let count = fold.map_or(record.points.len(), |fold| fold.after);
-        let mut points = record.points;
-        points.truncate(count);
-        Self {
-            along: record.along,
-            points,
-            end: End { r, why },
-            time,
-            work,
-        }
-    }
-}
-
-/// The parameter of an orbit on a branch.
-pub(super) fn at(orbit: &OrbitRecord) -> f64 {
-    orbit.r.unwrap_or(f64::NAN)
-}
-
-/// What these orbits cost.
-pub(super) fn work<'a>(points: impl IntoIterator<Item = &'a OrbitRecord>) -> Work {
-    let mut work = Work::default();
-    points.into_iter().for_each(|point| work += point.work);
-    work
 }

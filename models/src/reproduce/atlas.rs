@@ -11,7 +11,8 @@ use stickslip::report::{Column, Section, Table};
 use stickslip::study::{Beginning, BranchRecord, Case, Dynamics, Switch, parallel};
 
 use super::ReproduceError;
-use super::ask::{Subject, work};
+use super::ask::Subject;
+use super::branch::work;
 use super::copies::copy;
 use super::words::{count, duration};
 use crate::BeltPair;

@@ -61,8 +61,7 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .text(
             "Close to *v*_{bif} the cycle does not simply shrink: it first creeps along the falling, unstable stretch of \
              the smoothed friction curve, and changes much while *v*_{dr} hardly changes at all (a *canard*). Shooting \
-             once around the orbit loses its digits there, and ten shorter shots take over; for *ε* = 10^{4} even these \
-             do not reach the end.",
+             loses its digits there, wherever on the orbit it begins; for *ε* = 10^{4} it does not reach the end.",
         )
         .table(values(&copies)))
 }

@@ -5,7 +5,8 @@ use stickslip::report::Curve;
 use stickslip::study::{Dynamics, OrbitRecord, parallel};
 
 use super::ReproduceError;
-use super::ask::{Branch, Cycle, Subject, at};
+use super::ask::{Cycle, Subject};
+use super::branch::{Branch, at};
 use super::cost::Cost;
 use super::words::power;
 
@@ -38,12 +39,11 @@ impl Member {
         (from, ends): (f64, &[f64]),
         label: String,
     ) -> Result<Self, ReproduceError> {
-        let cycle = subject.cycle(dynamics, from)?;
-        let branches = ends.iter().map(|&to| subject.branch(&cycle.orbit, to));
+        let branches = ends.iter().map(|&to| subject.branch(dynamics, from, to));
         Ok(Self {
             label,
+            cycle: subject.cycle(dynamics, from)?,
             branches: branches.collect::<Result<_, _>>()?,
-            cycle,
         })
     }
 

@@ -2,7 +2,7 @@
 
 use stickslip::report::{Column, Section, Table};
 
-use super::ask::Branch;
+use super::branch::Branch;
 use super::words::{count, duration};
 
 /// The cost of one branch.

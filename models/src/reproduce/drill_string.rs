@@ -61,8 +61,8 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .table(ends(&copies))
         .text(
             "In a fold the stable cycle meets an unstable one that comes to rest for a moment but does not stick. The \
-             smaller *ε*, the sharper the fold: for *ε* ≤ 10^{−2} it is sharper than double precision, and path \
-             following stops in front of it, within a thousandth of where the cycle ends.",
+             smaller *ε*, the sharper the fold, until it is sharper than double precision: path following then stops in \
+             front of it, within a thousandth of where the cycle ends.",
         )
         .table(values(&copies, &rest)))
 }

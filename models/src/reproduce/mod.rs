@@ -4,6 +4,7 @@ mod ask;
 mod atlas;
 mod belt_oscillator;
 mod belt_pair;
+mod branch;
 mod copies;
 mod cost;
 mod drill_string;

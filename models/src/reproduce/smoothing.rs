@@ -6,12 +6,12 @@ mod predictions;
 
 use stickslip::field::Kernel;
 use stickslip::report::Section;
+use stickslip::study::parallel;
 use stickslip::study::trade::{Scope, Trade};
 
 use super::ReproduceError;
 use super::ask::Subject;
 use crate::BeltOscillator;
-use stickslip::study::parallel;
 
 /// The belt speed of the comparison.
 const SPEED: f64 = 0.2;

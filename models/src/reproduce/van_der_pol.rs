@@ -4,7 +4,8 @@ use stickslip::report::{Axis, Curve, Figure, Marker, Panel, Section, Table};
 use stickslip::study::{Dynamics, OrbitRecord};
 
 use super::ReproduceError;
-use super::ask::{Subject, at};
+use super::ask::Subject;
+use super::branch::at;
 use super::copies::Member;
 use super::cost::Cost;
 use super::words::{beside, decimals, scientific, stability};

@@ -10,7 +10,7 @@ pub(super) use stickslip::report::numerals::{
     count, decimals, duration, power, scientific, significant,
 };
 
-use super::ask::{End, Why};
+use super::branch::{End, Why};
 
 /// Evaluations of the equations, with or without their derivatives.
 pub(super) const fn evaluations(work: &Work) -> u64 {

@@ -3,7 +3,7 @@
 use stickslip::report::{Column, Table};
 use stickslip::study::EquilibriaRecord;
 
-use super::super::ask::{End, Why};
+use super::super::branch::{End, Why};
 use super::super::copies::Copies;
 use super::super::equilibrium::hopf;
 use super::super::words::{beside, decimals, ending, power, stability};
