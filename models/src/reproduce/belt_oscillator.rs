@@ -87,21 +87,22 @@ fn figure_5(belt: &Subject) -> Figure {
 
 /// Forces at sliding speeds up to `most` either way, dense where the copies are steep.
 fn forces(belt: &Subject, most: f64) -> Panel {
-    let speeds = (-300..=300).map(|i| most * (f64::from(i) / 300.0).powi(3));
-    let force = |dynamics, speeds: &mut dyn Iterator<Item = f64>| {
-        speeds.map(|w| [w, -belt.force(dynamics, w)]).collect()
+    let curve = |label: &str, series, dynamics| {
+        let steps = (-300..=300).filter(|i| *i != 0);
+        let speeds = steps.map(|i| most * (f64::from(i) / 300.0).powi(3));
+        let points = speeds.map(|w| [w, -belt.force(dynamics, w)]);
+        Curve::line(label, series, points.collect())
     };
     let axes = Panel::new(
         Axis::new("sliding speed *v*_{rel} (m/s)").from(-most, most),
         Axis::new("friction force *F* (N)").from(-1.2, 1.2),
     );
-    let exact = force(Dynamics::Exact, &mut speeds.clone().filter(|w| *w != 0.0));
     let copies = [2, 3, 4].into_iter().enumerate().map(|(i, exponent)| {
         let label = format!("*ε* = {} s/m", power(exponent));
-        let points = force(copy(Kernel::Arctan, exponent), &mut speeds.clone());
-        Curve::line(label, i + 1, points)
+        curve(&label, i + 1, copy(Kernel::Arctan, exponent))
     });
-    axes.curve(Curve::line("exact", 0, exact)).curves(copies)
+    axes.curve(curve("exact", 0, Dynamics::Exact))
+        .curves(copies)
 }
 
 fn figure_6(copies: &Copies) -> Figure {
