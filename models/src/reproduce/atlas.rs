@@ -4,22 +4,21 @@ mod drawn;
 mod named;
 mod page;
 
-use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use stickslip::field::{Design, Kernel, Smoothing, Work};
-use stickslip::flow::Tape;
+use stickslip::field::Kernel;
 use stickslip::report::{Column, Section, Table};
-use stickslip::study::{
-    Along, Beginning, BranchRecord, Case, Dynamics, Entry, StudyError, Switch, entry,
-};
+use stickslip::study::{Beginning, BranchRecord, Case, Dynamics, Switch, parallel};
 
 use super::ReproduceError;
+use super::ask::Subject;
+use super::branch::work;
+use super::copies::copy;
 use super::words::{count, duration};
 use crate::BeltPair;
-use stickslip::study::parallel;
 
-const SIZE: f64 = 1e5;
+/// The copy is of size 10ⁱ.
+const EXPONENT: i32 = 5;
 /// The speeds of the belt between which branches are followed.
 const RANGE: [f64; 2] = [0.065, 0.5];
 const ACCURACY: f64 = 1e-9;
@@ -67,12 +66,9 @@ struct Atlas {
 
 /// The section on the branches of the belt pair, and how many branches there are.
 pub(super) fn section() -> Result<(Section, usize), ReproduceError> {
-    let smoothing = Smoothing {
-        kernel: Kernel::Arctan,
-        size: SIZE,
-    };
-    let smoothed = follow(Dynamics::Smoothed(smoothing))?;
-    let exact = follow(Dynamics::Exact)?;
+    let pair = Subject::new(BeltPair::v_dr);
+    let smoothed = follow(&pair, copy(Kernel::Arctan, EXPONENT))?;
+    let exact = follow(&pair, Dynamics::Exact)?;
     let branches = smoothed.branches().count() + exact.branches().count();
     let section = Section::new("Two masses on a belt: all branches")
         .text(
@@ -81,7 +77,7 @@ pub(super) fn section() -> Result<(Section, usize), ReproduceError> {
              off its figures. Here each family is followed from one orbit in both directions, and at every flip the \
              doubled orbit is followed, too; then the same again with friction as it is.",
         )
-        .page(page::page(&smoothed, &exact))
+        .page(page::page(&pair, &smoothed, &exact))
         .table(named::table(&smoothed, &exact))
         .table(costs(&[&smoothed, &exact]));
     let section = drawn::figures(&smoothed, &exact)
@@ -91,20 +87,16 @@ pub(super) fn section() -> Result<(Section, usize), ReproduceError> {
 }
 
 /// Follows all families, on all cores.
-fn follow(dynamics: Dynamics) -> Result<Atlas, ReproduceError> {
+fn follow(pair: &Subject, dynamics: Dynamics) -> Result<Atlas, ReproduceError> {
     let clock = Instant::now();
     // The longest first, so that no core waits for it.
     let mut order: Vec<usize> = (0..FAMILIES.len()).collect();
     order.sort_by_key(|&i| std::cmp::Reverse(FAMILIES[i].depth));
-    let found = parallel(&order, |&i| (i, branches(&FAMILIES[i], dynamics)));
-    let mut families = Vec::new();
-    for (i, branch) in found {
-        let what = format!("belt pair, {dynamics}, {}", FAMILIES[i].name);
-        families.push((
-            i,
-            branch.map_err(|source| ReproduceError::Atlas { what, source })?,
-        ));
-    }
+    let found = parallel(&order, |&i| {
+        Ok((i, branches(pair, &FAMILIES[i], dynamics)?))
+    });
+    let found = found.into_iter();
+    let mut families: Vec<(usize, BranchRecord)> = found.collect::<Result<_, ReproduceError>>()?;
     families.sort_by_key(|(i, _)| *i);
     Ok(Atlas {
         dynamics,
@@ -113,30 +105,25 @@ fn follow(dynamics: Dynamics) -> Result<Atlas, ReproduceError> {
     })
 }
 
-fn branches(family: &Family, dynamics: Dynamics) -> Result<BranchRecord, StudyError> {
-    let pair = pair();
-    let mut case = Case::declared(pair.info(), dynamics);
-    case.along = Some(Along {
-        design: Design::Parameter(BeltPair::v_dr.index),
-        from: RANGE[0],
-        to: RANGE[1],
-    });
-    case.beginning = Beginning::At(family.v_dr);
-    case.start = Some(family.start.to_vec());
-    case.period = family.period;
-    case.accuracy = ACCURACY;
-    case.switch = Switch {
-        flips: true,
-        branch_points: false,
-        depth: family.depth,
+fn branches(
+    pair: &Subject,
+    family: &Family,
+    dynamics: Dynamics,
+) -> Result<BranchRecord, ReproduceError> {
+    let case = Case {
+        along: Some(pair.along(RANGE[0], RANGE[1])),
+        beginning: Beginning::At(family.v_dr),
+        start: Some(family.start.to_vec()),
+        period: family.period,
+        accuracy: ACCURACY,
+        switch: Switch {
+            flips: true,
+            branch_points: false,
+            depth: family.depth,
+        },
+        ..pair.case(dynamics, family.v_dr)
     };
-    pair.branch(&case.at(family.v_dr), &Tape::blank(), &mut |_| {
-        ControlFlow::Continue(())
-    })
-}
-
-fn pair() -> Box<dyn Entry> {
-    entry::<BeltPair, _>()
+    pair.branches(&case)
 }
 
 impl Atlas {
@@ -168,10 +155,9 @@ fn costs(atlases: &[&Atlas]) -> Table {
     let columns = std::iter::once(Column::words("system")).chain(heads.map(Column::numbers));
     let caption = "What the branches cost on all cores. The thesis took 9 h 35 min for fewer branches of the copy.";
     Table::new("atlas-cost", caption, columns).rows(atlases.iter().map(|atlas| {
-        let mut work = Work::default();
         let all: Vec<&BranchRecord> = atlas.branches().map(|(_, branch)| branch).collect();
         let points = all.iter().flat_map(|branch| &branch.points);
-        points.clone().for_each(|point| work += point.work);
+        let work = work(points.clone());
         let special: usize = all.iter().map(|branch| branch.special.len()).sum();
         vec![
             atlas.title().to_owned(),

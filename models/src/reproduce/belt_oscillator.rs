@@ -1,26 +1,23 @@
 //! Thesis section 3.2: one mass on a moving belt.
 
-mod equilibrium;
 mod errors;
-mod law;
 mod tables;
 
 use stickslip::field::Kernel;
 use stickslip::report::{Axis, Curve, Figure, Marker, Panel, Section};
-use stickslip::shooting::Orbit;
+use stickslip::study::{Dynamics, EquilibriaRecord};
 
-use equilibrium::figure_8;
-use errors::{figure_7, figure_11};
-use law::figure_5;
+use errors::{THESIS, figure_7, figure_11};
 use tables::{ends, values};
 
 use super::ReproduceError;
+use super::ask::Subject;
+use super::copies::{Copies, copy};
 use super::cost::Cost;
-use super::exact::{self, Exact};
-use super::follow::{Drawn, Followed, draw, family, follow, search};
+use super::equilibrium::{draw, hopf};
+use super::errors::Measured;
 use super::words::power;
 use crate::BeltOscillator;
-use stickslip::study::parallel;
 
 /// The smoothings are of size 10ⁱ.
 const EXPONENTS: [i32; 6] = [2, 3, 4, 5, 6, 7];
@@ -29,27 +26,14 @@ const SPEED: f64 = 0.2;
 /// Where they shall end: near 0 the sticking phase, and with it the period, grows without bound.
 const LEAST: f64 = 0.002;
 
-/// One smooth copy: its orbit at the first speed, and its branch.
-struct Copy {
-    exponent: i32,
-    cycle: Drawn<2>,
-    branch: Followed<2>,
-}
-
 /// The section on the belt oscillator.
 pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
-    let copies: Vec<Copy> = parallel(&EXPONENTS, |&exponent| compute(exponent))
-        .into_iter()
-        .collect::<Result<_, _>>()?;
-    for copy in &copies {
-        let name = format!("mass on a belt, *ε* = {}", power(copy.exponent));
-        costs.push(Cost::of(name, &copy.branch, "10 min"));
-    }
-    let exact = exact()?;
-    let name = "mass on a belt, exact".to_owned();
-    let points = exact.orbits.len();
-    costs.push(Cost::counted(name, points, (&exact.work, exact.time), "–"));
-    let errors = errors::all()?;
+    let belt = Subject::new(BeltOscillator::v_dr);
+    let sizes = (Kernel::Arctan, &EXPONENTS[..], " s/m");
+    let copies = Copies::find(&belt, sizes, (SPEED, &[LEAST]))?;
+    costs.extend(copies.costs("mass on a belt", "*v*_{dr}", "10 min"));
+    let errors = Measured::measure(&belt, &THESIS)?;
+    let rests = rests(&belt)?;
     Ok(Section::new("One mass on a belt")
         .sketch(
             include_str!("sketches/belt_oscillator.svg"),
@@ -65,66 +49,68 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
         .text(
             "The smooth copies replace sgn(*v*_{rel}) by (2/π) arctan(*ε* *v*_{rel}). They cannot stick: they creep.",
         )
-        .figure(figure_5()?)
-        .figure(figure_6(&copies, &exact))
+        .figure(figure_5(&belt))
+        .figure(figure_6(&copies))
         .figure(figure_7(&errors))
-        .figure(figure_8()?)
-        .figure(figure_9(&copies, &exact))
-        .figure(figure_10(&copies, &exact))
+        .figure(figure_8(&belt, &rests[0])?)
+        .figure(figure_9(&copies))
+        .figure(figure_10(&copies))
         .figure(figure_11(&errors))
         .table(errors::table(&errors))
-        .table(ends(&copies)?)
+        .table(ends(&copies, &rests))
         .text(
             "Close to *v*_{bif} the cycle does not simply shrink: it first creeps along the falling, unstable stretch of \
              the smoothed friction curve, and changes much while *v*_{dr} hardly changes at all (a *canard*). Shooting \
-             once around the orbit loses its digits there, and ten shorter shots take over; for *ε* = 10^{4} even these \
-             do not reach the end.",
+             loses its digits there, wherever on the orbit it begins; for *ε* = 10^{4} it does not reach the end.",
         )
         .table(values(&copies)))
 }
 
-/// The belt oscillator with its declared friction.
-type ExactBelt = Exact<BeltOscillator, 2>;
+/// The equilibria of all copies along the speed of the belt.
+fn rests(belt: &Subject) -> Result<Vec<EquilibriaRecord>, ReproduceError> {
+    let rest = |&exponent: &i32| belt.equilibria(copy(Kernel::Arctan, exponent), [SPEED, 0.0]);
+    EXPONENTS.iter().map(rest).collect()
+}
 
-fn exact() -> Result<ExactBelt, ReproduceError> {
-    let start = (SPEED, [0.0, SPEED]);
-    exact::follow(
-        BeltOscillator::default(),
-        BeltOscillator::v_dr,
-        start,
-        &[LEAST],
+fn figure_5(belt: &Subject) -> Figure {
+    Figure::new(
+        "3.5",
+        "Friction force *F* and its smooth copies",
+        "Left: friction pushes against the direction of sliding, and weakens with speed; at rest it takes any value \
+         between −1 N and 1 N. Right: the same near rest. The larger *ε*, the closer the copy; but its peak is always \
+         lower than the limit at rest, and its slope there, −(2/π) *ε* *F*_{s}, is what makes the equations stiff.",
     )
-    .map_err(ReproduceError::at("belt oscillator, exact"))
+    .columns(2)
+    .panel(forces(belt, 1.0))
+    .panel(forces(belt, 0.05))
 }
 
-fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
-    let what = || ReproduceError::at(format!("belt oscillator, arctan:1e{exponent}"));
-    let smoothing = Some((Kernel::Arctan, 10f64.powi(exponent)));
-    let family = family(BeltOscillator::default(), BeltOscillator::v_dr, smoothing);
-    let cycle = draw(&family, SPEED, &search([1.0, 0.0], None)).map_err(what())?;
-    let branch = follow(&family, &cycle.orbit, LEAST).map_err(what())?;
-    Ok(Copy {
-        exponent,
-        cycle,
-        branch,
-    })
-}
-
-fn label(copy: &Copy) -> String {
-    format!("*ε* = {} s/m", power(copy.exponent))
-}
-
-fn figure_6(copies: &[Copy], exact: &ExactBelt) -> Figure {
-    let cycles = copies.iter().enumerate().map(|(i, copy)| {
-        let path = copy.cycle.path.iter().map(|sample| sample.state).collect();
-        Curve::line(label(copy), i + 1, path)
+/// Forces at sliding speeds up to `most` either way, dense where the copies are steep.
+fn forces(belt: &Subject, most: f64) -> Panel {
+    let curve = |label: &str, series, dynamics| {
+        let steps = (-300..=300).filter(|i| *i != 0);
+        let speeds = steps.map(|i| most * (f64::from(i) / 300.0).powi(3));
+        let points = speeds.map(|w| [w, -belt.force(dynamics, w)]);
+        Curve::line(label, series, points.collect())
+    };
+    let axes = Panel::new(
+        Axis::new("sliding speed *v*_{rel} (m/s)").from(-most, most),
+        Axis::new("friction force *F* (N)").from(-1.2, 1.2),
+    );
+    let copies = [2, 3, 4].into_iter().enumerate().map(|(i, exponent)| {
+        let label = format!("*ε* = {} s/m", power(exponent));
+        curve(&label, i + 1, copy(Kernel::Arctan, exponent))
     });
+    axes.curve(curve("exact", 0, Dynamics::Exact))
+        .curves(copies)
+}
+
+fn figure_6(copies: &Copies) -> Figure {
     let panel = Panel::new(
         Axis::new("displacement *x* (m)"),
         Axis::new("velocity *x*′ (m/s)"),
     )
-    .curves(cycles)
-    .curve(Curve::line("exact", 0, exact.path.clone()))
+    .curves(copies.planes())
     .curve(Curve::points(
         "unstable equilibrium",
         0,
@@ -141,18 +127,35 @@ fn figure_6(copies: &[Copy], exact: &ExactBelt) -> Figure {
     .panel(panel)
 }
 
-fn along(copies: &[Copy], of: fn(&Orbit<2, ()>) -> f64) -> impl Iterator<Item = Curve> {
-    copies.iter().enumerate().map(move |(i, copy)| {
-        let points = copy.branch.orbits.iter().map(|o| [o.r, of(o)]).collect();
-        Curve::line(label(copy), i + 1, points)
-    })
+fn figure_8(belt: &Subject, rest: &EquilibriaRecord) -> Result<Figure, ReproduceError> {
+    let exact = belt.equilibria(Dynamics::Exact, [SPEED, 0.0])?;
+    let [v_bif] = hopf(rest);
+    let axes = Panel::new(
+        belt_speed(),
+        Axis::new("equilibrium *x*_{eq} (m)").from(0.0, 1.0),
+    );
+    Ok(Figure::new(
+        "3.8",
+        "Equilibrium of the copy *ε* = 10^{2}",
+        format!(
+            "The mass can rest where the spring balances friction. At every speed of the belt this rest is unstable in \
+             the real system, because friction weakens as the belt slides faster. Near zero speed the copy's friction \
+             rises instead, as it leads through zero; there its rest is stable. The change at *v*_{{bif}} = {v_bif:.4} m/s \
+             (thesis: 0.052) is an artefact of smoothing, and so is the copy's silence below it."
+        ),
+    )
+    .panel(draw(
+        axes,
+        (rest, "Hopf point: an artefact of smoothing"),
+        (&exact, "exact, unstable at every speed"),
+    )))
 }
 
 fn belt_speed() -> Axis {
     Axis::new("belt speed *v*_{dr} (m/s)").from(0.0, SPEED)
 }
 
-fn figure_9(copies: &[Copy], exact: &ExactBelt) -> Figure {
+fn figure_9(copies: &Copies) -> Figure {
     Figure::new(
         "3.9",
         "Absolute maximum of *x*",
@@ -161,17 +164,11 @@ fn figure_9(copies: &[Copy], exact: &ExactBelt) -> Figure {
          curve plunges to the displacement of the equilibrium; the real system keeps vibrating at every speed.",
     )
     .panel(
-        Panel::new(belt_speed(), Axis::new("max |*x*| (m)"))
-            .curves(along(copies, |orbit| orbit.max_abs()[0]))
-            .curve(Curve::line(
-                "exact",
-                0,
-                exact.along(|orbit| orbit.max_abs()[0]),
-            )),
+        Panel::new(belt_speed(), Axis::new("max |*x*| (m)")).curves(copies.amplitudes()),
     )
 }
 
-fn figure_10(copies: &[Copy], exact: &ExactBelt) -> Figure {
+fn figure_10(copies: &Copies) -> Figure {
     Figure::new(
         "3.10",
         "Free frequency",
@@ -180,11 +177,6 @@ fn figure_10(copies: &[Copy], exact: &ExactBelt) -> Figure {
     )
     .panel(
         Panel::new(belt_speed(), Axis::new("frequency *f* (Hz)").from(0.0, 0.2))
-            .curves(along(copies, |orbit| 1.0 / orbit.period))
-            .curve(Curve::line(
-                "exact",
-                0,
-                exact.along(|orbit| 1.0 / orbit.period),
-            )),
+            .curves(copies.frequencies()),
     )
 }

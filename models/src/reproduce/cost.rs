@@ -1,11 +1,8 @@
 //! What the branches cost, beside what they cost in 1996.
 
-use std::time::Duration;
-
-use stickslip::field::Work;
 use stickslip::report::{Column, Section, Table};
 
-use super::follow::Followed;
+use super::branch::Branch;
 use super::words::{count, duration};
 
 /// The cost of one branch.
@@ -16,34 +13,20 @@ pub(super) struct Cost {
 }
 
 impl Cost {
-    /// What `followed` cost.
-    pub(super) fn of<const N: usize>(
-        branch: String,
-        followed: &Followed<N>,
-        thesis: &'static str,
-    ) -> Self {
-        let points = followed.orbits.len();
-        Self::counted(branch, points, (&followed.work, followed.time), thesis)
-    }
-
-    /// This work and time for this many points.
-    pub(super) fn counted(
-        branch: String,
-        points: usize,
-        (work, time): (&Work, Duration),
-        thesis: &'static str,
-    ) -> Self {
+    /// What a branch along `name` cost.
+    pub(super) fn of(name: &str, branch: &Branch, thesis: &'static str) -> Self {
+        let Branch { along, work, .. } = branch;
         Self {
-            branch,
+            branch: format!("{name} from {} to {}", along.from, along.to),
             thesis,
             cells: [
-                count(points as u64),
+                count(branch.points.len() as u64),
                 count(work.steps),
                 count(work.evaluations),
                 count(work.linearisations),
                 count(work.factorisations),
                 count(work.newton),
-                duration(time),
+                duration(branch.time),
             ],
         }
     }

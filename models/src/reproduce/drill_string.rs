@@ -1,26 +1,23 @@
 //! Thesis chapter 4: a drill string in torsion.
 
-mod equilibrium;
 mod errors;
-mod law;
 mod tables;
 
 use stickslip::field::Kernel;
 use stickslip::report::{Axis, Curve, Figure, Marker, Panel, Section};
-use stickslip::shooting::Orbit;
+use stickslip::study::{Dynamics, EquilibriaRecord};
 
-use equilibrium::figure_6;
-use errors::{figure_5, figure_9};
-use law::figure_3;
+use errors::{THESIS, figure_5, figure_9};
 use tables::{ends, values};
 
 use super::ReproduceError;
+use super::ask::Subject;
+use super::copies::{Copies, copy};
 use super::cost::Cost;
-use super::exact::{self, Exact};
-use super::follow::{Drawn, Followed, draw, family, follow, search};
+use super::equilibrium::{draw, hopf};
+use super::errors::Measured;
 use super::words::power;
 use crate::DrillString;
-use stickslip::study::parallel;
 
 /// The smoothings are of size 10ⁱ.
 const EXPONENTS: [i32; 5] = [0, -1, -2, -3, -4];
@@ -29,30 +26,17 @@ const SPEED: f64 = 4.0;
 /// Where they shall end: near 0 the sticking phase, and with it the period, grows without bound.
 const LEAST: f64 = 0.02;
 const MOST: f64 = 8.0;
-
-/// One smooth copy: its orbit at the first speed, and its branch both ways.
-struct Copy {
-    exponent: i32,
-    cycle: Drawn<2>,
-    down: Followed<2>,
-    up: Followed<2>,
-}
+/// The speeds between which the equilibrium is drawn; at 0 itself the table stands still.
+const REST: [f64; 2] = [5.0, 1e-3];
 
 /// The section on the drill string.
 pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
-    let copies: Vec<Copy> = parallel(&EXPONENTS, |&exponent| compute(exponent))
-        .into_iter()
-        .collect::<Result<_, _>>()?;
-    for copy in &copies {
-        let name = |way| format!("drill string, *ε* = {}, {way}", power(copy.exponent));
-        costs.push(Cost::of(name("*η* falling"), &copy.down, "6 min, both"));
-        costs.push(Cost::of(name("*η* rising"), &copy.up, "6 min, both"));
-    }
-    let exact = exact()?;
-    let name = "drill string, exact, both ways".to_owned();
-    let points = exact.orbits.len();
-    costs.push(Cost::counted(name, points, (&exact.work, exact.time), "–"));
-    let errors = errors::all()?;
+    let drill = Subject::new(DrillString::eta);
+    let sizes = (Kernel::Quartic, &EXPONENTS[..], "");
+    let copies = Copies::find(&drill, sizes, (SPEED, &[LEAST, MOST]))?;
+    costs.extend(copies.costs("drill string", "*η*", "6 min, both"));
+    let errors = Measured::measure(&drill, &THESIS)?;
+    let rest = drill.equilibria(copy(Kernel::Quartic, 0), REST)?;
     Ok(Section::new("A drill string")
         .sketch(
             include_str!("sketches/drill_string.svg"),
@@ -66,64 +50,61 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
              table. Friction at rest holds up to *θ* = 4.2 more than friction in motion, and the damping is *ζ* = 0.05.",
         )
         .formula("*ψ*″ + 2*ζ* *ψ*′ + *ψ* = *T*_{c},   *T*_{c} = 0 while the bit turns,   *T*_{c} ≤ *θ* while it sticks (*ψ*′ = *η*)")
-        .figure(figure_3()?)
-        .figure(figure_4(&copies, &exact))
+        .figure(figure_3(&drill))
+        .figure(figure_4(&copies))
         .figure(figure_5(&errors))
-        .figure(figure_6()?)
-        .figure(figure_7(&copies, &exact))
-        .figure(figure_8(&copies, &exact))
+        .figure(figure_6(&drill, &rest)?)
+        .figure(figure_7(&copies))
+        .figure(figure_8(&copies))
         .figure(figure_9(&errors))
         .table(errors::table(&errors))
         .table(ends(&copies))
         .text(
             "In a fold the stable cycle meets an unstable one that comes to rest for a moment but does not stick. The \
-             smaller *ε*, the sharper the fold: for *ε* ≤ 10^{−2} it is sharper than double precision, and path \
-             following stops in front of it, within a thousandth of where the cycle ends.",
+             smaller *ε*, the sharper the fold, until it is sharper than double precision: path following then stops in \
+             front of it, within a thousandth of where the cycle ends.",
         )
-        .table(values(&copies)?))
+        .table(values(&copies, &rest)))
 }
 
-/// The drill string with its declared friction.
-type ExactDrill = Exact<DrillString, 2>;
-
-fn exact() -> Result<ExactDrill, ReproduceError> {
-    let start = (SPEED, [0.0, SPEED]);
-    exact::follow(
-        DrillString::default(),
-        DrillString::eta,
-        start,
-        &[LEAST, MOST],
-    )
-    .map_err(ReproduceError::at("drill string, exact"))
-}
-
-fn compute(exponent: i32) -> Result<Copy, ReproduceError> {
-    let what = || ReproduceError::at(format!("drill string, quartic:1e{exponent}"));
-    let smoothing = Some((Kernel::Quartic, 10f64.powi(exponent)));
-    let family = family(DrillString::default(), DrillString::eta, smoothing);
-    let cycle = draw(&family, SPEED, &search([6.0, 0.0], None)).map_err(what())?;
-    let down = follow(&family, &cycle.orbit, LEAST).map_err(what())?;
-    let up = follow(&family, &cycle.orbit, MOST).map_err(what())?;
-    Ok(Copy {
-        exponent,
-        cycle,
-        down,
-        up,
-    })
-}
-
-fn label(copy: &Copy) -> String {
-    format!("*ε* = {}", power(copy.exponent))
-}
-
-fn figure_4(copies: &[Copy], exact: &ExactDrill) -> Figure {
-    let cycles = copies.iter().enumerate().map(|(i, copy)| {
-        let path = copy.cycle.path.iter().map(|sample| sample.state).collect();
-        Curve::line(label(copy), i + 1, path)
+fn figure_3(drill: &Subject) -> Figure {
+    let DrillString {
+        eta,
+        theta,
+        kinetic,
+        ..
+    } = DrillString::default();
+    let exact = vec![[-1.0, 0.0], [eta, 0.0], [eta, theta], [eta, -4.0]];
+    let copies = [0, -1].into_iter().enumerate().map(|(i, exponent)| {
+        let friction = copy(Kernel::Quartic, exponent);
+        let most = eta + 0.3 * 10f64.powi(exponent);
+        let rates = (0..=600).map(|k| -1.0 + (most + 1.0) * f64::from(k) / 600.0);
+        let points = rates.map(|omega| [omega, drill.force(friction, eta - omega) - kinetic]);
+        Curve::line(
+            format!("*ε* = {}", power(exponent)),
+            i + 1,
+            points.collect(),
+        )
     });
+    let panel = Panel::new(
+        Axis::new("twist rate *ψ*′").from(-1.0, 5.0),
+        Axis::new("friction term *T*_{c}").from(-4.0, 6.0),
+    )
+    .curve(Curve::line("exact, *η* = 4", 0, exact))
+    .curves(copies);
+    Figure::new(
+        "4.3",
+        "Friction term *T*_{c} and its smooth copies",
+        "While the bit turns (*ψ*′ < *η*) the term is zero; where it sticks (*ψ*′ = *η*) the term takes any value up to \
+         *θ* = 4.2. The copy climbs to the same peak at *ψ*′ = *η* − *ε* by a polynomial of fourth degree that begins \
+         at *η* − 4*ε*. It stands for forward motion only.",
+    )
+    .panel(panel)
+}
+
+fn figure_4(copies: &Copies) -> Figure {
     let panel = Panel::new(Axis::new("twist *ψ*"), Axis::new("twist rate *ψ*′"))
-        .curves(cycles)
-        .curve(Curve::line("exact", 0, exact.path.clone()))
+        .curves(copies.planes())
         .curve(Curve::points(
             "stable equilibrium",
             0,
@@ -140,22 +121,35 @@ fn figure_4(copies: &[Copy], exact: &ExactDrill) -> Figure {
     .panel(panel)
 }
 
-fn along(copies: &[Copy], of: fn(&Orbit<2, ()>) -> f64) -> impl Iterator<Item = Curve> {
-    copies.iter().enumerate().map(move |(i, copy)| {
-        let down = copy.down.orbits.iter().rev();
-        let up = copy.up.orbits.iter().skip(1);
-        let points = down.chain(up).map(|o| [o.r, of(o)]).collect();
-        Curve::line(label(copy), i + 1, points)
-    })
+fn figure_6(drill: &Subject, rest: &EquilibriaRecord) -> Result<Figure, ReproduceError> {
+    let exact = drill.equilibria(Dynamics::Exact, REST)?;
+    let [first, second] = hopf(rest);
+    let axes = Panel::new(
+        Axis::new("speed of the rotary table *η*").from(0.0, REST[0]),
+        Axis::new("equilibrium *ψ*_{eq}").from(-0.5, 5.0),
+    );
+    Ok(Figure::new(
+        "4.6",
+        "Equilibrium of the copy *ε* = 1",
+        format!(
+            "Steady drilling, *ψ* = 0, is stable in the real system at every speed of the table. The copy lets friction \
+             rise at speeds below 4*ε* already: its steady twist is off, and unstable between *η*_{{bif,2}} = {second:.4} \
+             and *η*_{{bif,1}} = {first:.4} (thesis: 1.018 and 3.759). Both points are artefacts of smoothing."
+        ),
+    )
+    .panel(draw(
+        axes,
+        (rest, "Hopf points: artefacts of smoothing"),
+        (&exact, "exact, stable at every speed"),
+    )))
 }
 
 fn table_speed() -> Axis {
     Axis::new("speed of the rotary table *η*").from(0.0, MOST)
 }
 
-fn figure_7(copies: &[Copy], exact: &ExactDrill) -> Figure {
-    let branch = exact.along(|orbit| orbit.max_abs()[0]);
-    let end: Vec<[f64; 2]> = branch.last().copied().into_iter().collect();
+fn figure_7(copies: &Copies) -> Figure {
+    let end: Vec<[f64; 2]> = copies.exact.amplitudes().pop().into_iter().collect();
     let last = end.first().map_or(f64::NAN, |point| point[0]);
     Figure::new(
         "4.7",
@@ -169,13 +163,12 @@ fn figure_7(copies: &[Copy], exact: &ExactDrill) -> Figure {
     )
     .panel(
         Panel::new(table_speed(), Axis::new("max |*ψ*|"))
-            .curves(along(copies, |orbit| orbit.max_abs()[0]))
-            .curve(Curve::line("exact", 0, branch))
+            .curves(copies.amplitudes())
             .curve(Curve::points("end by grazing", 0, Marker::Diamond, end)),
     )
 }
 
-fn figure_8(copies: &[Copy], exact: &ExactDrill) -> Figure {
+fn figure_8(copies: &Copies) -> Figure {
     Figure::new(
         "4.8",
         "Free frequency",
@@ -184,11 +177,6 @@ fn figure_8(copies: &[Copy], exact: &ExactDrill) -> Figure {
     )
     .panel(
         Panel::new(table_speed(), Axis::new("frequency *f*").from(0.0, 0.2))
-            .curves(along(copies, |orbit| 1.0 / orbit.period))
-            .curve(Curve::line(
-                "exact",
-                0,
-                exact.along(|orbit| 1.0 / orbit.period),
-            )),
+            .curves(copies.frequencies()),
     )
 }

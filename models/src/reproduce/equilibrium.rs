@@ -1,56 +1,64 @@
 //! Equilibria of smooth copies: stable where the real one is not, or the other way round.
 
-use stickslip::field::{Field, Kernel};
-use stickslip::model::Model;
-use stickslip::report::Curve;
+use stickslip::bifurcation::Stability;
+use stickslip::report::{Curve, Marker, Panel};
+use stickslip::study::EquilibriaRecord;
 
-use super::ReproduceError;
-use super::follow::field;
+use super::pieces::pieces;
 
-/// Series of stable equilibria: a solid line; of unstable ones: a dashed line.
-const SERIES: [usize; 2] = [6, 1];
+/// Series of stable equilibria: a solid line; of unstable ones: a dashed line; of Hopf points; of the exact system.
+const STABLE: usize = 6;
+const UNSTABLE: usize = 1;
+const HOPF: usize = 2;
+const EXACT: usize = 3;
 
-/// Trace of the Jacobian at an equilibrium of a copy of two states: it is stable where this is negative.
-///
-/// The determinant is the stiffness, which is positive: the eigenvalues cannot be real and of different sign.
-pub(super) fn trace<M: Model<2>>(
-    model: &M,
-    (kernel, size): (Kernel, f64),
-    state: [f64; 2],
-) -> Result<f64, ReproduceError> {
-    let field = field(model, kernel, size).map_err(ReproduceError::at("an equilibrium"))?;
-    let [[a, _], [_, d]] = field.linearise(&state).jacobian;
-    Ok(a + d)
+/// The Hopf points of a branch, with their first state.
+fn points(branch: &EquilibriaRecord) -> Vec<[f64; 2]> {
+    let special = branch.special.iter();
+    let hopf = special.filter(|point| point.period.is_some());
+    hopf.map(|point| [point.r, point.state[0]]).collect()
 }
 
-/// Where `f` changes sign between `low` and `high`.
-pub(super) fn sign_change(
-    f: impl Fn(f64) -> Result<f64, ReproduceError>,
-    mut low: f64,
-    mut high: f64,
-) -> Result<f64, ReproduceError> {
-    let below = f(low)? > 0.0;
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if (f(middle)? > 0.0) == below {
-            low = middle;
+/// Where the first Hopf points of a branch are.
+pub(super) fn hopf<const K: usize>(branch: &EquilibriaRecord) -> [f64; K] {
+    let points = points(branch);
+    std::array::from_fn(|i| points.get(i).map_or(f64::NAN, |point| point[0]))
+}
+
+/// The equilibria of a copy with its Hopf points, and those of the exact system.
+pub(super) fn draw(
+    axes: Panel,
+    (copy, artefacts): (&EquilibriaRecord, &str),
+    (exact, label): (&EquilibriaRecord, &str),
+) -> Panel {
+    let stretches = pieces(&curve(copy)).into_iter().map(|(stable, points)| {
+        if stable {
+            Curve::line("copy, stable", STABLE, points)
         } else {
-            high = middle;
+            Curve::line("copy, unstable", UNSTABLE, points)
         }
-    }
-    Ok(0.5 * (low + high))
+    });
+    let exact = curve(exact).into_iter().map(|(_, point)| point).collect();
+    axes.curves(stretches)
+        .curve(Curve::points(
+            artefacts,
+            HOPF,
+            Marker::Diamond,
+            points(copy),
+        ))
+        .curve(Curve::line(label, EXACT, exact))
 }
 
-/// Equilibria at parameters `from` to `to`, in one piece.
-pub(super) fn piece(
-    at: impl Fn(f64) -> f64,
-    (from, to): (f64, f64),
-    stable: bool,
-    label: &str,
-) -> Curve {
-    let points = (0..=200)
-        .map(|i| from + (to - from) * f64::from(i) / 200.0)
-        .map(|r| [r, at(r)])
-        .collect();
-    Curve::line(label, SERIES[usize::from(!stable)], points)
+/// The first state along a branch, with the stability from there on.
+fn curve(branch: &EquilibriaRecord) -> Vec<(bool, [f64; 2])> {
+    let mut curve: Vec<(bool, [f64; 2])> = Vec::new();
+    let mut special = points(branch).into_iter();
+    for found in &branch.points {
+        let stable = found.stability == Stability::Stable;
+        if curve.last().is_some_and(|(before, _)| *before != stable) {
+            curve.extend(special.next().map(|change| (stable, change)));
+        }
+        curve.push((stable, [found.r.unwrap_or(f64::NAN), found.state[0]]));
+    }
+    curve
 }

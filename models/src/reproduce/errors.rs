@@ -1,26 +1,27 @@
 //! The errors of smooth copies against the exact orbit, thesis (3.7) and (3.8), and their fits e = b εᵃ.
 
 use stickslip::field::Kernel;
-use stickslip::flow::ExactFamily;
-use stickslip::integrate::Tolerance;
-use stickslip::model::Model;
 use stickslip::report::{Axis, Column, Curve, Figure, Marker, Panel, Table};
-use stickslip::shooting::closest;
-use stickslip::study::trade::{self, Fit, Scope, Trade};
+use stickslip::study::parallel;
+use stickslip::study::trade::{self, Fit, Scope};
 
-use super::follow::{FollowError, search};
+use super::ReproduceError;
+use super::ask::Subject;
 use super::words::{decimals, significant};
-
-/// Accuracy of the exact orbit against which copies are measured.
-const ACCURACY: f64 = 1e-11;
 
 /// Factor by which an axis goes on beyond the sizes.
 const MARGIN: f64 = 2.0;
 
 /// The errors of one kernel's copies at one value of the parameter.
-pub(super) struct Errors {
-    pub(super) r: f64,
-    pub(super) curve: trade::Curve,
+struct Errors {
+    r: f64,
+    curve: trade::Curve,
+}
+
+/// The errors of the copies of one system beside what the thesis prints of them.
+pub(super) struct Measured {
+    thesis: &'static Thesis,
+    all: Vec<Errors>,
 }
 
 /// Which of the two errors.
@@ -32,63 +33,37 @@ pub(super) enum Of {
     Frequency,
 }
 
-/// A column of the thesis's tables of fits.
-pub(super) struct Printed {
-    pub(super) of: Of,
-    pub(super) r: f64,
-    pub(super) a: f64,
-    pub(super) b: f64,
-    pub(super) remark: &'static str,
-}
-
-/// How a model's errors are written.
-pub(super) struct Names {
+/// What the thesis prints of one system, and how it is written.
+pub(super) struct Thesis {
+    pub(super) kernel: Kernel,
     /// The error of the extremum.
     pub(super) extremum: &'static str,
     /// The size of the smoothing.
     pub(super) size: &'static str,
+    /// The power of ten at the middle of the sizes.
+    pub(super) middle: f64,
     /// The parameter, in a column.
     pub(super) parameter: &'static str,
     /// The parameter, on an axis.
     pub(super) axis: &'static str,
+    pub(super) extrema: [Printed; 4],
+    pub(super) frequencies: [Printed; 4],
 }
 
-/// Smooth copies of `model` against its exact orbit near `start`.
-pub(super) fn trade<M: Model<N>, const N: usize>(
-    model: &M,
-    start: [f64; N],
-    scope: &Scope,
-) -> Result<Trade, FollowError> {
-    let family = ExactFamily {
-        model: *model,
-        design: None,
-        tolerance: Tolerance::for_accuracy(ACCURACY),
-        magnitude: [1.0; N],
-    };
-    let mut tight = search(start, None);
-    tight.accuracy = ACCURACY;
-    let orbit = closest(&family, 0.0, &tight)?;
-    Ok(trade::trade(model, &orbit, scope)?)
+/// A fit at one value of the parameter.
+pub(super) struct Printed {
+    r: f64,
+    a: f64,
+    b: f64,
+    remark: &'static str,
 }
 
-/// The errors of all copies of one kernel at the usual sizes.
-pub(super) fn measure<M: Model<N>, const N: usize>(
-    model: &M,
-    (r, start): (f64, [f64; N]),
-    kernel: Kernel,
-) -> Result<Errors, FollowError> {
-    let scope = Scope {
-        kernels: vec![kernel],
-        tolerances: Vec::new(),
-        ..Scope::default()
-    };
-    let curve = trade(model, start, &scope)?.curves.into_iter().next();
-    let curve = curve.ok_or(FollowError::NoCopies)?;
-    Ok(Errors { r, curve })
+pub(super) const fn printed(r: f64, a: f64, b: f64, remark: &'static str) -> Printed {
+    Printed { r, a, b, remark }
 }
 
 impl Errors {
-    pub(super) fn fit(&self, of: Of) -> Option<Fit> {
+    fn fit(&self, of: Of) -> Option<Fit> {
         match of {
             Of::Extremum => self.curve.max_abs.first().copied().flatten(),
             Of::Frequency => self.curve.frequency,
@@ -102,6 +77,34 @@ impl Errors {
         };
         let points = self.curve.points.iter();
         points.map(|p| [p.size, error(p).abs()]).collect()
+    }
+
+    fn panel(&self, thesis: &Thesis) -> Panel {
+        let sizes = || self.curve.points.iter().map(|point| point.size);
+        let (least, most) = (
+            sizes().fold(f64::INFINITY, f64::min),
+            sizes().fold(0.0, f64::max),
+        );
+        let axes = Panel::new(
+            Axis::new(thesis.size)
+                .logarithmic()
+                .from(least / MARGIN, MARGIN * most),
+            Axis::new("relative error").logarithmic(),
+        );
+        Of::BOTH.into_iter().fold(axes, |panel, of| {
+            let (name, points) = (of.name(thesis), self.points(of));
+            let fitted = self.fit(of).map_or_else(Vec::new, |fit| {
+                let at = |point: &[f64; 2]| [point[0], fit.b * point[0].powf(fit.a)];
+                points.iter().map(at).collect()
+            });
+            let label = self.fit(of).map_or_else(String::new, |fit| {
+                let (a, b) = (decimals(fit.a, 3), significant(fit.b, 3));
+                format!("fit {name} = {b} *ε*^{{{a}}}")
+            });
+            panel
+                .curve(Curve::line(label, of.series(), fitted))
+                .curve(Curve::points(name, of.series(), of.marker(), points))
+        })
     }
 }
 
@@ -122,99 +125,102 @@ impl Of {
         }
     }
 
-    const fn name(self, names: &Names) -> &'static str {
+    const fn name(self, thesis: &Thesis) -> &'static str {
         match self {
-            Self::Extremum => names.extremum,
+            Self::Extremum => thesis.extremum,
             Self::Frequency => "*e_{f}*",
+        }
+    }
+
+    const fn printed(self, thesis: &Thesis) -> &[Printed] {
+        match self {
+            Self::Extremum => &thesis.extrema,
+            Self::Frequency => &thesis.frequencies,
         }
     }
 }
 
-/// Both errors against the size, with their fits, in double logarithmic scales.
-pub(super) fn against_size(errors: &Errors, names: &Names) -> Panel {
-    let sizes = || errors.curve.points.iter().map(|point| point.size);
-    let (least, most) = (
-        sizes().fold(f64::INFINITY, f64::min),
-        sizes().fold(0.0, f64::max),
-    );
-    let axes = Panel::new(
-        Axis::new(names.size)
-            .logarithmic()
-            .from(least / MARGIN, MARGIN * most),
-        Axis::new("relative error").logarithmic(),
-    );
-    Of::BOTH.into_iter().fold(axes, |panel, of| {
-        let (name, points) = (of.name(names), errors.points(of));
-        let fitted = errors.fit(of).map_or_else(Vec::new, |fit| {
-            let at = |point: &[f64; 2]| [point[0], fit.b * point[0].powf(fit.a)];
-            points.iter().map(at).collect()
-        });
-        let label = errors.fit(of).map_or_else(String::new, |fit| {
-            let (a, b) = (decimals(fit.a, 3), significant(fit.b, 3));
-            format!("fit {name} = {b} *ε*^{{{a}}}")
-        });
-        panel
-            .curve(Curve::line(label, of.series(), fitted))
-            .curve(Curve::points(name, of.series(), of.marker(), points))
-    })
-}
+impl Measured {
+    /// The errors at all values of the parameter that the thesis has.
+    pub(super) fn measure(
+        subject: &Subject,
+        thesis: &'static Thesis,
+    ) -> Result<Self, ReproduceError> {
+        let scope = Scope {
+            kernels: vec![thesis.kernel],
+            tolerances: Vec::new(),
+            ..Scope::default()
+        };
+        let found = parallel(&thesis.extrema, |at| subject.trade(at.r, &scope));
+        let mut all = Vec::new();
+        for (&Printed { r, .. }, trades) in thesis.extrema.iter().zip(found) {
+            let curves = trades?.into_iter().flat_map(|trade| trade.curves);
+            all.extend(curves.map(|curve| Errors { r, curve }));
+        }
+        Ok(Self { thesis, all })
+    }
 
-/// The parameters of the fits, a at the left and b at the right, and the thesis's.
-pub(super) fn against_parameter(
-    figure: Figure,
-    all: &[Errors],
-    printed: &[Printed],
-    names: &Names,
-) -> Figure {
-    let panel = |label, ours: fn(&Fit) -> f64, theirs: fn(&Printed) -> f64| {
-        let axes = Panel::new(Axis::new(names.axis), Axis::new(label));
+    /// The last fit.
+    pub(super) fn last(&self, of: Of) -> Option<Fit> {
+        self.all.last()?.fit(of)
+    }
+
+    /// Both errors at the last value against the size, with their fits, in double logarithmic scales.
+    pub(super) fn against_size(&self, figure: Figure) -> Figure {
+        let panel = self.all.last().map(|errors| errors.panel(self.thesis));
+        panel.into_iter().fold(figure, Figure::panel)
+    }
+
+    /// The parameters of the fits, a at the left and b at the right, and the thesis's.
+    pub(super) fn against_parameter(&self, figure: Figure) -> Figure {
+        figure
+            .columns(2)
+            .panel(self.fits("exponent *a*", |fit| fit.a, |p| p.a))
+            .panel(self.fits("factor *b*", |fit| fit.b, |p| p.b))
+    }
+
+    fn fits(&self, label: &str, ours: fn(&Fit) -> f64, theirs: fn(&Printed) -> f64) -> Panel {
+        let axes = Panel::new(Axis::new(self.thesis.axis), Axis::new(label));
         Of::BOTH.into_iter().fold(axes, |panel, of| {
-            let points = all
-                .iter()
-                .filter_map(|errors| Some([errors.r, ours(&errors.fit(of)?)]));
-            let thesis = printed.iter().filter(|p| p.of == of);
-            let name = of.name(names);
+            let all = self.all.iter();
+            let points = all.filter_map(|errors| Some([errors.r, ours(&errors.fit(of)?)]));
+            let (series, name) = (of.series(), of.name(self.thesis));
+            let thesis = of.printed(self.thesis).iter().map(|p| [p.r, theirs(p)]);
+            let label = format!("{name}, thesis");
+            let thesis = Curve::points(label, series, of.marker(), thesis.collect());
             panel
-                .curve(Curve::line(name, of.series(), points.collect()))
-                .curve(Curve::points(
-                    format!("{name}, thesis"),
-                    of.series(),
-                    of.marker(),
-                    thesis.map(|p| [p.r, theirs(p)]).collect(),
-                ))
+                .curve(Curve::line(name, series, points.collect()))
+                .curve(thesis)
         })
-    };
-    figure
-        .columns(2)
-        .panel(panel("exponent *a*", |fit| fit.a, |p| p.a))
-        .panel(panel("factor *b*", |fit| fit.b, |p| p.b))
-}
+    }
 
-/// The fits beside the thesis's; `middle` is the power of ten at the middle of the sizes.
-pub(super) fn table(
-    (name, caption): (&str, String),
-    all: &[Errors],
-    printed: &[Printed],
-    names: &Names,
-    middle: f64,
-) -> Table {
-    let power = decimals(middle, usize::from(middle.fract() != 0.0));
-    let columns = [
-        Column::words("error"),
-        Column::numbers(names.parameter),
-        Column::numbers("*a*, thesis"),
-        Column::numbers("here"),
-        Column::numbers("*b*, thesis"),
-        Column::numbers("here"),
-        Column::numbers(&format!("*e* at *ε* = 10^{{{power}}}, thesis")),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    let size = 10f64.powf(middle);
-    let rows = printed.iter().filter_map(|p| {
-        let fit = all.iter().find(|errors| errors.r == p.r)?.fit(p.of)?;
+    /// The fits beside the thesis's.
+    pub(super) fn table(&self, name: &str, caption: impl Into<String>) -> Table {
+        let middle = self.thesis.middle;
+        let power = decimals(middle, usize::from(middle.fract() != 0.0));
+        let columns = [
+            Column::words("error"),
+            Column::numbers(self.thesis.parameter),
+            Column::numbers("*a*, thesis"),
+            Column::numbers("here"),
+            Column::numbers("*b*, thesis"),
+            Column::numbers("here"),
+            Column::numbers(&format!("*e* at *ε* = 10^{{{power}}}, thesis")),
+            Column::numbers("here"),
+            Column::words("remark"),
+        ];
+        let rows = Of::BOTH.into_iter().flat_map(|of| {
+            let printed = of.printed(self.thesis).iter();
+            printed.filter_map(move |p| self.row(of, p))
+        });
+        Table::new(name, caption, columns).rows(rows)
+    }
+
+    fn row(&self, of: Of, p: &Printed) -> Option<Vec<String>> {
+        let fit = self.all.iter().find(|errors| errors.r == p.r)?.fit(of)?;
+        let size = 10f64.powf(self.thesis.middle);
         Some(vec![
-            p.of.name(names).to_owned(),
+            of.name(self.thesis).to_owned(),
             p.r.to_string(),
             decimals(p.a, 2),
             decimals(fit.a, 3),
@@ -224,6 +230,5 @@ pub(super) fn table(
             significant(fit.b * size.powf(fit.a), 3),
             p.remark.to_owned(),
         ])
-    });
-    Table::new(name, caption, columns).rows(rows)
+    }
 }

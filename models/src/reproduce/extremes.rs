@@ -8,11 +8,11 @@ mod ranges;
 use std::path::Path;
 
 use stickslip::report::{Report, ReportError, Written};
-use stickslip::study::{Case, Dynamics, Entry, OrbitRecord, StudyError};
+use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, parallel};
 
+use super::ask::Subject;
 pub(super) use page::section;
 pub use ranges::{Expected, Range, System, ranges};
-use stickslip::study::parallel;
 
 /// What became of one cell of the map.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,10 +104,9 @@ impl Range {
     /// What becomes of the orbit at this value.
     #[must_use]
     pub fn outcome(&self, value: f64) -> Outcome {
-        let entry = self.system.entry();
-        let case = self.case(entry.as_ref(), value);
-        let found = entry.check(&case).and_then(|()| entry.orbit(&case));
-        let orbit = match found {
+        let subject = self.system.subject();
+        let case = self.case(&subject, value);
+        let orbit = match subject.orbit(&case) {
             Ok(orbit) => orbit,
             Err(error) => {
                 return Outcome::Refused {
@@ -123,7 +122,7 @@ impl Range {
             .reduce(f64::max);
         let tight = TIGHT
             .iter()
-            .find_map(|&accuracy| tighter(entry.as_ref(), &case, &orbit, accuracy));
+            .find_map(|&accuracy| tighter(&subject, &case, &orbit, accuracy));
         let tight = tight.map(|tight| (judge::difference(&orbit, &tight), tight.error_estimate));
         let Some(error) = known
             .into_iter()
@@ -145,22 +144,22 @@ impl Range {
     }
 
     /// The case at this value.
-    fn case(&self, entry: &dyn Entry, value: f64) -> Case {
-        let mut case = Case::declared(entry.info(), Dynamics::Smooth);
+    fn case(&self, subject: &Subject, value: f64) -> Case {
+        let mut case = Case::declared(subject.info(), Dynamics::Smooth);
         case.accuracy = ACCURACY;
-        case.dynamics = if entry.info().contacts.is_empty() {
+        case.dynamics = if subject.info().contacts.is_empty() {
             Dynamics::Smooth
         } else {
             Dynamics::Exact
         };
-        (self.set)(&mut case, entry.info(), value);
+        (self.set)(&mut case, subject.info(), value);
         case
     }
 }
 
 /// The same orbit, computed more tightly.
 fn tighter(
-    entry: &dyn Entry,
+    subject: &Subject,
     case: &Case,
     orbit: &OrbitRecord,
     accuracy: f64,
@@ -171,7 +170,7 @@ fn tighter(
         period: Some(orbit.period),
         ..case.clone()
     };
-    entry.orbit(&case).ok()
+    subject.orbit(&case).ok()
 }
 
 /// Decimal digits of a relative error.

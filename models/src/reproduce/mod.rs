@@ -1,16 +1,18 @@
 //! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
 
+mod ask;
 mod atlas;
 mod belt_oscillator;
 mod belt_pair;
+mod branch;
+mod copies;
 mod cost;
 mod drill_string;
 mod equilibrium;
 mod errors;
-mod exact;
 pub mod extremes;
-mod follow;
 mod introduction;
+mod pieces;
 mod smoothing;
 mod van_der_pol;
 mod words;
@@ -21,8 +23,6 @@ use std::time::{Duration, Instant};
 
 use stickslip::report::{Edition, Report, ReportError, Written};
 use stickslip::study::StudyError;
-
-pub use follow::FollowError;
 
 /// What was reproduced.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,17 +38,9 @@ pub struct Summary {
 /// Why the report could not be made.
 #[derive(Debug, thiserror::Error)]
 pub enum ReproduceError {
-    /// An orbit or a branch is missing.
+    /// An answer is missing.
     #[error("{what}: {source}")]
     Missing {
-        /// Which.
-        what: String,
-        /// Why.
-        source: FollowError,
-    },
-    /// A branch of the atlas could not be begun.
-    #[error("{what}: {source}")]
-    Atlas {
         /// Which.
         what: String,
         /// Why.
@@ -57,13 +49,6 @@ pub enum ReproduceError {
     /// A file could not be written.
     #[error(transparent)]
     Report(#[from] ReportError),
-}
-
-impl ReproduceError {
-    fn at(what: impl Into<String>) -> impl FnOnce(FollowError) -> Self {
-        let what = what.into();
-        move |source| Self::Missing { what, source }
-    }
 }
 
 /// Follows the branches of the belt pair and writes only what shows them into the folder `out`.

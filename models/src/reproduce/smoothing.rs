@@ -6,12 +6,12 @@ mod predictions;
 
 use stickslip::field::Kernel;
 use stickslip::report::Section;
+use stickslip::study::parallel;
 use stickslip::study::trade::{Scope, Trade};
 
 use super::ReproduceError;
-use super::errors::trade;
+use super::ask::Subject;
 use crate::BeltOscillator;
-use stickslip::study::parallel;
 
 /// The belt speed of the comparison.
 const SPEED: f64 = 0.2;
@@ -28,9 +28,11 @@ const KERNELS: [Kernel; 5] = [
 
 /// The section on the trade.
 pub(super) fn section() -> Result<Section, ReproduceError> {
-    let trades: Vec<Trade> = parallel(&KERNELS, |&kernel| measure(kernel))
+    let belt = Subject::new(BeltOscillator::v_dr);
+    let trades: Vec<Vec<Trade>> = parallel(&KERNELS, |&kernel| measure(&belt, kernel))
         .into_iter()
         .collect::<Result<_, _>>()?;
+    let trades = trades.concat();
     Ok(Section::new("What smoothing costs, and what it gets wrong")
         .text(
             "Smoothing is a trade. A steeper copy is nearer to real friction, but harder to integrate, for its forces \
@@ -56,16 +58,11 @@ pub(super) fn section() -> Result<Section, ReproduceError> {
 }
 
 /// The belt oscillator with one smoothing at all sizes and tolerances, and exact.
-fn measure(kernel: Kernel) -> Result<Trade, ReproduceError> {
-    let model = BeltOscillator {
-        v_dr: SPEED,
-        ..BeltOscillator::default()
-    };
+fn measure(belt: &Subject, kernel: Kernel) -> Result<Vec<Trade>, ReproduceError> {
     let scope = Scope {
         kernels: vec![kernel],
         accuracy: Some(ACCURACY),
         ..Scope::default()
     };
-    let what = ReproduceError::at(format!("the trade with {kernel}"));
-    trade(&model, [0.0, SPEED], &scope).map_err(what)
+    belt.trade(SPEED, &scope)
 }

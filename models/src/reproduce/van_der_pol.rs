@@ -1,29 +1,26 @@
 //! Thesis section 3.1: a limit cycle without friction.
 
-use stickslip::report::{Axis, Column, Curve, Figure, Marker, Panel, Section, Table};
-use stickslip::shooting::Orbit;
+use stickslip::report::{Axis, Curve, Figure, Marker, Panel, Section, Table};
+use stickslip::study::{Dynamics, OrbitRecord};
 
 use super::ReproduceError;
+use super::ask::Subject;
+use super::branch::at;
+use super::copies::Member;
 use super::cost::Cost;
-use super::follow::{Drawn, draw, family, follow, search};
-use super::words::{decimals, scientific, stability};
+use super::words::{beside, decimals, scientific, stability};
 use crate::VanDerPol;
-use stickslip::study::parallel;
 
 /// How near to ν = 0 the branch is followed: at 0 itself every motion is periodic.
 const LEAST: f64 = 1e-3;
 const MOST: f64 = 15.0;
-const THESIS: &str = "15 min, both";
-
-struct Results {
-    cycle: Drawn<2>,
-    /// All orbits, in the order of ν.
-    orbits: Vec<Orbit<2, ()>>,
-}
 
 /// The section on the Van der Pol equation.
 pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
-    let results = compute(costs)?;
+    let oscillator = Subject::new(VanDerPol::nu);
+    let ends = (1.0, &[LEAST, MOST][..]);
+    let cycles = Member::find(&oscillator, Dynamics::Smooth, ends, String::new())?;
+    costs.extend(cycles.costs("Van der Pol, *ν*", "15 min, both"));
     Ok(Section::new("The Van der Pol oscillator")
         .text(
             "The oldest self-sustained oscillation, without any friction, tests the method. Its damping is negative for \
@@ -31,38 +28,18 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
              limit cycle. (A prime is a derivative with respect to time.)",
         )
         .formula("*x*″ + *ν* (*x*^{2} − 1) *x*′ + *x* = 0")
-        .figure(figure_1(&results.cycle))
-        .figure(figure_2(&results.orbits))
-        .figure(figure_3(&results.orbits))
-        .table(table(&results)))
+        .figure(figure_1(&cycles))
+        .figure(figure_2(&cycles))
+        .figure(figure_3(&cycles))
+        .table(table(&cycles)))
 }
 
-fn compute(costs: &mut Vec<Cost>) -> Result<Results, ReproduceError> {
-    let family = family(VanDerPol::default(), VanDerPol::nu, None);
-    let cycle = draw(&family, 1.0, &search([2.0, 0.0], None))
-        .map_err(ReproduceError::at("the limit cycle at nu = 1"))?;
-    let branches = parallel(&[LEAST, MOST], |&to| {
-        let what = ReproduceError::at(format!("nu from 1 to {to}"));
-        follow(&family, &cycle.orbit, to).map_err(what)
-    });
-    let mut orbits = vec![cycle.orbit.clone()];
-    for (to, branch) in [LEAST, MOST].into_iter().zip(branches) {
-        let branch = branch?;
-        let name = format!("Van der Pol, *ν* from 1 to {to}");
-        costs.push(Cost::of(name, &branch, THESIS));
-        orbits.extend(branch.orbits.into_iter().skip(1));
-    }
-    orbits.sort_by(|a, b| a.r.total_cmp(&b.r));
-    Ok(Results { cycle, orbits })
-}
-
-fn figure_1(cycle: &Drawn<2>) -> Figure {
-    let path = cycle.path.iter().map(|sample| sample.state).collect();
+fn figure_1(cycles: &Member) -> Figure {
     let panel = Panel::new(
         Axis::new("displacement *x*").from(-3.0, 3.0),
         Axis::new("velocity *x*′").from(-3.0, 3.0),
     )
-    .curve(Curve::line("limit cycle", 0, path))
+    .curve(Curve::line("limit cycle", 0, cycles.plane()))
     .curve(Curve::points(
         "unstable equilibrium",
         2,
@@ -77,14 +54,14 @@ fn figure_1(cycle: &Drawn<2>) -> Figure {
     .panel(panel)
 }
 
-fn figure_2(orbits: &[Orbit<2, ()>]) -> Figure {
-    let along = |of: fn(&Orbit<2, ()>) -> f64| orbits.iter().map(|o| [o.r, of(o)]).collect();
+fn figure_2(cycles: &Member) -> Figure {
+    let speeds = cycles.along(|orbit| orbit.max_abs[1]);
     let panel = Panel::new(
         Axis::new("damping *ν*").from(0.0, MOST),
         Axis::new("absolute maximum").from(0.0, 25.0),
     )
-    .curve(Curve::line("max |*x*|", 1, along(|o| o.max_abs()[0])))
-    .curve(Curve::line("max |*x*′|", 2, along(|o| o.max_abs()[1])));
+    .curve(Curve::line("max |*x*|", 1, cycles.amplitudes()))
+    .curve(Curve::line("max |*x*′|", 2, speeds));
     Figure::new(
         "3.2",
         "Absolute maxima of *x* and *x*′",
@@ -95,14 +72,12 @@ fn figure_2(orbits: &[Orbit<2, ()>]) -> Figure {
     .panel(panel)
 }
 
-fn figure_3(orbits: &[Orbit<2, ()>]) -> Figure {
+fn figure_3(cycles: &Member) -> Figure {
     let nu = || Axis::new("damping *ν*").from(0.0, MOST);
-    let frequency = orbits.iter().map(|o| [o.r, 1.0 / o.period]).collect();
-    let second = orbits
-        .iter()
-        .filter_map(|o| Some([o.r, log10_modulus(o)?]))
-        .collect();
-    let first = orbits.iter().map(|o| [o.r, 0.0]).collect();
+    let frequency = cycles.along(|orbit| 1.0 / orbit.period);
+    let points = cycles.points().into_iter();
+    let second = points.filter_map(|orbit| Some([at(orbit), log10_modulus(orbit)?]));
+    let first = cycles.along(|_| 0.0);
     Figure::new(
         "3.3",
         "Free frequency and moduli of the Floquet multipliers",
@@ -119,32 +94,27 @@ fn figure_3(orbits: &[Orbit<2, ()>]) -> Figure {
     .panel(
         Panel::new(nu(), Axis::new("log_{10} |*λ*|"))
             .curve(Curve::line("*λ*_{1} = 1, the trivial one", 1, first))
-            .curve(Curve::line("*λ*_{2}", 2, second)),
+            .curve(Curve::line("*λ*_{2}", 2, second.collect())),
     )
 }
 
-fn log10_modulus(orbit: &Orbit<2, ()>) -> Option<f64> {
+fn log10_modulus(orbit: &OrbitRecord) -> Option<f64> {
     let log = *orbit.floquet.log_moduli.first()?;
     log.map(|log| log / std::f64::consts::LN_10)
 }
 
-fn table(results: &Results) -> Table {
-    let orbit = &results.cycle.orbit;
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    let table = Table::new(
+fn table(cycles: &Member) -> Table {
+    let orbit = &cycles.cycle.orbit;
+    let orbits = cycles.points();
+    let multiplier = orbit.floquet.multipliers.first().map_or(f64::NAN, |m| m.re);
+    let table = beside(
         "van-der-pol",
         "Van der Pol: values of the thesis beside ours.",
-        columns,
     )
     .row([
         "max |*x*| at *ν* = 1".into(),
         "2.0082".into(),
-        decimals(orbit.max_abs()[0], 8),
+        decimals(orbit.max_abs[0], 8),
         "the thesis's is the guess from which it shot".to_owned(),
     ])
     .row([
@@ -152,30 +122,28 @@ fn table(results: &Results) -> Table {
         "6.6634".into(),
         decimals(orbit.period, 8),
         "likewise a guess".to_owned(),
+    ])
+    .row([
+        "*λ*_{2} at *ν* = 1".into(),
+        "0.8597 × 10^{−3}".into(),
+        format!("{} × 10^{{−3}}", decimals(1e3 * multiplier, 6)),
+        "equal to all digits printed".to_owned(),
+    ])
+    .row([
+        "|*λ*_{1} − 1| at *ν* = 1".into(),
+        "0".into(),
+        scientific(orbit.floquet.trivial_error, 0),
+        "exactly 0 in theory: a measure of accuracy".to_owned(),
     ]);
-    let multiplier = orbit.floquet.multipliers.first().map_or(f64::NAN, |m| m.re);
-    let table = table
-        .row([
-            "*λ*_{2} at *ν* = 1".into(),
-            "0.8597 × 10^{−3}".into(),
-            format!("{} × 10^{{−3}}", decimals(1e3 * multiplier, 6)),
-            "equal to all digits printed".to_owned(),
-        ])
-        .row([
-            "|*λ*_{1} − 1| at *ν* = 1".into(),
-            "0".into(),
-            scientific(orbit.floquet.trivial_error, 0),
-            "exactly 0 in theory: a measure of accuracy".to_owned(),
-        ]);
-    ends(table, &results.orbits).row([
+    ends(table, &orbits).row([
         "stability for all *ν*".into(),
         "stable".into(),
-        stability(results.orbits.iter()),
+        stability(orbits),
         "also for *ν* near 0, where *λ*_{2} tends to 1".to_owned(),
     ])
 }
 
-fn ends(table: Table, orbits: &[Orbit<2, ()>]) -> Table {
+fn ends(table: Table, orbits: &[&OrbitRecord]) -> Table {
     let (Some(first), Some(last)) = (orbits.first(), orbits.last()) else {
         return table;
     };
@@ -189,13 +157,13 @@ fn ends(table: Table, orbits: &[Orbit<2, ()>]) -> Table {
         .row([
             "max |*x*′| for *ν* → 0".into(),
             "2".into(),
-            decimals(first.max_abs()[1], 6),
+            decimals(first.max_abs[1], 6),
             format!("at *ν* = {LEAST}"),
         ])
         .row([
             "max |*x*′| at *ν* = 15".into(),
             "about 20".into(),
-            decimals(last.max_abs()[1], 4),
+            decimals(last.max_abs[1], 4),
             "read off a figure, with its ripple".to_owned(),
         ])
 }

@@ -1,15 +1,16 @@
-//! Endings and stability as the report writes them.
+//! Endings, stability and values as the report writes them.
 
 use stickslip::bifurcation::Stability;
 use stickslip::field::Work;
-use stickslip::shooting::Orbit;
+use stickslip::report::numerals::short;
+use stickslip::report::{Column, Table};
+use stickslip::study::OrbitRecord;
 
 pub(super) use stickslip::report::numerals::{
     count, decimals, duration, power, scientific, significant,
 };
 
-use super::follow::End;
-use stickslip::report::numerals::short;
+use super::branch::{End, Why};
 
 /// Evaluations of the equations, with or without their derivatives.
 pub(super) const fn evaluations(work: &Work) -> u64 {
@@ -22,21 +23,31 @@ pub(super) fn exponent(size: f64) -> i32 {
 }
 
 /// Where a branch along `name` ends, and why.
-pub(super) fn ending(end: &End, name: &str) -> String {
-    match end {
-        End::Reached(r) => format!("{name} = {}: end of the range", short(*r)),
-        End::Vanishes(r) => {
-            format!("{name} = {}: shrinks to the equilibrium", short(*r))
-        }
-        End::Folds(r) => format!("{name} = {}: meets an unstable cycle (fold)", short(*r)),
-        End::GaveUp(r) => format!("{name} = {}: steps become too small", short(*r)),
-    }
+pub(super) fn ending(end: End, name: &str) -> String {
+    let why = match end.why {
+        Why::Reached => "end of the range",
+        Why::Vanishes => "shrinks to the equilibrium",
+        Why::Folds => "meets an unstable cycle (fold)",
+        Why::Grazes => "comes to rest for an instant (grazing)",
+        Why::GaveUp => "steps become too small",
+    };
+    format!("{name} = {}: {why}", short(end.r))
+}
+
+/// A table of values of the thesis beside ours.
+pub(super) fn beside(name: &str, caption: &str) -> Table {
+    let columns = [
+        Column::words("quantity"),
+        Column::numbers("thesis"),
+        Column::numbers("here"),
+        Column::words("remark"),
+    ];
+    Table::new(name, caption, columns)
 }
 
 /// How many orbits are stable, and what the others are.
-pub(super) fn stability<'a, const N: usize>(
-    orbits: impl Iterator<Item = &'a Orbit<N, ()>>,
-) -> String {
+pub(super) fn stability<'a>(orbits: impl IntoIterator<Item = &'a OrbitRecord>) -> String {
+    let orbits = orbits.into_iter();
     let all: Vec<Stability> = orbits.map(|orbit| orbit.floquet.stability).collect();
     let of = |kind| all.iter().filter(|stability| **stability == kind).count();
     let stable = of(Stability::Stable);

@@ -4,15 +4,16 @@ use std::collections::HashSet;
 
 use stickslip::bifurcation::Stability;
 use stickslip::report::{Axis, Curve, Figure, Marker, Panel};
-use stickslip::study::{BranchRecord, OrbitRecord};
+use stickslip::study::OrbitRecord;
 
+use super::super::pieces::pieces;
 use super::{Atlas, RANGE};
 
 /// Of points that print as one, one is drawn.
 const CELL: [f64; 2] = [1e-3, 1e-2];
 
-/// What is drawn of an orbit: one value, or several.
-type Quantity = fn(&OrbitRecord) -> Vec<f64>;
+/// What is drawn of an orbit.
+type Quantity = fn(&OrbitRecord) -> f64;
 
 pub(super) fn figures(smoothed: &Atlas, exact: &Atlas) -> Vec<Figure> {
     let both = |number: &str, title: &str, caption: &str, label: &str, of: Quantity| {
@@ -29,7 +30,7 @@ pub(super) fn figures(smoothed: &Atlas, exact: &Atlas) -> Vec<Figure> {
             "Free frequency",
             "Frequency of the periodic orbits over the speed of the belt.",
             "*f*",
-            |orbit| vec![1.0 / orbit.period],
+            |orbit| 1.0 / orbit.period,
         ),
         both(
             "3.17",
@@ -37,7 +38,7 @@ pub(super) fn figures(smoothed: &Atlas, exact: &Atlas) -> Vec<Figure> {
             "Largest displacement of the first mass over the speed of the belt. The interactive page enlarges it, as \
              Fig. 3.16 does.",
             "max |*X*_{1}|",
-            |orbit| vec![orbit.max_abs.first().copied().unwrap_or(f64::NAN)],
+            |orbit| orbit.max_abs[0],
         ),
         points(smoothed, exact),
     ]
@@ -75,7 +76,11 @@ fn stable(point: &OrbitRecord) -> bool {
 
 /// Pieces of all branches, each of one stability and up to the next one.
 fn curves(atlas: &Atlas, of: Quantity) -> Vec<Curve> {
-    let pieces = atlas.branches().flat_map(|(_, branch)| pieces(branch, of));
+    let pieces = atlas.branches().flat_map(|(_, branch)| {
+        let orbits = branch.points.iter();
+        let curve = orbits.filter_map(|orbit| Some((stable(orbit), [orbit.r?, of(orbit)])));
+        pieces(&curve.collect::<Vec<_>>())
+    });
     pieces
         .map(|(stable, points)| {
             let (label, series) = if stable {
@@ -86,23 +91,4 @@ fn curves(atlas: &Atlas, of: Quantity) -> Vec<Curve> {
             Curve::line(label, series, points)
         })
         .collect()
-}
-
-fn pieces(branch: &BranchRecord, of: Quantity) -> Vec<(bool, Vec<[f64; 2]>)> {
-    let mut pieces: Vec<(bool, Vec<[f64; 2]>)> = Vec::new();
-    for orbit in &branch.points {
-        let (Some(r), Some(&value)) = (orbit.r, of(orbit).first()) else {
-            continue;
-        };
-        let here = [r, value];
-        match pieces.last_mut() {
-            Some((kind, points)) if *kind == stable(orbit) => points.push(here),
-            Some((_, points)) => {
-                points.push(here);
-                pieces.push((stable(orbit), vec![here]));
-            }
-            None => pieces.push((stable(orbit), vec![here])),
-        }
-    }
-    pieces
 }

@@ -4,13 +4,11 @@ use std::fmt::Write;
 
 use stickslip::bifurcation::Stability;
 use stickslip::report::Page;
-use stickslip::study::{
-    Beginning, BranchRecord, Case, Dynamics, Entry, OrbitRecord, Special, Switch,
-};
+use stickslip::study::{BranchRecord, Dynamics, OrbitRecord, Special, parallel};
 
+use super::super::ask::Subject;
 use super::named::matches;
-use super::{Atlas, FAMILIES, pair};
-use stickslip::study::parallel;
+use super::{Atlas, FAMILIES};
 
 const TEMPLATE: &str = include_str!("page.html");
 /// Accuracy of the motions that are drawn.
@@ -21,7 +19,7 @@ const POINTS: usize = 32;
 const THIN: f64 = 2e-3;
 
 /// The page of all branches.
-pub(super) fn page(smoothed: &Atlas, exact: &Atlas) -> Page {
+pub(super) fn page(pair: &Subject, smoothed: &Atlas, exact: &Atlas) -> Page {
     let named = matches(smoothed, exact);
     let marked = [
         named.iter().filter_map(|found| found.smoothed).collect(),
@@ -33,7 +31,7 @@ pub(super) fn page(smoothed: &Atlas, exact: &Atlas) -> Page {
     let atlases = [smoothed, exact];
     let systems = atlases.iter().zip(&marked);
     let systems: Vec<String> = systems
-        .map(|(atlas, marked)| system(atlas, marked))
+        .map(|(atlas, marked)| system(pair, atlas, marked))
         .collect();
     Page {
         name: "atlas".to_owned(),
@@ -101,12 +99,12 @@ fn leaves<'a>((family, branch, origin): Leaf<'a>, all: &mut Vec<Leaf<'a>>) {
     }
 }
 
-fn system(atlas: &Atlas, marked: &[&Special]) -> String {
+fn system(pair: &Subject, atlas: &Atlas, marked: &[&Special]) -> String {
     let mut all = Vec::new();
     for (family, first) in FAMILIES.iter().zip(&atlas.families) {
         leaves((family.name, first, None), &mut all);
     }
-    let branches = parallel(&all, |leaf| branch(leaf, marked));
+    let branches = parallel(&all, |leaf| branch(pair, leaf, marked));
     let name = match atlas.dynamics {
         Dynamics::Exact => "exact".to_owned(),
         other => format!("smoothed, {other}"),
@@ -118,13 +116,9 @@ fn system(atlas: &Atlas, marked: &[&Special]) -> String {
     )
 }
 
-fn branch((family, branch, origin): &Leaf<'_>, marked: &[&Special]) -> String {
-    let pair = pair();
+fn branch(pair: &Subject, (family, branch, origin): &Leaf<'_>, marked: &[&Special]) -> String {
     let kept = thinned(&branch.points);
-    let points: Vec<String> = kept
-        .iter()
-        .map(|(_, orbit)| point(pair.as_ref(), orbit))
-        .collect();
+    let points: Vec<String> = kept.iter().map(|(_, orbit)| point(pair, orbit)).collect();
     let after = |one: &Special| kept.iter().filter(|(i, _)| *i < one.after).count();
     let special: Vec<String> = branch
         .special
@@ -163,7 +157,7 @@ fn thinned(points: &[OrbitRecord]) -> Vec<(usize, &OrbitRecord)> {
     kept
 }
 
-fn point(pair: &dyn Entry, orbit: &OrbitRecord) -> String {
+fn point(pair: &Subject, orbit: &OrbitRecord) -> String {
     let multipliers = orbit.floquet.multipliers.iter();
     let section = orbit.section.iter().filter_map(|state| state.first());
     let mut text = format!(
@@ -186,18 +180,8 @@ fn point(pair: &dyn Entry, orbit: &OrbitRecord) -> String {
 }
 
 /// Both displacements along one period, one after the other.
-fn path(pair: &dyn Entry, orbit: &OrbitRecord) -> Option<Vec<f64>> {
-    let case = Case {
-        parameters: orbit.parameters.clone(),
-        dynamics: orbit.dynamics,
-        along: None,
-        start: Some(orbit.state.clone()),
-        period: None,
-        accuracy: DRAWN,
-        beginning: Beginning::End,
-        switch: Switch::default(),
-    };
-    let motion = pair.motion(&case, orbit.period).ok()?;
+fn path(pair: &Subject, orbit: &OrbitRecord) -> Option<Vec<f64>> {
+    let motion = pair.motion(orbit, DRAWN).ok()?;
     let wanted = POINTS * orbit.period_count.min(16);
     let mut path = Vec::with_capacity(2 * wanted + 2);
     let mut after = f64::NEG_INFINITY;

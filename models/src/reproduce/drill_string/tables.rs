@@ -2,15 +2,13 @@
 
 use stickslip::report::{Column, Table};
 
-use super::super::ReproduceError;
-use super::super::words::{decimals, ending, power, stability};
-use super::Copy;
-use super::equilibrium::hopf;
+use stickslip::study::EquilibriaRecord;
 
-/// Speed at which the exact cycle ends: its slip just fails to reach the table's speed again.
-const EXACT_END: f64 = 4.611_989_021;
+use super::super::copies::Copies;
+use super::super::equilibrium::hopf;
+use super::super::words::{beside, decimals, ending, power, stability};
 
-pub(super) fn ends(copies: &[Copy]) -> Table {
+pub(super) fn ends(copies: &Copies) -> Table {
     let columns = [
         Column::numbers("*ε*"),
         Column::numbers("*f* at 4"),
@@ -19,40 +17,36 @@ pub(super) fn ends(copies: &[Copy]) -> Table {
         Column::numbers("max |*ψ*| there"),
         Column::words("upwards it ends at"),
     ];
+    let exact = copies.exact.branches.last();
     let caption = format!(
         "The copies at *η* = 4, and where their branches end. The exact cycle exists from *η* = 0 to {}, where its slip phase just fails to reach the \
          table's speed again; a copy loses it in a fold.",
-        decimals(EXACT_END, 4)
+        decimals(exact.map_or(f64::NAN, |branch| branch.end.r), 4)
     );
-    Table::new("drill-string-ends", caption, columns).rows(copies.iter().map(|copy| {
+    let table = Table::new("drill-string-ends", caption, columns);
+    table.rows(copies.copies.iter().filter_map(|(exponent, copy)| {
+        let [down, up] = copy.branches.as_slice() else {
+            return None;
+        };
         let first = &copy.cycle.orbit;
-        let last = copy.down.orbits.last().unwrap_or(first);
-        vec![
-            power(copy.exponent),
+        let last = down.points.last()?;
+        Some(vec![
+            power(*exponent),
             decimals(1.0 / first.period, 7),
-            decimals(first.max_abs()[0], 6),
-            ending(&copy.down.end, "*η*"),
-            decimals(last.max_abs()[0], 4),
-            ending(&copy.up.end, "*η*"),
-        ]
+            decimals(first.max_abs[0], 6),
+            ending(down.end, "*η*"),
+            decimals(last.max_abs[0], 4),
+            ending(up.end, "*η*"),
+        ])
     }))
 }
 
-pub(super) fn values(copies: &[Copy]) -> Result<Table, ReproduceError> {
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    let [first, second] = hopf(1.0)?;
-    let all = copies
-        .iter()
-        .flat_map(|copy| copy.down.orbits.iter().chain(&copy.up.orbits));
-    Ok(Table::new(
+pub(super) fn values(copies: &Copies, rest: &EquilibriaRecord) -> Table {
+    let [first, second] = hopf(rest);
+    let all = copies.copies.iter().flat_map(|(_, copy)| copy.points());
+    beside(
         "drill-string",
         "Drill string: values of the thesis beside ours.",
-        columns,
     )
     .row([
         "*η*_{bif,1} for *ε* = 1".into(),
@@ -77,5 +71,5 @@ pub(super) fn values(copies: &[Copy]) -> Result<Table, ReproduceError> {
         "2*ζθ* + *ψ* = *T*_{c}".into(),
         "2*ζη* + *ψ* = *T*_{c}".into(),
         "a misprint in (4.10): the release at *ψ* = *θ* − 2*ζη* needs *η*".to_owned(),
-    ]))
+    ])
 }

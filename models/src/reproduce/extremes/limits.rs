@@ -3,8 +3,9 @@
 use std::f64::consts::{LN_2, TAU};
 
 use stickslip::field::Kernel;
-use stickslip::study::{Case, Dynamics, entry};
+use stickslip::study::{Case, Dynamics};
 
+use super::super::ask::Subject;
 use super::judge::Limit;
 use crate::closed_form;
 use crate::{BeltOscillator, BeltPair, DrillString};
@@ -102,7 +103,7 @@ pub(super) fn belt_units(case: &Case, _: f64) -> Vec<Limit> {
 
 /// Two equal masses that move together are one.
 pub(super) fn belt_pair_together(case: &Case, _: f64) -> Vec<Limit> {
-    let one = entry::<BeltOscillator, _>();
+    let one = Subject::new(BeltOscillator::v_dr);
     let mut alone = Case::declared(one.info(), Dynamics::Exact);
     let index = BeltOscillator::v_dr.index;
     alone.parameters[index] = case.parameters[BeltPair::v_dr.index];

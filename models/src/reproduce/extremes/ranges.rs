@@ -4,8 +4,9 @@ use std::ops::RangeInclusive;
 
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::model::ModelInfo;
-use stickslip::study::{Case, Dynamics, Entry, entry};
+use stickslip::study::{Case, Dynamics};
 
+use super::super::ask::Subject;
 use super::judge::Limit;
 use super::limits;
 use crate::{BeltOscillator, BeltPair, DrillString, VanDerPol};
@@ -36,17 +37,16 @@ impl System {
     /// Its name on the command line.
     #[must_use]
     pub fn command(self) -> &'static str {
-        self.entry().info().command
+        self.subject().info().command
     }
 
-    /// The system as it answers cases.
-    #[must_use]
-    pub fn entry(self) -> Box<dyn Entry> {
+    /// The system as it answers.
+    pub(super) fn subject(self) -> Subject {
         match self {
-            Self::VanDerPol => entry::<VanDerPol, _>(),
-            Self::BeltOscillator => entry::<BeltOscillator, _>(),
-            Self::BeltPair => entry::<BeltPair, _>(),
-            Self::DrillString => entry::<DrillString, _>(),
+            Self::VanDerPol => Subject::new(VanDerPol::nu),
+            Self::BeltOscillator => Subject::new(BeltOscillator::v_dr),
+            Self::BeltPair => Subject::new(BeltPair::v_dr),
+            Self::DrillString => Subject::new(DrillString::eta),
         }
     }
 }

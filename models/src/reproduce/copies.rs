@@ -1,0 +1,143 @@
+//! Smooth copies of one system beside its exact friction: an orbit of each, and its branches.
+
+use stickslip::field::{Kernel, Smoothing};
+use stickslip::report::Curve;
+use stickslip::study::{Dynamics, OrbitRecord, parallel};
+
+use super::ReproduceError;
+use super::ask::{Cycle, Subject};
+use super::branch::{Branch, at};
+use super::cost::Cost;
+use super::words::power;
+
+/// A system with one friction.
+pub(super) struct Member {
+    pub(super) label: String,
+    pub(super) cycle: Cycle,
+    /// Its branches from there, one to each end.
+    pub(super) branches: Vec<Branch>,
+}
+
+/// Copies of a system, and the system itself.
+pub(super) struct Copies {
+    /// The copies with the exponents of their sizes.
+    pub(super) copies: Vec<(i32, Member)>,
+    pub(super) exact: Member,
+}
+
+/// The copy of size 10ⁱ.
+pub(super) fn copy(kernel: Kernel, exponent: i32) -> Dynamics {
+    let size = 10f64.powi(exponent);
+    Dynamics::Smoothed(Smoothing { kernel, size })
+}
+
+impl Member {
+    /// The orbit where the parameter is `from`, and its branches to each of `ends`.
+    pub(super) fn find(
+        subject: &Subject,
+        dynamics: Dynamics,
+        (from, ends): (f64, &[f64]),
+        label: String,
+    ) -> Result<Self, ReproduceError> {
+        let branches = ends.iter().map(|&to| subject.branch(dynamics, from, to));
+        Ok(Self {
+            label,
+            cycle: subject.cycle(dynamics, from)?,
+            branches: branches.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// The orbits of all branches in the order along them.
+    pub(super) fn points(&self) -> Vec<&OrbitRecord> {
+        let mut points: Vec<&OrbitRecord> = Vec::new();
+        for branch in &self.branches {
+            points.reverse();
+            // All branches begin with the same orbit.
+            let shared = usize::from(!points.is_empty());
+            points.extend(branch.points.iter().skip(shared));
+        }
+        points
+    }
+
+    /// The largest magnitude of the first state along the branches.
+    pub(super) fn amplitudes(&self) -> Vec<[f64; 2]> {
+        self.along(|orbit| orbit.max_abs[0])
+    }
+
+    /// A quantity of the orbits along the branches.
+    pub(super) fn along(&self, of: fn(&OrbitRecord) -> f64) -> Vec<[f64; 2]> {
+        let points = self.points().into_iter();
+        points.map(|orbit| [at(orbit), of(orbit)]).collect()
+    }
+
+    /// The orbit at the beginning, in the plane of the first two states.
+    pub(super) fn plane(&self) -> Vec<[f64; 2]> {
+        let path = self.cycle.path.iter();
+        path.map(|state| [state[0], state[1]]).collect()
+    }
+
+    /// What the branches along `name` cost.
+    pub(super) fn costs(&self, name: &str, thesis: &'static str) -> impl Iterator<Item = Cost> {
+        let branches = self.branches.iter();
+        branches.map(move |branch| Cost::of(name, branch, thesis))
+    }
+}
+
+impl Copies {
+    /// The copies of these sizes 10ⁱ and the exact system: where the parameter is `from`, and on the way to each of `ends`.
+    pub(super) fn find(
+        subject: &Subject,
+        (kernel, exponents, unit): (Kernel, &[i32], &str),
+        ends: (f64, &[f64]),
+    ) -> Result<Self, ReproduceError> {
+        let one = |&exponent: &i32| {
+            let label = format!("*ε* = {}{unit}", power(exponent));
+            let found = Member::find(subject, copy(kernel, exponent), ends, label);
+            Ok((exponent, found?))
+        };
+        let copies = parallel(exponents, one).into_iter();
+        Ok(Self {
+            copies: copies.collect::<Result<_, ReproduceError>>()?,
+            exact: Member::find(subject, Dynamics::Exact, ends, "exact".to_owned())?,
+        })
+    }
+
+    /// The copies, and then the exact system.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Member> {
+        let copies = self.copies.iter().map(|(_, copy)| copy);
+        copies.chain([&self.exact])
+    }
+
+    /// What all branches cost along the parameter with this symbol.
+    pub(super) fn costs(&self, system: &str, symbol: &str, thesis: &'static str) -> Vec<Cost> {
+        let costs = |one: &Member, thesis| {
+            let name = format!("{system}, {}, {symbol}", one.label);
+            one.costs(&name, thesis).collect::<Vec<_>>()
+        };
+        let copies = self.copies.iter();
+        let all = copies.flat_map(|(_, copy)| costs(copy, thesis));
+        all.chain(costs(&self.exact, "–")).collect()
+    }
+
+    /// A curve for each copy, and one for the exact system.
+    fn curves(&self, of: impl Fn(&Member) -> Vec<[f64; 2]>) -> Vec<Curve> {
+        let series = (1..=self.copies.len()).chain([0]);
+        let curve = |(series, one): (usize, &Member)| Curve::line(&one.label, series, of(one));
+        series.zip(self.all()).map(curve).collect()
+    }
+
+    /// The orbits at the beginning, in the plane of the first two states.
+    pub(super) fn planes(&self) -> Vec<Curve> {
+        self.curves(Member::plane)
+    }
+
+    /// The largest magnitude of the first state along the branches.
+    pub(super) fn amplitudes(&self) -> Vec<Curve> {
+        self.curves(Member::amplitudes)
+    }
+
+    /// The frequency along the branches.
+    pub(super) fn frequencies(&self) -> Vec<Curve> {
+        self.curves(|one| one.along(|orbit| 1.0 / orbit.period))
+    }
+}
