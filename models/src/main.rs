@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use stickslip::app::App;
-use stickslip::study::entry;
+use stickslip::study::System;
 use stickslip_models::friction::{library, with_memory};
 use stickslip_models::reproduce::{extremes, reproduce, reproduce_atlas};
 use stickslip_models::{
@@ -15,12 +15,12 @@ use stickslip_models::{
 
 fn main() -> ExitCode {
     App::new(env!("CARGO_PKG_VERSION"))
-        .offer(entry::<VanDerPol, _>())
-        .offer(entry::<BeltOscillator, _>())
-        .offer(entry::<BeltPair, _>())
-        .offer(entry::<DrillString, _>())
-        .offer(entry::<BristleOscillator, _>())
-        .offer(entry::<ForcedBelt, _>())
+        .offer(System::of::<VanDerPol, _>())
+        .offer(System::of::<BeltOscillator, _>())
+        .offer(System::of::<BeltPair, _>())
+        .offer(System::of::<DrillString, _>())
+        .offer(System::of::<BristleOscillator, _>())
+        .offer(System::of::<ForcedBelt, _>())
         .laws(library())
         .laws(with_memory())
         .reproduce(report)

@@ -4,12 +4,11 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use stickslip::field::Design;
-use stickslip::flow::Tape;
 use stickslip::model::{Model, ModelInfo, ParamId};
 use stickslip::study::trade::{Finding, Scope, Trade};
 use stickslip::study::{
-    Along, BranchRecord, Case, Dynamics, Entry, EquilibriaRecord, OrbitRecord, StudyError,
-    Trajectory, entry,
+    Along, BranchRecord, Case, Dynamics, EquilibriaRecord, OrbitRecord, StudyError, System,
+    Trajectory,
 };
 
 use super::ReproduceError;
@@ -24,7 +23,7 @@ const TURNED: f64 = 1e-3;
 
 /// A declared system, and its parameter that is varied.
 pub(super) struct Subject {
-    entry: Box<dyn Entry>,
+    entry: System,
     parameter: usize,
 }
 
@@ -38,7 +37,7 @@ impl Subject {
     /// The system to which a parameter belongs.
     pub(super) fn new<M: Model<N>, const N: usize>(parameter: ParamId<M>) -> Self {
         Self {
-            entry: entry::<M, N>(),
+            entry: System::of::<M, N>(),
             parameter: parameter.index,
         }
     }
@@ -136,7 +135,7 @@ impl Subject {
         case: &Case,
         watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
     ) -> Result<BranchRecord, ReproduceError> {
-        let record = self.entry.branch(case, &Tape::blank(), watch);
+        let record = self.entry.branch(case, watch);
         record.map_err(self.missing(case))
     }
 

@@ -42,7 +42,7 @@ impl Branch {
         let fold = record.special.iter().find(|point| point.kind == "fold");
         let special = record.special.last().map_or(f64::NAN, |point| point.r);
         let last = record.points.last().map_or(f64::NAN, at);
-        let (r, why) = match (fold, record.ended.word) {
+        let (r, why) = match (fold, record.ended.word()) {
             (Some(fold), _) => (fold.r, Why::Folds),
             (None, "reached-end") => (last, Why::Reached),
             (None, "equilibrium") => (last, Why::Vanishes),

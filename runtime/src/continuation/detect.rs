@@ -19,11 +19,11 @@ pub struct Monitors<'a, P> {
     /// Functions that change sign where something happens.
     pub named: Vec<Monitor<'a, P>>,
     /// Tells a change of regime.
-    pub change: Change<P>,
+    pub change: RegimeChange<P>,
 }
 
 /// Tells a change of regime by the points on both sides of it, each nearer to it than the one before.
-pub type Change<P> = fn(&[Spot<P>], &[Spot<P>]) -> Kind;
+pub type RegimeChange<P> = fn(&[Spot<P>], &[Spot<P>]) -> Kind;
 
 impl<'a, P> Monitors<'a, P> {
     /// These monitors of a branch that lies in one regime.

@@ -21,7 +21,7 @@ mod walk;
 
 pub use branch::{Branch, Point, Started};
 pub use corrector::{Corrected, Failure, correct};
-pub use detect::{Monitors, detect};
+pub use detect::{Monitors, RegimeChange, detect};
 pub use kind::Kind;
 pub use link::Link;
 pub use located::{Findings, Located, Unexplained};

@@ -133,7 +133,7 @@ fn branch(pair: &Subject, (family, branch, origin): &Leaf<'_>, marked: &[&Specia
         quoted(family),
         branch.from.as_deref().map_or("null".to_owned(), quoted),
         origin.map_or("null".to_owned(), |origin| self::special(origin, false, 0)),
-        quoted(branch.ended.word),
+        quoted(branch.ended.word()),
         points.join(","),
         special.join(",")
     )
