@@ -6,13 +6,14 @@ use crate::poincare::{Crossing, Section, Surface, once_around, until};
 
 /// A point of a motion on a section, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct CrossingRecord {
     /// When, from the beginning of the motion.
     pub time: f64,
-    /// Where.
-    pub state: Vec<f64>,
     /// Whether the function that vanishes there grows.
     pub rising: bool,
+    /// Where.
+    pub state: Vec<f64>,
 }
 
 /// How long a motion is watched.

@@ -35,6 +35,7 @@ pub struct Prediction {
 
 /// What one release costs the copy (7.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct ReleaseLoss {
     /// Number of the contact.
     pub contact: usize,
@@ -51,6 +52,7 @@ pub struct ReleaseLoss {
     /// The time that the layer takes.
     pub layer: f64,
     /// The shorter of the stick before it and the slip after it.
+    #[cfg_attr(feature = "app", serde(skip))]
     pub room: f64,
 }
 
