@@ -1,5 +1,6 @@
 //! Why the program does not do what it was asked.
 
+use std::fmt;
 use std::io::Write;
 
 use crate::flow::FlowError;
@@ -72,7 +73,13 @@ impl Failure {
 
     /// Prints the message on stderr; if nobody listens, so be it.
     pub(super) fn report(&self) {
-        let _ = writeln!(std::io::stderr(), "error: {}", self.message);
+        let _ = writeln!(std::io::stderr(), "error: {self}");
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
     }
 }
 

@@ -2,10 +2,6 @@
 
 use std::cell::RefCell;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
-use clap::ArgMatches;
-
 use super::failure::Failure;
 use super::interrupt;
 use super::output::Output;
@@ -25,17 +21,13 @@ impl Passages {
     /// There is no folder to resume in, or what is there belongs to another question.
     pub(super) fn open(
         output: &Output,
-        options: &ArgMatches,
+        resume: bool,
         name: &str,
         question: &Question,
     ) -> Result<Self, Failure> {
         let mut known = Vec::new();
-        let mut recall = |line: &str| {
-            let record = BASE64.decode(line).ok()?;
-            known.push(record);
-            Some(())
-        };
-        let notes = Notes::open(output, options, name, question, &mut recall)?;
+        let mut recall = |record: &[u8]| Some(known.push(record.to_vec()));
+        let notes = Notes::open(output, resume, name, question, &mut recall)?;
         Ok(Self {
             known,
             notes: RefCell::new(notes),
@@ -47,7 +39,7 @@ impl Passages {
         let note = |record: &[u8]| {
             // What is computed to come to an end is not what will be computed to go on.
             if !interrupt::asked() {
-                self.notes.borrow_mut().add(|| Some(BASE64.encode(record)));
+                self.notes.borrow_mut().add(Some(record.to_vec()));
             }
         };
         if self.notes.borrow().are_kept() {

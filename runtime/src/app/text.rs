@@ -1,6 +1,6 @@
 //! Answers as text: numbers at sensible digits, in aligned columns, with their units.
 
-use crate::field::Design;
+use crate::field::{Design, Work};
 use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case};
 
@@ -144,6 +144,14 @@ pub(super) fn parameters(info: &ModelInfo, case: &Case) -> String {
         })
         .collect();
     pairs.join(", ")
+}
+
+/// Counted work in one line.
+pub(super) fn work(work: &Work) -> String {
+    let told = work.counts().filter(|(count, _)| *count > 0);
+    told.map(|(count, name)| format!("{count} {name}"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ fn all(names: &[&str]) -> String {
 }
 
 /// The two sides of `name=value`.
-pub(super) fn assignment<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'a str), Failure> {
+pub(super) fn both_sides<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'a str), Failure> {
     let Some((name, value)) = word.split_once('=') else {
         return Err(Failure::usage(match word.trim() {
             "" => format!("`{option}` holds an empty word: write `name=value`"),
@@ -93,9 +93,9 @@ mod tests {
 
     #[test]
     fn both_sides_must_be_there() {
-        assert_eq!(assignment("--set", " a = 1 "), Ok(("a", "1")));
+        assert_eq!(both_sides("--set", " a = 1 "), Ok(("a", "1")));
         for word in ["", " ", "a", "=1", "a="] {
-            assert_eq!(assignment("--set", word).map_err(|f| f.code()), Err(2));
+            assert_eq!(both_sides("--set", word).map_err(|f| f.code()), Err(2));
         }
     }
 
