@@ -19,6 +19,12 @@ pub(super) struct Failure {
     code: u8,
 }
 
+/// The error that the command line makes no sense, formatted.
+macro_rules! refuse {
+    ($($message:tt)*) => { Err($crate::app::failure::Failure::usage(format!($($message)*))) };
+}
+pub(super) use refuse;
+
 impl Failure {
     /// The command line makes no sense.
     pub(super) fn usage(message: impl Into<String>) -> Self {
@@ -89,21 +95,12 @@ fn is_usage(error: &StudyError) -> bool {
         StudyError::NothingToSmooth
         | StudyError::NothingToFollow
         | StudyError::Driven { .. }
-        | StudyError::NotIsolated { .. } => return true,
-        StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
-        StudyError::Trade(TradeError::NoFriction { .. } | TradeError::OnlyForm { .. }) => {
+        | StudyError::NotIsolated { .. }
+        | StudyError::Trade(TradeError::NoFriction { .. } | TradeError::OnlyForm { .. }) => {
             return true;
         }
-        StudyError::Orbit(_)
-        | StudyError::Trade(_)
-        | StudyError::NoEquilibrium { .. }
-        | StudyError::NoSpecial { .. }
-        | StudyError::NotFollowed { .. }
-        | StudyError::Curve(_)
-        | StudyError::Equilibrium(_)
-        | StudyError::Interrupted(_)
-        | StudyError::NoHopf
-        | StudyError::Hopf(_) => return false,
+        StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
+        _ => return false,
     };
     matches!(
         flow,

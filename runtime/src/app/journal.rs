@@ -55,19 +55,21 @@ pub(super) struct Growing {
 impl Growing {
     /// A new file with this beginning: before it is there whole, it is not there at all.
     pub(super) fn begin(path: PathBuf, text: &str) -> Result<Self> {
-        {
-            let _held = growing();
-            whole::write(&path, text)?;
-        }
-        Self::carry_on(path, text.len() as u64)
+        let mut files = growing();
+        whole::write(&path, text)?;
+        Self::open(path, text.len() as u64, &mut files)
     }
 
     /// A file that is there, of which only this many bytes are good.
     pub(super) fn carry_on(path: PathBuf, length: u64) -> Result<Self> {
+        Self::open(path, length, &mut growing())
+    }
+
+    fn open(path: PathBuf, length: u64, files: &mut Vec<PathBuf>) -> Result<Self> {
         let mut file = File::options().write(true).open(&path)?;
         file.set_len(length)?;
         file.seek(SeekFrom::End(0))?;
-        growing().push(path.clone());
+        files.push(path.clone());
         Ok(Self { path, file, length })
     }
 

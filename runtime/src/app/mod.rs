@@ -16,6 +16,7 @@ mod resume;
 mod section;
 mod spreadsheet;
 mod text;
+mod trail;
 mod usage;
 mod values;
 mod words;

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 
+use super::arguments::Resume;
 use super::failure::Failure;
 use super::interrupt;
 use super::output::Output;
@@ -21,12 +22,15 @@ impl Passages {
     /// There is no folder to resume in, or what is there belongs to another question.
     pub(super) fn open(
         output: &Output,
-        resume: bool,
+        resume: &Resume,
         name: &str,
         question: &Question,
     ) -> Result<Self, Failure> {
         let mut known = Vec::new();
-        let mut recall = |record: &[u8]| Some(known.push(record.to_vec()));
+        let mut recall = |record: &[u8]| {
+            known.push(record.to_vec());
+            Some(())
+        };
         let notes = Notes::open(output, resume, name, question, &mut recall)?;
         Ok(Self {
             known,

@@ -2,13 +2,13 @@
 
 use super::App;
 use super::arguments::Subject;
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use super::output::Output;
 use super::values::{Assignment, Range, SMOOTH, Start};
 use super::words::unknown;
 use crate::field::{Design, Smoothing};
 use crate::model::ModelInfo;
-use crate::study::{Along, Case, Dynamics, Entry};
+use crate::study::{Along, Case, Dynamics, Entry, StudyError};
 
 /// A question to a model.
 pub(super) struct Request<'a> {
@@ -57,12 +57,26 @@ pub(super) fn request<'a>(
     })
 }
 
+impl Request<'_> {
+    /// What the question ran into.
+    pub(super) fn failed(&self, error: StudyError) -> Failure {
+        Failure::of(&error, self.info)
+    }
+
+    /// What is followed.
+    ///
+    /// # Errors
+    /// Nothing is.
+    pub(super) fn along(&self) -> Result<Along, Failure> {
+        let along = self.case.along;
+        along.ok_or_else(|| self.failed(StudyError::NothingToFollow))
+    }
+}
+
 fn model<'a>(app: &'a App, subject: &Subject) -> Result<&'a dyn Entry, Failure> {
     let Some(name) = &subject.model else {
         let names = app.names().join(", ");
-        return Err(Failure::usage(format!(
-            "no model is named: there are {names}"
-        )));
+        return refuse!("no model is named: there are {names}");
     };
     app.entry(name)
 }
@@ -82,10 +96,10 @@ pub(super) fn place(what: &str, name: &str, names: &[&str]) -> Result<usize, Fai
 /// The place of the parameter of this name; `also` can be meant, too.
 fn parameter(info: &ModelInfo, name: &str, also: &[&'static str]) -> Result<usize, Failure> {
     if info.states.iter().any(|state| state.name == name) {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`{name}` is a state of `{}`, not a parameter: `--start {name}=...` says where it begins",
             info.command
-        )));
+        );
     }
     let declared = info.parameters.iter().map(|declared| declared.name);
     let names: Vec<&str> = declared.chain(also.iter().copied()).collect();
@@ -112,9 +126,7 @@ pub(super) fn set(info: &ModelInfo, all: &[Assignment], case: &mut Case) -> Resu
         let index = parameter(info, name, &[])?;
         bounded(info, index, &format!("--set {word}"), *value)?;
         if std::mem::replace(&mut done[index], true) {
-            return Err(Failure::usage(format!(
-                "`--set {name}=...` is given more than once"
-            )));
+            return refuse!("`--set {name}=...` is given more than once");
         }
         if let Some(along) = case.along
             && along.design == Design::Parameter(index)
@@ -137,9 +149,9 @@ pub(super) fn agrees(
     if value == from {
         return Ok(());
     }
-    Err(Failure::usage(format!(
+    refuse!(
         "`--set {word}` contradicts `{option} {name}={from}..{to}`, which begins at {name} = {from}"
-    )))
+    )
 }
 
 /// What the range of this option follows.
@@ -164,7 +176,7 @@ fn dynamics(
 ) -> Result<Dynamics, Failure> {
     let sized = along.filter(|along| along.design == Design::Smoothing);
     if let (true, Some(reason)) = (subject.exact, info.only_form()) {
-        return Err(Failure::usage(format!("`--exact`: {reason}")));
+        return refuse!("`--exact`: {reason}");
     }
     let Some(copy) = &subject.smooth else {
         return match sized {
@@ -175,18 +187,16 @@ fn dynamics(
     };
     let word = &copy.word;
     if subject.exact {
-        return Err(Failure::usage(format!(
-            "`--exact` and `--smooth {word}` exclude each other"
-        )));
+        return refuse!("`--exact` and `--smooth {word}` exclude each other");
     }
     if let Some(reason) = info.only_form() {
-        return Err(Failure::usage(format!("`--smooth {word}`: {reason}")));
+        return refuse!("`--smooth {word}`: {reason}");
     }
     if info.contacts.is_empty() {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`--smooth {word}`: `{}` has no friction that could be smoothed",
             info.command
-        )));
+        );
     }
     // Followed along its size, a smoothing begins at the beginning of the range.
     let smoothing = match (&copy.smoothing, sized) {

@@ -9,7 +9,8 @@ use std::path::PathBuf;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
 
-use super::failure::Failure;
+use super::arguments::Resume;
+use super::failure::{Failure, refuse};
 use super::journal::Growing;
 use super::output::Output;
 use crate::model::ModelInfo;
@@ -95,13 +96,13 @@ impl Notes {
     /// There is no folder to resume in, or its notes belong to another question.
     pub(super) fn open(
         output: &Output,
-        resume: bool,
+        resume: &Resume,
         name: &str,
         question: &Question,
         read: &mut dyn FnMut(&[u8]) -> Option<()>,
     ) -> Result<Self, Failure> {
         let Some(path) = output.path(&format!("{name}.{ENDING}")) else {
-            return if resume {
+            return if resume.resume {
                 Err(Failure::usage(
                     "`--resume` goes on from what is in a folder: name it with `--out DIR`",
                 ))
@@ -109,7 +110,7 @@ impl Notes {
                 Ok(Self(None))
             };
         };
-        let old = resume.then(|| std::fs::read_to_string(&path));
+        let old = resume.resume.then(|| std::fs::read_to_string(&path));
         let file = match old {
             Some(Ok(text)) => {
                 let length = agreed(&text, question, &path.display())?;
@@ -169,9 +170,7 @@ fn agreed(text: &str, question: &Question, place: &impl Display) -> Result<usize
         ))
     })?;
     question.differs(&asked).map_or(Ok(length), |difference| {
-        Err(Failure::usage(format!(
-            "`--resume`: {place} belongs to another question: {difference}; ask the same one, or {anew}"
-        )))
+        refuse!("`--resume`: {place} belongs to another question: {difference}; ask the same one, or {anew}")
     })
 }
 
@@ -194,7 +193,7 @@ mod tests {
 
     #[test]
     fn a_torn_line_is_forgotten() {
-        let mut seen = Vec::new();
+        let mut seen: Vec<u8> = Vec::new();
         let mut read = |finding: &[u8]| (finding.len() > 1).then(|| seen.extend(finding));
         let line = |finding: &[u8]| BASE64.encode(finding) + "\n";
         let torn = [line(b"one"), line(b"two"), "dGhy".to_owned()].concat();

@@ -4,10 +4,10 @@ use clap::Args;
 use serde_json::Value;
 
 use super::document::Document;
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use super::request::state;
-use super::spreadsheet::{Row, Spreadsheet, full, head, states};
-use super::text::{number, table, timed};
+use super::spreadsheet::{Spreadsheet, full, head};
+use super::text::{line, number, states, table, timed};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
 use crate::model::ModelInfo;
@@ -51,18 +51,18 @@ impl Written {
         let value = words.next().unwrap_or_default();
         let direction = words.next().map_or(Ok(Direction::Up), direction)?;
         if let Some(more) = words.next() {
-            return Err(Failure::usage(format!(
+            return refuse!(
                 "`{option} {word}`: `{more}` is one word too many: write a value and `up`, `down` or `both`"
-            )));
+            );
         }
         let value = numeral(&format!("{option} {word}"), value)?;
         let inner = name
             .strip_prefix("der(")
             .and_then(|name| name.strip_suffix(')'));
         if inner.is_some() && value != 0.0 {
-            return Err(Failure::usage(format!(
+            return refuse!(
                 "`{option} {word}`: a rate is looked at where it vanishes: write `{name}=0`"
-            )));
+            );
         }
         Ok(Self {
             rate: inner.is_some(),
@@ -99,22 +99,17 @@ pub(super) fn describe(info: &ModelInfo, section: &Section, points: &[CrossingRe
         1 => "1 point".to_owned(),
         count => format!("{count} points"),
     };
-    let mut text = format!("\n  section {}: {count}\n", section.describe(info));
+    let text = format!("\n  section {}: {count}\n", section.describe(info));
     if points.is_empty() {
         return text;
     }
-    let time = timed(info, "t", "s");
-    let mut rows = vec![
-        std::iter::once(time)
-            .chain(states(info, ""))
-            .collect::<Row>(),
-    ];
-    rows.extend(points.iter().map(|point| {
+    let time = [timed(info, "t", "s")].into_iter();
+    let mut lines = line(time.chain(states(info, "")));
+    for point in points {
         let values = std::iter::once(&point.time).chain(&point.state);
-        values.map(|&value| number(value, DIGITS)).collect()
-    }));
-    text.push_str(&table(&rows));
-    text
+        lines += &line(values.map(|&value| number(value, DIGITS)));
+    }
+    text + &table(&lines)
 }
 
 /// One row for each point.

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::text::label;
-use crate::model::{ModelInfo, Unit};
+use crate::model::Unit;
 
 /// A line of a table.
 pub(super) type Row = Vec<String>;
@@ -46,12 +46,6 @@ where
 /// The head of a table: words, and what they are followed by.
 pub(super) fn head<const COUNT: usize>(words: [&str; COUNT]) -> Row {
     words.map(str::to_owned).to_vec()
-}
-
-/// The heads of the columns of all states, each after `prefix`.
-pub(super) fn states(info: &ModelInfo, prefix: &str) -> impl Iterator<Item = String> {
-    let states = info.states.iter();
-    states.map(move |state| label(&format!("{prefix}{}", state.name), state.unit))
 }
 
 /// The heads of columns with their units.

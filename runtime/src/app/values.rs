@@ -6,7 +6,7 @@ use clap::builder::TypedValueParser;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, Error};
 
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use super::words::{both_sides, number, positive, unknown};
 use crate::field::{Kernel, Smoothing, SmoothingError};
 
@@ -70,17 +70,17 @@ impl Range {
             .split_once("..")
             .filter(|(_, to)| !to.starts_with('.'));
         let Some((from, to)) = ends else {
-            return Err(Failure::usage(format!(
+            return refuse!(
                 "`{place}`: `{range}` is no range: write where it begins and ends, for instance `{name}=0.2..0.1`"
-            )));
+            );
         };
         let end: fn(&str, &str) -> Result<f64, Failure> =
             if name == SMOOTH { positive } else { number };
         let (from, to) = (end(&place, from)?, end(&place, to)?);
         if from == to {
-            return Err(Failure::usage(format!(
+            return refuse!(
                 "`{place}` begins and ends at {from}: there is nothing to follow; `orbit` finds a single orbit"
-            )));
+            );
         }
         let (word, name) = (word.to_owned(), name.to_owned());
         Ok(Self {
@@ -106,7 +106,7 @@ impl SmoothCopy {
         let kernel = match &smoothing {
             Ok(smoothing) => smoothing.kernel,
             Err(SmoothingError::BadSize { kernel, .. }) if !word.contains(':') => *kernel,
-            Err(error) => return Err(Failure::usage(format!("`{option} {word}`: {error}"))),
+            Err(error) => return refuse!("`{option} {word}`: {error}"),
         };
         Ok(Self {
             word: word.to_owned(),
@@ -135,10 +135,7 @@ impl Start {
         for pair in word.split(',') {
             let one = Assignment::read(option, pair)?;
             if given.iter().any(|other| other.name == one.name) {
-                return Err(Failure::usage(format!(
-                    "`{option} {word}` gives `{}` more than once",
-                    one.name
-                )));
+                return refuse!("`{option} {word}` gives `{}` more than once", one.name);
             }
             given.push(one);
         }
@@ -152,9 +149,7 @@ pub(super) fn accuracy(option: &str, word: &str) -> Result<f64, Failure> {
     if value > 1e-13 && value < 1e-1 {
         return Ok(value);
     }
-    Err(Failure::usage(format!(
-        "`{option} {word}` is out of reach: a relative accuracy lies between 1e-13 and 1e-1"
-    )))
+    refuse!("`{option} {word}` is out of reach: a relative accuracy lies between 1e-13 and 1e-1")
 }
 
 /// The one of `all` that `word` names; `what` says what it would be, if there is none.

@@ -1,6 +1,6 @@
 //! Words of the command line, and what to say of wrong ones.
 
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use crate::model::within_reach;
 use crate::suggest::did_you_mean;
 
@@ -47,19 +47,17 @@ pub(super) fn number(place: &str, word: &str) -> Result<f64, Failure> {
         })
     })?;
     if value.is_nan() {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`{place}`: `{word}` is not a number: NaN has no motion, give a finite number"
-        )));
+        );
     }
     if value.is_infinite() {
-        return Err(Failure::usage(format!(
-            "`{place}`: `{word}` is infinite: give a finite number"
-        )));
+        return refuse!("`{place}`: `{word}` is infinite: give a finite number");
     }
     if !within_reach(value) {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`{place}`: {value:e} is out of reach: magnitudes lie between 1e-100 and 1e100"
-        )));
+        );
     }
     Ok(value)
 }
@@ -70,9 +68,7 @@ pub(super) fn positive(place: &str, word: &str) -> Result<f64, Failure> {
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::usage(format!(
-        "`{place} {word}`: {value} is not above 0"
-    )))
+    refuse!("`{place} {word}`: {value} is not above 0")
 }
 
 /// A whole number between `least` and `most`.

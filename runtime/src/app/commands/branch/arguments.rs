@@ -4,7 +4,7 @@ use clap::Args;
 
 use crate::app::arguments::{Period, Resume, Subject, Way};
 use crate::app::commands::curve;
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::values::{Reading, one_of};
 use crate::app::words::number;
 use crate::study::{Beginning, Case, Switch};
@@ -96,9 +96,9 @@ impl Arguments {
     fn switch(&self) -> Result<Switch, Failure> {
         match (self.switch, self.depth) {
             (None, None) => Ok(Switch::default()),
-            (None, Some(depth)) => Err(Failure::usage(format!(
+            (None, Some(depth)) => refuse!(
                 "`--depth {depth}` says how deep to switch, but not at what: add `--switch flips`"
-            ))),
+            ),
             (Some(at), depth) => Ok(Switch {
                 flips: at != Switches::BranchPoints,
                 branch_points: at != Switches::Flips,
@@ -114,10 +114,12 @@ impl Arguments {
         };
         match from.beginning {
             Beginning::At(value) if (value - along.from) * (value - along.to) > 0.0 => {
-                Err(Failure::usage(format!(
+                refuse!(
                     "`--from {}` lies outside `--along`, which goes from {} to {}",
-                    from.word, along.from, along.to
-                )))
+                    from.word,
+                    along.from,
+                    along.to
+                )
             }
             beginning => Ok(beginning),
         }

@@ -1,7 +1,7 @@
 //! Orbits as CSV.
 
-use crate::app::spreadsheet::{Row, Spreadsheet, full, head as words, optional, states};
-use crate::app::text::{followed, timed};
+use crate::app::spreadsheet::{Row, Spreadsheet, full, head as words, optional};
+use crate::app::text::{followed, states, timed};
 use crate::model::ModelInfo;
 use crate::study::{Along, BranchRecord, OrbitRecord};
 

@@ -1,85 +1,63 @@
 //! A branch as text.
 
-use crate::app::text::{digits, followed, label, number, parameters, table, timed};
+use crate::app::text::{digits, followed, heading, label, number, table, timed};
 use crate::model::ModelInfo;
 use crate::study::{BranchRecord, Case, OrbitRecord};
 
 pub(super) fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
     let name = branch.along.name(info);
-    let mut text = format!(
-        "{}, {}: a branch of periodic orbits along {name}\n",
-        info.command, case.dynamics
-    );
-    text.push_str(&format!("  {}\n\n", parameters(info, case)));
-    text.push_str(&table(&points(info, branch)));
+    let what = format!("a branch of periodic orbits along {name}");
+    let mut text = heading(info, case, &what) + &table(&points(info, branch));
     if !branch.special.is_empty() {
-        text.push_str(&format!("\n{}", table(&special(info, branch))));
+        text += &format!("\n{}", special(info, branch));
     }
     for (i, below) in branch.all().into_iter().enumerate().skip(1) {
         let from = below.from.as_deref().unwrap_or("another");
-        let count = below.points.first().map_or(0, |point| point.period_count);
-        text.push_str(&format!(
-            "\nbranch {i}, period {count}, leaves its parent at {from}; {} points, ended: {}\n",
-            below.points.len(),
-            below.ended.word
-        ));
-        if !below.special.is_empty() {
-            text.push_str(&table(&special(info, below)));
-        }
+        let period = below.points.first().map_or(0, |point| point.period_count);
+        let (count, ended) = (below.points.len(), below.ended.word);
+        text += &format!(
+            "\nbranch {i}, period {period}, leaves its parent at {from}; {count} points, ended: {ended}\n{}",
+            special(info, below)
+        );
     }
     text
 }
 
-fn points(info: &ModelInfo, branch: &BranchRecord) -> Vec<Vec<String>> {
-    let largest = info.states.first().map_or(String::new(), |state| {
-        label(&format!("max |{}|", state.name), state.unit)
-    });
-    let head = [
+fn points(info: &ModelInfo, branch: &BranchRecord) -> String {
+    let first = info.states.first();
+    let largest = first.map(|state| label(&format!("max |{}|", state.name), state.unit));
+    let mut lines = format!(
+        "{}\t{}\t{}\t|multiplier|\tstability\n",
         followed(info, &branch.along),
         timed(info, "period", "s"),
-        largest,
-        "|multiplier|".to_owned(),
-        "stability".to_owned(),
-    ];
-    let mut rows = vec![head.to_vec()];
-    rows.extend(branch.points.iter().map(point));
-    rows
+        largest.unwrap_or_default(),
+    );
+    lines.extend(branch.points.iter().map(point));
+    lines
 }
 
-fn point(orbit: &OrbitRecord) -> Vec<String> {
+fn point(orbit: &OrbitRecord) -> String {
     let digits = digits(orbit.error_estimate).min(9);
-    let largest = orbit.floquet.multipliers.first();
-    vec![
-        orbit.r.map_or(String::new(), |r| number(r, digits)),
-        number(orbit.period, digits),
-        orbit
-            .max_abs
-            .first()
-            .map_or(String::new(), |&value| number(value, digits)),
-        largest.map_or(String::new(), |multiplier| number(multiplier.norm(), 5)),
-        orbit.floquet.stability.name().to_owned(),
-    ]
+    let shown = |value: Option<f64>| value.map_or(String::new(), |value| number(value, digits));
+    let extent = orbit.max_abs.first().copied();
+    let [r, period, extent] = [orbit.r, Some(orbit.period), extent].map(shown);
+    let multiplier = orbit.floquet.multipliers.first();
+    let multiplier = multiplier.map_or(String::new(), |largest| number(largest.norm(), 5));
+    let stability = orbit.floquet.stability.name();
+    format!("{r}\t{period}\t{extent}\t{multiplier}\t{stability}\n")
 }
 
-fn special(info: &ModelInfo, branch: &BranchRecord) -> Vec<Vec<String>> {
+/// The special points, if there are any.
+fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
+    if branch.special.is_empty() {
+        return String::new();
+    }
     let (name, period) = (followed(info, &branch.along), timed(info, "period", "s"));
-    let mut rows = vec![
-        ["special", "kind", &name, &period, ""]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
-    rows.extend(branch.special.iter().map(|point| {
-        vec![
-            point.label.clone(),
-            point.kind.to_owned(),
-            number(point.r, 10),
-            number(point.period, 10),
-            point
-                .criticality
-                .or(point.note.as_deref())
-                .unwrap_or("")
-                .to_owned(),
-        ]
-    }));
-    rows
+    let mut lines = format!("special\tkind\t{name}\t{period}\t\n");
+    for point in &branch.special {
+        let [r, period] = [point.r, point.period].map(|value| number(value, 10));
+        let remark = point.criticality.or(point.note.as_deref()).unwrap_or("");
+        lines += &format!("{}\t{}\t{r}\t{period}\t{remark}\n", point.label, point.kind);
+    }
+    table(&lines)
 }

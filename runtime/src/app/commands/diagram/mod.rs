@@ -12,9 +12,9 @@ use crate::app::App;
 use crate::app::failure::Failure;
 use crate::app::journal::Journal;
 use crate::app::progress::Progress;
-use crate::app::request::{Request, request};
+use crate::app::request::request;
 use crate::app::resume::{Notes, Question};
-use crate::app::spreadsheet::{Row, Spreadsheet};
+use crate::app::spreadsheet::Spreadsheet;
 use crate::app::text::followed;
 use crate::model::ModelInfo;
 use crate::study::{Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice};
@@ -25,53 +25,40 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         let message = "`diagram` needs `--along NAME=A..B`: which parameter, from where to where";
         return Err(Failure::usage(message));
     };
-    let Request {
-        entry,
-        info,
-        case,
-        output,
-    } = request(app, &arguments.subject, Some(range), None)?;
+    let asked = request(app, &arguments.subject, Some(range), None)?;
+    let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let diagram = arguments.diagram(info)?;
     let shown = arguments.shown(info, &diagram.section)?;
-    let progress = Progress::along(&output);
+    let progress = Progress::along(output);
     let mut known = Known::default();
     let mut recall = |finding: &[u8]| {
         let (sweep, slice): (String, Slice) = borsh::from_slice(finding).ok()?;
-        Some(known.insert(&sweep, slice))
+        known.insert(&sweep, slice);
+        Some(())
     };
-    let question = question(app, info, &case, &diagram);
-    let resume = arguments.resume.resume;
-    let notes = Notes::open(&output, resume, "diagram", &question, &mut recall)?;
-    let along = case
-        .along
-        .map_or_else(String::new, |along| followed(info, &along));
-    let heads = || {
-        [
-            sheet::points_head(info, &along),
-            sheet::values_head(info, &along),
-        ]
-    };
-    let [points, values] = heads();
+    let question = question(app, info, case, &diagram);
+    let notes = Notes::open(output, &arguments.resume, "diagram", &question, &mut recall)?;
+    let along = followed(info, &asked.along()?);
     let papers = Mutex::new(Papers {
-        points: output.journal("points", points),
-        values: output.journal("values", values),
+        states: info.states.len(),
+        points: output.journal("points", sheet::points_head(info, &along)),
+        values: output.journal("values", sheet::values_head(info, &along)),
         notes,
     });
     let watch = |seen: Seen<'_>| {
         let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
-        papers.take(&seen, info.states.len());
+        papers.take(&seen);
         progress.reach(seen.share, String::new())
     };
-    let record = entry
-        .diagram(&case, &diagram, &known, &watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let record = asked.entry.diagram(case, &diagram, &known, &watch);
+    let record = record.map_err(|error| asked.failed(error))?;
     drop(progress);
     let drawn = output.draw([("diagram", picture::picture(info, &record, shown))]);
     output.deliver(
         "diagram",
-        &text::describe(info, &case, &record),
-        &document::document(info, &case, &record),
-        &sheets(info, &record, heads()),
+        &text::describe(info, case, &record),
+        &document::document(info, case, &record),
+        &sheets(info, &record),
     )?;
     drawn?;
     if record.missing > 0 {
@@ -89,17 +76,19 @@ fn slices(record: &DiagramRecord) -> impl Iterator<Item = (&'static str, &Slice)
     sweeps.flat_map(|sweep| sweep.slices.iter().map(|slice| (sweep.name, slice)))
 }
 
-fn sheets(
-    info: &ModelInfo,
-    record: &DiagramRecord,
-    [points, values]: [Row; 2],
-) -> [(&'static str, Spreadsheet); 2] {
-    let states = info.states.len();
-    let dots = slices(record).flat_map(|(sweep, slice)| sheet::points(sweep, slice));
-    let rows = slices(record).map(|(sweep, slice)| sheet::value(sweep, slice, states));
+fn sheets(info: &ModelInfo, record: &DiagramRecord) -> [(&'static str, Spreadsheet); 2] {
+    let (name, states) = (followed(info, &record.along), info.states.len());
+    let points = slices(record).flat_map(|(sweep, slice)| sheet::points(sweep, slice));
+    let values = slices(record).map(|(sweep, slice)| sheet::value(sweep, slice, states));
     [
-        ("points", Spreadsheet::new(points, dots)),
-        ("values", Spreadsheet::new(values, rows)),
+        (
+            "points",
+            Spreadsheet::new(sheet::points_head(info, &name), points),
+        ),
+        (
+            "values",
+            Spreadsheet::new(sheet::values_head(info, &name), values),
+        ),
     ]
 }
 
@@ -117,19 +106,20 @@ fn question(app: &App, info: &ModelInfo, case: &Case, diagram: &Diagram) -> Ques
 
 /// What is written of each value as it is found.
 struct Papers {
+    states: usize,
     points: Journal,
     values: Journal,
     notes: Notes,
 }
 
 impl Papers {
-    fn take(&mut self, seen: &Seen<'_>, states: usize) {
+    fn take(&mut self, seen: &Seen<'_>) {
         let Seen { sweep, slice, .. } = *seen;
         if !seen.known {
             self.notes.add(borsh::to_vec(&(sweep, slice)).ok());
         }
         self.points.add(sheet::points(sweep, slice));
-        self.values.add([sheet::value(sweep, slice, states)]);
+        self.values.add([sheet::value(sweep, slice, self.states)]);
     }
 }
 

@@ -1,7 +1,7 @@
 //! A diagram as CSV.
 
-use crate::app::spreadsheet::{Row, full, head as words, optional, states};
-use crate::app::text::timed;
+use crate::app::spreadsheet::{Row, full, head as words, optional};
+use crate::app::text::{states, timed};
 use crate::model::ModelInfo;
 use crate::study::Slice;
 

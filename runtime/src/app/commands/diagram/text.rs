@@ -1,8 +1,8 @@
 //! A diagram as text.
 
-use crate::app::text::{followed, number, parameters, table, work};
+use crate::app::text::{followed, heading, number, table, work};
 use crate::model::ModelInfo;
-use crate::study::{Case, DiagramRecord, Slice, SweepRecord};
+use crate::study::{Case, DiagramRecord, Slice};
 
 /// Digits shown of the design variable.
 const DIGITS: usize = 6;
@@ -10,39 +10,25 @@ const DIGITS: usize = 6;
 pub(super) fn describe(info: &ModelInfo, case: &Case, record: &DiagramRecord) -> String {
     let name = &followed(info, &record.along);
     let section = record.diagram.section.describe(info);
-    let mut text = format!(
-        "{}, {}: a Poincaré diagram along {name}, section {section}\n  {}\n\n",
-        info.command,
-        case.dynamics,
-        parameters(info, case)
-    );
-    let head = ["sweep", name, "to", "values", "motion"].map(str::to_owned);
-    let mut rows = vec![head.to_vec()];
+    let what = format!("a Poincaré diagram along {name}, section {section}");
+    let mut lines = format!("sweep\t{name}\tto\tvalues\tmotion\n");
     for sweep in &record.sweeps {
-        rows.extend(runs(sweep).iter().map(|run| row(sweep, run)));
+        let kind = |slice: &Slice| slice.motion.name();
+        for run in sweep.slices.chunk_by(|a, b| kind(a) == kind(b)) {
+            lines += &format!("{}\t{}\n", sweep.name, describe_run(run));
+        }
     }
-    text.push_str(&table(&rows));
     let count: usize = record.sweeps.iter().map(|sweep| sweep.slices.len()).sum();
-    text.push_str(&format!("\n  {count} values; {}\n", work(&record.work())));
-    text
+    let tail = format!("\n  {count} values; {}\n", work(&record.work()));
+    heading(info, case, &what) + &table(&lines) + &tail
 }
 
 /// Neighbouring values with the same kind of motion.
-fn runs(sweep: &SweepRecord) -> Vec<&[Slice]> {
-    let kind = |slice: &Slice| slice.motion.name();
-    sweep.slices.chunk_by(|a, b| kind(a) == kind(b)).collect()
-}
-
-fn row(sweep: &SweepRecord, run: &[Slice]) -> Vec<String> {
+fn describe_run(run: &[Slice]) -> String {
     let end = |slice: Option<&Slice>| slice.map_or(String::new(), |s| number(s.r, DIGITS));
     let motion = run.first().map_or(String::new(), |s| s.motion.name());
-    vec![
-        sweep.name.to_owned(),
-        end(run.first()),
-        end(run.last()),
-        run.len().to_string(),
-        motion + &exponents(run),
-    ]
+    let (from, to, exponents) = (end(run.first()), end(run.last()), exponents(run));
+    format!("{from}\t{to}\t{}\t{motion}{exponents}", run.len())
 }
 
 /// The range of the Lyapunov exponents of a run.

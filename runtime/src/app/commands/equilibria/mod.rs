@@ -14,7 +14,7 @@ use crate::app::failure::Failure;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
 use crate::app::spreadsheet::Spreadsheet;
-use crate::app::text::number;
+use crate::app::trail::Trail;
 use crate::study::{Along, EquilibriumRecord};
 pub(in crate::app) use arguments::Arguments;
 
@@ -31,49 +31,35 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     }
 }
 
-fn list(request: &Request<'_>, certify: bool) -> Result<(), Failure> {
-    let Request {
-        entry,
-        info,
-        case,
-        output,
-    } = request;
-    let found = entry
-        .equilibria(case)
-        .map_err(|error| Failure::of(&error, info))?;
+fn list(asked: &Request<'_>, certify: bool) -> Result<(), Failure> {
+    let (info, case) = (asked.info, &asked.case);
+    let found = asked.entry.equilibria(case);
+    let found = found.map_err(|error| asked.failed(error))?;
     let mut text = text::list(info, case, &found);
-    let proofs = certify.then(|| entry.proofs(case, &found));
-    if let Some(proofs) = &proofs {
-        text.push_str(&proof::describe(info, proofs));
+    let mut proofs = Vec::new();
+    if certify {
+        proofs = asked.entry.proofs(case, &found);
+        text.push_str(&proof::describe(info, &proofs));
     }
-    let proofs = proofs.unwrap_or_default();
     let sheet = Spreadsheet::new(sheet::head(info, None), found.iter().map(sheet::row));
     let document = document::list(info, case, &found, &proofs);
-    output.deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
+    asked
+        .output
+        .deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
     proof::verdict(&proofs)
 }
 
-fn follow(request: &Request<'_>, along: Along) -> Result<(), Failure> {
-    let Request {
-        entry,
-        info,
-        case,
-        output,
-    } = request;
+fn follow(asked: &Request<'_>, along: Along) -> Result<(), Failure> {
+    let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let progress = Progress::along(output);
     let head = sheet::head(info, Some(&along));
-    let mut journal = output.journal("equilibria", head.clone());
-    let mut watch = |point: &EquilibriumRecord| {
-        let Some(r) = point.r else {
-            return ControlFlow::Continue(());
-        };
-        journal.add([sheet::row(point)]);
-        let message = format!("{} = {}", along.name(info), number(r, 6));
-        progress.reach(along.share(r), message)
+    let mut trail = Trail::new(asked, along, "equilibria", head.clone(), &progress);
+    let mut watch = |point: &EquilibriumRecord| match point.r {
+        Some(r) => trail.reach(r, sheet::row(point)),
+        None => ControlFlow::Continue(()),
     };
-    let branch = entry
-        .equilibria_along(case, &mut watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let branch = asked.entry.equilibria_along(case, &mut watch);
+    let branch = branch.map_err(|error| asked.failed(error))?;
     drop(progress);
     let sheet = Spreadsheet::new(head, branch.points.iter().map(sheet::row));
     let document = document::branch(info, case, &branch);

@@ -2,7 +2,7 @@
 
 use crate::app::document::Document;
 use crate::app::failure::Failure;
-use crate::app::text::{label, table};
+use crate::app::text::{states, table};
 use crate::equilibrium::{Proof, Unproven};
 use crate::model::ModelInfo;
 
@@ -23,20 +23,18 @@ pub(super) fn describe(info: &ModelInfo, proofs: &[Result<Proof, Unproven>]) -> 
     text
 }
 
-fn boxes(info: &ModelInfo, proofs: &[Result<Proof, Unproven>]) -> Vec<Vec<String>> {
-    let mut rows = vec![["number", "", "min", "max"].map(str::to_owned).to_vec()];
+fn boxes(info: &ModelInfo, proofs: &[Result<Proof, Unproven>]) -> String {
+    let mut lines = "number\t\tmin\tmax\n".to_owned();
     for (i, proof) in proofs.iter().enumerate() {
         let Ok(Proof { low, high }) = proof else {
             continue;
         };
-        for (state, (low, high)) in info.states.iter().zip(low.iter().zip(high)) {
+        for (name, (low, high)) in states(info, "").zip(low.iter().zip(high)) {
             // All digits: rounded to fewer, the ends would no longer hold the equilibrium.
-            let name = label(state.name, state.unit);
-            let [low, high] = [low, high].map(|end| format!("{end:?}"));
-            rows.push(vec![(i + 1).to_string(), name, low, high]);
+            lines += &format!("{}\t{name}\t{low:?}\t{high:?}\n", i + 1);
         }
     }
-    rows
+    lines
 }
 
 /// A failure that says how many are not proven, and why the first of them is not.

@@ -1,7 +1,7 @@
 //! Equilibria as CSV.
 
-use crate::app::spreadsheet::{Row, full, head as words, optional, states};
-use crate::app::text::{followed, timed};
+use crate::app::spreadsheet::{Row, full, head as words, optional};
+use crate::app::text::{followed, states, timed};
 use crate::model::ModelInfo;
 use crate::study::{Along, EquilibriumRecord};
 

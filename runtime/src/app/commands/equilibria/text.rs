@@ -2,62 +2,50 @@
 
 use nalgebra::Complex;
 
-use crate::app::text::{followed, label, number, parameters, table, time_unit, timed};
+use crate::app::text::{followed, heading, line, number, states, table, time_unit, timed};
 use crate::model::ModelInfo;
-use crate::study::{Case, EquilibriaRecord, EquilibriumRecord, SpecialEquilibrium};
+use crate::study::{Case, EquilibriaRecord, EquilibriumRecord};
 
 const DIGITS: usize = 9;
 
 /// A list of equilibria.
 pub(super) fn list(info: &ModelInfo, case: &Case, found: &[EquilibriumRecord]) -> String {
-    let title = format!("{}, {}: equilibria\n", info.command, case.dynamics);
-    let mut text = format!("{title}  {}\n\n", parameters(info, case));
-    text.push_str(&table(&rows(info, None, found)));
-    text.push_str(&remarks(case, found.iter().any(|one| one.artefact), false));
-    text
+    heading(info, case, "equilibria")
+        + &table(&rows(info, None, found))
+        + &remarks(case, found.iter().any(|one| one.artefact), false)
 }
 
 /// A branch of equilibria.
 pub(super) fn describe(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> String {
     let (name, along) = (branch.along.name(info), followed(info, &branch.along));
-    let mut text = format!(
-        "{}, {}: a branch of equilibria along {name}\n  {}\n\n",
-        info.command,
-        case.dynamics,
-        parameters(info, case)
-    );
-    text.push_str(&table(&rows(info, Some(&along), &branch.points)));
+    let mut text = heading(info, case, &format!("a branch of equilibria along {name}"));
+    text += &table(&rows(info, Some(&along), &branch.points));
     if !branch.special.is_empty() {
-        text.push_str(&format!("\n{}", table(&special(info, &along, branch))));
+        text += &format!("\n{}", table(&special(info, &along, branch)));
     }
     let points = branch.points.iter().any(|point| point.artefact);
     let special = branch.special.iter().any(|point| point.artefact);
-    text.push_str(&remarks(case, points, special));
-    text
+    text + &remarks(case, points, special)
 }
 
-fn rows(info: &ModelInfo, name: Option<&str>, all: &[EquilibriumRecord]) -> Vec<Vec<String>> {
-    let states = info
-        .states
-        .iter()
-        .map(|state| label(state.name, state.unit));
+fn rows(info: &ModelInfo, name: Option<&str>, all: &[EquilibriumRecord]) -> String {
+    let rest = [timed(info, "eigenvalues", "1/s"), "stability".to_owned()];
     let modes = all.iter().any(|one| one.mode.is_some());
-    let mut head: Vec<String> = name.map(str::to_owned).into_iter().chain(states).collect();
-    head.push(timed(info, "eigenvalues", "1/s"));
-    head.push("stability".to_owned());
-    if modes {
-        head.push("mode".to_owned());
+    let mode = modes.then(|| "mode".to_owned());
+    let name = name.map(str::to_owned).into_iter();
+    let mut lines = line(name.chain(states(info, "")).chain(rest).chain(mode));
+    for one in all {
+        let r = one.r.map(|r| number(r, DIGITS)).into_iter();
+        let states = (0..info.states.len()).map(|j| state(one, j));
+        let stability = format!("{}{}", one.stability.name(), mark(one.artefact));
+        let rest = [eigenvalues(&one.eigenvalues), stability];
+        lines += &line(r.chain(states).chain(rest).chain(one.mode.clone()));
     }
-    let row = |one: &EquilibriumRecord| {
-        let mut row: Vec<String> = one.r.map(|r| number(r, DIGITS)).into_iter().collect();
-        row.extend((0..info.states.len()).map(|j| state(one, j)));
-        row.push(eigenvalues(&one.eigenvalues));
-        let mark = if one.artefact { " *" } else { "" };
-        row.push(format!("{}{mark}", one.stability.name()));
-        row.extend(one.mode.clone());
-        row
-    };
-    std::iter::once(head).chain(all.iter().map(row)).collect()
+    lines
+}
+
+const fn mark(artefact: bool) -> &'static str {
+    if artefact { " *" } else { "" }
 }
 
 /// A state, or the interval that it covers in a set.
@@ -87,23 +75,16 @@ fn eigenvalues(all: &[Complex<f64>]) -> String {
     all.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
 
-fn special(info: &ModelInfo, name: &str, branch: &EquilibriaRecord) -> Vec<Vec<String>> {
-    let head = ["special", "kind", name, "period"].map(str::to_owned);
+fn special(info: &ModelInfo, name: &str, branch: &EquilibriaRecord) -> String {
     let time = time_unit(info);
-    let row = |point: &SpecialEquilibrium| {
-        let mark = if point.artefact { " *" } else { "" };
-        vec![
-            point.label.clone(),
-            format!("{}{mark}", point.kind),
-            number(point.r, 10),
-            point
-                .period
-                .map_or_else(|| "-".to_owned(), |period| number(period, 10) + time),
-        ]
-    };
-    std::iter::once(head.to_vec())
-        .chain(branch.special.iter().map(row))
-        .collect()
+    let mut lines = format!("special\tkind\t{name}\tperiod\n");
+    for point in &branch.special {
+        let (kind, mark, r) = (point.kind, mark(point.artefact), number(point.r, 10));
+        let period = point.period.map(|period| number(period, 10) + time);
+        let period = period.unwrap_or_else(|| "-".to_owned());
+        lines += &format!("{}\t{kind}{mark}\t{r}\t{period}\n", point.label);
+    }
+    lines
 }
 
 fn remarks(case: &Case, points: bool, special: bool) -> String {

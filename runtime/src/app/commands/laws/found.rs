@@ -4,10 +4,12 @@ use heck::ToKebabCase;
 
 use super::arguments::Wish;
 use super::curve::Curve;
-use super::exhibit::{Drawn, Exhibit};
+use super::drawn::Drawn;
+use super::exhibit::Exhibit;
 use super::swing::swing;
 use crate::app::App;
-use crate::app::failure::Failure;
+use crate::app::document::unit;
+use crate::app::failure::{Failure, refuse};
 use crate::app::request::{self, place};
 use crate::app::values::Assignment;
 use crate::app::words::unknown;
@@ -54,10 +56,9 @@ pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhib
         Shown::Static(specimen) => {
             let (values, built) = at_values(specimen, specimen.law().name, set)?;
             let drawn = Drawn {
-                name: specimen.law().name.to_kebab_case(),
                 law: specimen.law(),
                 place: None,
-                values,
+                values: &values,
                 curve: curve(wish, built.as_ref(), ["m/s", "N"])?,
             };
             Ok(drawn.exhibit())
@@ -96,31 +97,26 @@ pub(super) fn acting(
 ) -> Result<Vec<Exhibit>, Failure> {
     let info = entry.info();
     if info.contacts.is_empty() {
-        return Err(Failure::usage(format!(
-            "`{}` has no friction",
-            info.command
-        )));
+        return refuse!("`{}` has no friction", info.command);
     }
     let mut case = Case::declared(info, Dynamics::Exact);
     request::set(info, set, &mut case)?;
     let mut drawn = Vec::new();
     entry.laws(&case, &mut |index, law| {
         let contact = &info.contacts[index];
-        let units =
-            [contact.speed_unit, contact.unit].map(|unit| unit.map_or("", |unit| unit.text));
-        drawn.push(curve(wish, law, units).map(|curve| {
-            Drawn {
-                name: format!("{}-{}", info.command, contact.name),
-                law: contact.law,
-                place: Some(format!(
-                    "{} = {} {{ {} }} opposing {}",
-                    contact.name, contact.law.name, contact.fields, contact.speed
-                )),
-                values: Vec::new(),
-                curve,
-            }
-            .exhibit()
-        }));
+        let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
+        let name = format!("{}-{}", info.command, contact.name);
+        let place = format!(
+            "{} = {} {{ {} }} opposing {}",
+            contact.name, contact.law.name, contact.fields, contact.speed
+        );
+        let exhibit = |curve| Drawn {
+            law: contact.law,
+            place: Some((name, place)),
+            values: &[],
+            curve,
+        };
+        drawn.push(curve(wish, law, units).map(|curve| exhibit(curve).exhibit()));
     });
     drawn.into_iter().collect()
 }

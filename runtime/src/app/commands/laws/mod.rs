@@ -2,17 +2,15 @@
 
 mod arguments;
 mod curve;
-mod document;
+mod drawn;
 mod exhibit;
 mod found;
-mod picture;
 mod swing;
-mod text;
 
 use serde_json::{Value, json};
 
 use crate::app::App;
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::output::Output;
 pub(in crate::app) use arguments::Arguments;
 use arguments::Wish;
@@ -38,11 +36,11 @@ fn one(app: &App, name: &str, arguments: &Arguments) -> Result<(), Failure> {
 
 fn all(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     if let Some(set) = arguments.settings.set.first() {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`--set {}` sets a parameter of one law or model: name it, as in `laws {}`",
             set.word,
             names(app).first().map_or("", String::as_str)
-        )));
+        );
     }
     let wish = Wish {
         smoothing: None,

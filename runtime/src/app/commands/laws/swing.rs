@@ -1,16 +1,13 @@
 //! A law with internal state: the loops of its force as its contact swings, slowly and ten times as fast.
 
-use heck::ToKebabCase;
 use serde_json::{Value, json};
 
 use super::arguments::Wish;
-use super::document::{self, parameters};
-use super::exhibit::Exhibit;
-use super::text::{settings, values_of};
+use super::exhibit::{Exhibit, Known};
 use crate::app::document::unit;
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::spreadsheet::{Spreadsheet, full, head};
-use crate::app::text::{indented, number, summary, table};
+use crate::app::text::{line, number, table};
 use crate::memory::MemoryLawInfo;
 use crate::report::{self, Axis, Figure, Panel};
 use crate::study::{Hysteresis, Remembering};
@@ -35,10 +32,10 @@ pub(super) fn swing(
 ) -> Result<Exhibit, Failure> {
     let law = built.law();
     if let Some(smoothing) = wish.smoothing {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`--smooth {smoothing}`: `{}` has internal state and no force that jumps; it is integrated as it is",
             law.name
-        )));
+        );
     }
     let amplitude = wish.amplitude.unwrap_or(remembering.amplitude);
     let slow = wish.speed.unwrap_or(remembering.speed);
@@ -49,59 +46,40 @@ pub(super) fn swing(
         })?;
         loops.push(Loop { speed, points });
     }
-    let name = law.name.to_kebab_case();
-    let listing = format!(
-        "{name}\n  {}\n{}    {}\n",
-        summary(law.doc),
-        law.lines()
-            .iter()
-            .map(|line| format!("    {line}\n"))
-            .collect::<String>(),
-        values_of(law.parameters, values),
-    );
+    let known = Known {
+        name: law.name,
+        doc: law.doc,
+        formulas: law.lines(),
+        parameters: law.parameters,
+        values,
+    };
+    let name = known.command();
     Ok(Exhibit {
-        listing,
-        text: text(&name, law, values, amplitude, &loops),
-        document: document(&name, law, values, amplitude, &loops),
+        listing: known.listing(),
+        text: known.text(&name, None) + &text(amplitude, &loops),
+        document: document(&name, law, &known, amplitude, &loops),
         figure: figure(&name, &loops),
         sheet: sheet(&loops),
         name,
     })
 }
 
-fn text(name: &str, law: &MemoryLawInfo, values: &[f64], amplitude: f64, loops: &[Loop]) -> String {
-    let formulas: String = law
-        .lines()
-        .iter()
-        .map(|line| format!("  {line}\n"))
-        .collect();
-    let mut rows = vec![
-        ["speed (m/s)", "largest force (N)", "force at the turn (N)"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
+fn text(amplitude: f64, loops: &[Loop]) -> String {
+    let shown = |value: f64| number(value, DIGITS);
+    let mut lines = "speed (m/s)\tlargest force (N)\tforce at the turn (N)\n".to_owned();
     for one in loops {
         let forces = one.points.iter().map(|[_, force]| force.abs());
         let turn = one.points.last().map_or(f64::NAN, |[_, force]| *force);
-        rows.push(
-            [one.speed, forces.fold(0.0, f64::max), turn]
-                .map(|value| number(value, DIGITS))
-                .to_vec(),
-        );
+        lines += &line([one.speed, forces.fold(0.0, f64::max), turn].map(shown));
     }
-    format!(
-        "{name}\n{}\nformulas\n{formulas}\nparameters\n{}\nswinging by {} m to and fro\n{}",
-        indented(law.doc),
-        settings(law.parameters, values),
-        number(amplitude, DIGITS),
-        table(&rows)
-    )
+    let amplitude = shown(amplitude);
+    format!("\nswinging by {amplitude} m to and fro\n{}", table(&lines))
 }
 
 fn document(
     name: &str,
     law: &MemoryLawInfo,
-    values: &[f64],
+    known: &Known<'_>,
     amplitude: f64,
     loops: &[Loop],
 ) -> Value {
@@ -116,8 +94,8 @@ fn document(
     });
     json!({
         "law": name, "name": law.name, "doc": law.doc.trim(), "force": law.force,
-        "states": states.collect::<Vec<_>>(), "parameters": parameters(law.parameters),
-        "values": document::values(law.parameters, values), "amplitude": amplitude,
+        "states": states.collect::<Vec<_>>(), "parameters": known.parameters(),
+        "values": known.values(), "amplitude": amplitude,
         "units": { "amplitude": "m", "speed": "m/s", "displacement": "m", "force": "N" },
         "loops": loops.collect::<Vec<_>>(),
     })

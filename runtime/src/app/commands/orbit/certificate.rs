@@ -1,7 +1,7 @@
 //! The certificate of an orbit, as text and as JSON.
 
 use crate::app::document::Document;
-use crate::app::text::{label, number, table, time_unit};
+use crate::app::text::{number, states, table, time_unit};
 use crate::model::ModelInfo;
 use crate::shooting::{Certificate, Constants, Uncertified};
 
@@ -20,21 +20,19 @@ pub(super) fn describe(info: &ModelInfo, found: &Result<Certificate, Uncertified
     }
 }
 
-fn radii(info: &ModelInfo, certificate: &Certificate) -> Vec<Vec<String>> {
+fn radii(info: &ModelInfo, certificate: &Certificate) -> String {
     let small = |radius: f64| number(radius, 2);
-    let mut rows = vec![["", "computed", "radius"].map(str::to_owned).to_vec()];
+    let mut lines = "\tcomputed\tradius\n".to_owned();
     let starts = certificate.start.iter().zip(&certificate.state_radius);
-    let states = info.states.iter().zip(starts);
-    rows.extend(states.map(|(state, (start, radius))| {
-        let name = format!("start {}", label(state.name, state.unit));
-        vec![name, number(*start, DIGITS), small(*radius)]
-    }));
-    rows.push(vec![
-        "period".to_owned(),
-        number(certificate.period, DIGITS) + time_unit(info),
-        small(certificate.period_radius),
-    ]);
-    rows
+    for (name, (start, radius)) in states(info, "").zip(starts) {
+        lines += &format!(
+            "start {name}\t{}\t{}\n",
+            number(*start, DIGITS),
+            small(*radius)
+        );
+    }
+    let period = number(certificate.period, DIGITS) + time_unit(info);
+    lines + &format!("period\t{period}\t{}\n", small(certificate.period_radius))
 }
 
 fn constants(constants: &Constants) -> String {

@@ -9,7 +9,7 @@ use crate::app::App;
 use crate::app::failure::Failure;
 use crate::app::output::Output;
 use crate::app::progress::Progress;
-use crate::app::request::{Request, request};
+use crate::app::request::request;
 use crate::app::text::number;
 use crate::app::{commands::simulate, section};
 use crate::shooting::{Certificate, Uncertified};
@@ -21,31 +21,32 @@ pub(in crate::app) use document::document;
 const MISSED: f64 = 10.0;
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
-    let Request {
-        entry,
-        info,
-        case,
-        output,
-    } = request(app, &arguments.subject, None, arguments.guess.period)?;
+    let asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
     let section = arguments.cut.of(info)?;
-    let failed = |error| Failure::of(&error, info);
-    let progress = Progress::endless(&output, "looking for a periodic orbit");
-    let (orbit, certificate) = find(entry, &case, arguments.certify).map_err(failed)?;
+    let failed = |error| asked.failed(error);
+    let progress = Progress::endless(output, "looking for a periodic orbit");
+    let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
     let from = Case {
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
-    let mut text = text::describe(info, &case, &orbit);
+    let mut text = text::describe(info, case, &orbit);
+    let mut document = document(info, &orbit);
+    // `--exact` asks for what would be chosen anyway.
+    let wanted = arguments.subject.smooth.as_ref().map(|_| case.dynamics);
+    let reason = choose(info, wanted, case.accuracy).reason;
+    document = document.put("method", &reason);
     if let Some(found) = &certificate {
         text.push_str(&certificate::describe(info, found));
     }
-    let (mut sheets, mut points, mut drawn) = (Vec::new(), None, Ok(()));
+    let (mut sheets, mut drawn) = (Vec::new(), Ok(()));
     if let Some(section) = section {
         let span = Span::Period(orbit.period);
         let found = entry.crossings(&from, section, span).map_err(failed)?;
         text.push_str(&section::describe(info, &section, &found));
+        document = document.put("section", section::document(info, &section, &found));
         sheets.push(("section", section::sheet(info, &found)));
-        points = Some(section::document(info, &section, &found));
     }
     if output.is_kept() {
         let motion = entry.motion(&from, orbit.period).map_err(failed)?;
@@ -53,20 +54,15 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         drawn = output.draw([("orbit", simulate::picture(info, &motion))]);
     }
     drop(progress);
-    // `--exact` asks for what would be chosen anyway.
-    let asked = arguments.subject.smooth.as_ref().map(|_| case.dynamics);
-    let reason = choose(info, asked, case.accuracy).reason;
     text.push_str(&format!("\n  {reason}\n"));
     let certified = certificate.as_ref();
-    let document = document(info, &orbit)
-        .put("method", reason)
-        .maybe("section", points)
+    let document = document
         .maybe(
             "certificate",
             certified.map(|found| certificate::document(info, found)),
         )
         .put("work", orbit.work);
-    doubt(&output, &case, &orbit);
+    doubt(output, case, &orbit);
     output
         .deliver("orbit", &text, &document, &sheets)
         .and(drawn)?;

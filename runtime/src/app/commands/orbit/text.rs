@@ -1,53 +1,37 @@
 //! An orbit as text.
 
-use crate::app::text::{digits, label, number, parameters, table, time_unit, work};
+use crate::app::text::{digits, heading, label, line, number, table, time_unit, work};
 use crate::model::ModelInfo;
 use crate::study::{Case, OrbitRecord};
 
 pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {
     let stability = orbit.floquet.stability.name();
-    [
-        format!(
-            "{}, {}: a periodic orbit, {stability}\n",
-            info.command, case.dynamics
-        ),
-        format!("  {}\n\n", parameters(info, case)),
-        table(&period(info, orbit)),
-        "\n".to_owned(),
-        table(&states(info, orbit)),
-        "\n".to_owned(),
-        table(&multipliers(orbit)),
-        "\n".to_owned(),
-        table(&quality(info, orbit)),
-    ]
-    .concat()
+    let tables = [
+        period(info, orbit),
+        states(info, orbit),
+        multipliers(orbit),
+        quality(info, orbit),
+    ];
+    heading(info, case, &format!("a periodic orbit, {stability}"))
+        + &tables.map(|lines| table(&lines)).join("\n")
 }
 
-fn period(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
+fn period(info: &ModelInfo, orbit: &OrbitRecord) -> String {
     let digits = digits(orbit.error_estimate);
     let time = time_unit(info);
     let inverse = if time.is_empty() { "" } else { " 1/s" };
-    let mut rows = vec![
-        vec!["period".to_owned(), number(orbit.period, digits) + time],
-        vec![
-            "frequency".to_owned(),
-            number(1.0 / orbit.period, digits) + inverse,
-        ],
-        vec!["crossings".to_owned(), orbit.period_count.to_string()],
-    ];
-    if let Some(word) = &orbit.word {
-        rows.push(vec!["word".to_owned(), word.clone()]);
-    }
-    rows
+    let [period, frequency] = [orbit.period, 1.0 / orbit.period].map(|value| number(value, digits));
+    let word = orbit.word.iter().map(|word| format!("word\t{word}\n"));
+    format!(
+        "period\t{period}{time}\nfrequency\t{frequency}{inverse}\ncrossings\t{}\n{}",
+        orbit.period_count,
+        word.collect::<String>()
+    )
 }
 
-fn states(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
+fn states(info: &ModelInfo, orbit: &OrbitRecord) -> String {
     let digits = digits(orbit.error_estimate);
-    let mut rows = vec![
-        ["state", "start", "min", "max", "max abs"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
+    let mut lines = "state\tstart\tmin\tmax\tmax abs\n".to_owned();
     for (j, state) in info.states.iter().enumerate() {
         let largest = orbit.max_abs.get(j).copied().unwrap_or(0.0);
         let show = |value: f64| {
@@ -55,50 +39,37 @@ fn states(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
             number(if rounding { 0.0 } else { value }, digits)
         };
         let columns = [&orbit.state, &orbit.min, &orbit.max, &orbit.max_abs];
-        let mut row = vec![label(state.name, state.unit)];
-        row.extend(columns.map(|column| column.get(j).copied().map_or(String::new(), show)));
-        rows.push(row);
+        let values = columns.map(|column| column.get(j).copied().map_or(String::new(), show));
+        lines += &line([label(state.name, state.unit)].into_iter().chain(values));
     }
-    rows
+    lines
 }
 
-fn multipliers(orbit: &OrbitRecord) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        ["multiplier", "ln |multiplier|"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
+fn multipliers(orbit: &OrbitRecord) -> String {
+    let mut lines = "multiplier\tln |multiplier|\n".to_owned();
     let floquet = &orbit.floquet;
     for (multiplier, log) in floquet.multipliers.iter().zip(&floquet.log_moduli) {
-        let value = match multiplier.im {
-            0.0 => number(multiplier.re, 8),
-            im => format!(
-                "{} {} {}i",
-                number(multiplier.re, 8),
-                sign(im),
-                number(im.abs(), 8)
-            ),
-        };
+        let [re, im] = [multiplier.re, multiplier.im.abs()].map(|part| number(part, 8));
         let log = log.map_or_else(|| "-".to_owned(), |log| number(log, 8));
-        rows.push(vec![value, log]);
+        lines += &match multiplier.im {
+            0.0 => format!("{re}\t{log}\n"),
+            below if below < 0.0 => format!("{re} - {im}i\t{log}\n"),
+            _ => format!("{re} + {im}i\t{log}\n"),
+        };
     }
-    rows
+    lines
 }
 
-fn sign(value: f64) -> char {
-    if value < 0.0 { '-' } else { '+' }
-}
-
-fn quality(info: &ModelInfo, orbit: &OrbitRecord) -> Vec<Vec<String>> {
-    let small = |value| number(value, 2);
-    let mut rows = vec![
-        vec!["error estimate".to_owned(), small(orbit.error_estimate)],
-        vec!["residual".to_owned(), small(orbit.residual)],
-    ];
+fn quality(info: &ModelInfo, orbit: &OrbitRecord) -> String {
+    let [error, residual, off] = [
+        orbit.error_estimate,
+        orbit.residual,
+        orbit.floquet.trivial_error,
+    ]
+    .map(|value| number(value, 2));
+    let mut lines = format!("error estimate\t{error}\nresidual\t{residual}\n");
     if info.drive.is_none() {
-        let off = small(orbit.floquet.trivial_error);
-        rows.push(vec!["trivial multiplier off by".to_owned(), off]);
+        lines += &format!("trivial multiplier off by\t{off}\n");
     }
-    rows.push(vec!["work".to_owned(), work(&orbit.work)]);
-    rows
+    lines + &format!("work\t{}\n", work(&orbit.work))
 }

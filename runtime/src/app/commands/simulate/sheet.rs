@@ -1,7 +1,7 @@
 //! A motion as CSV.
 
-use crate::app::spreadsheet::{Row, Spreadsheet, full, labels, states};
-use crate::app::text::timed;
+use crate::app::spreadsheet::{Row, Spreadsheet, full, labels};
+use crate::app::text::{states, timed};
 use crate::model::ModelInfo;
 use crate::study::Trajectory;
 

@@ -1,6 +1,6 @@
 //! A motion as text.
 
-use crate::app::text::{label, number, parameters, short, table, time_unit, work};
+use crate::app::text::{heading, label, line, number, short, table, time_unit, work};
 use crate::model::ModelInfo;
 use crate::study::{Case, Trajectory};
 
@@ -8,61 +8,42 @@ use crate::study::{Case, Trajectory};
 const DIGITS: usize = 8;
 
 pub(super) fn describe(info: &ModelInfo, case: &Case, motion: &Trajectory, time: f64) -> String {
-    let duration = short(time) + time_unit(info);
-    [
-        format!(
-            "{}, {}: a motion of {duration}\n",
-            info.command, case.dynamics
-        ),
-        format!("  {}\n\n", parameters(info, case)),
-        table(&states(info, motion)),
-        table(&others(info, motion)),
-        format!(
-            "\n  {} samples; {}\n",
-            motion.times.len(),
-            work(&motion.work)
-        ),
-    ]
-    .concat()
+    let what = format!("a motion of {}{}", short(time), time_unit(info));
+    let (states, others) = (table(&states(info, motion)), table(&others(info, motion)));
+    let (samples, work) = (motion.times.len(), work(&motion.work));
+    heading(info, case, &what) + &format!("{states}{others}\n  {samples} samples; {work}\n")
 }
 
-fn states(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
-    let mut rows = vec![
-        ["state", "start", "end", "min", "max"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
+fn states(info: &ModelInfo, motion: &Trajectory) -> String {
+    let mut lines = "state\tstart\tend\tmin\tmax\n".to_owned();
     let (start, end) = (motion.states.first(), motion.states.last());
+    let columns = [start, end, Some(&motion.min), Some(&motion.max)];
     for (j, state) in info.states.iter().enumerate() {
-        let columns = [start, end, Some(&motion.min), Some(&motion.max)];
-        let mut row = vec![label(state.name, state.unit)];
-        row.extend(columns.map(|column| show(column.and_then(|values| values.get(j)))));
-        rows.push(row);
+        lines += &row(label(state.name, state.unit), columns, j);
     }
-    rows
+    lines
 }
 
 /// Observables and forces at both ends.
-fn others(info: &ModelInfo, motion: &Trajectory) -> Vec<Vec<String>> {
-    let mut rows = Vec::new();
-    let mut add = |name: String, values: &[Vec<f64>], j: usize| {
-        let ends = [values.first(), values.last()];
-        let mut row = vec![name];
-        row.extend(ends.map(|values| show(values.and_then(|values| values.get(j)))));
-        rows.push(row);
-    };
+fn others(info: &ModelInfo, motion: &Trajectory) -> String {
+    let mut lines = String::new();
     for (j, line) in info.observables.iter().enumerate() {
-        add(label(line.name, line.unit), &motion.observables, j);
+        let ends = [motion.observables.first(), motion.observables.last()];
+        lines += &row(label(line.name, line.unit), ends, j);
     }
     for (j, contact) in info.contacts.iter().enumerate() {
-        add(label(contact.name, contact.unit), &motion.forces, j);
+        let ends = [motion.forces.first(), motion.forces.last()];
+        lines += &row(label(contact.name, contact.unit), ends, j);
     }
-    if !rows.is_empty() {
-        rows.insert(0, ["quantity", "start", "end"].map(str::to_owned).to_vec());
+    if !lines.is_empty() {
+        lines.insert_str(0, "quantity\tstart\tend\n");
     }
-    rows
+    lines
 }
 
-fn show(value: Option<&f64>) -> String {
-    value.map_or(String::new(), |&value| number(value, DIGITS))
+/// The value number `j` of each column.
+fn row<const COUNT: usize>(name: String, columns: [Option<&Vec<f64>>; COUNT], j: usize) -> String {
+    let show = |value: Option<&f64>| value.map_or(String::new(), |&value| number(value, DIGITS));
+    let cells = columns.map(|column| show(column.and_then(|values| values.get(j))));
+    line([name].into_iter().chain(cells))
 }

@@ -6,10 +6,10 @@ mod sheet;
 mod text;
 
 use crate::app::App;
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::progress::Progress;
-use crate::app::request::{Request, request};
+use crate::app::request::request;
 use crate::app::spreadsheet::Spreadsheet;
 use crate::field::{Design, Kernel};
 use crate::study::TradeRecord;
@@ -18,27 +18,16 @@ pub(in crate::app) use arguments::Arguments;
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     arguments.resume.refuse()?;
-    let Request {
-        entry,
-        info,
-        case,
-        output,
-    } = request(
-        app,
-        &arguments.subject,
-        arguments.along.as_ref(),
-        arguments.guess.period,
-    )?;
-    let scope = arguments.scope(&case);
+    let range = arguments.along.as_ref();
+    let asked = request(app, &arguments.subject, range, arguments.guess.period)?;
+    let (info, case, output) = (asked.info, &asked.case, &asked.output);
+    let scope = arguments.scope(case);
     if case.along.map(|along| along.design) == Some(Design::Smoothing) {
-        let message = "`trade` goes through the sizes by itself: `--along` takes a parameter";
-        return Err(Failure::usage(message));
+        return refuse!("`trade` goes through the sizes by itself: `--along` takes a parameter");
     }
-    let progress = Progress::endless(&output, "measuring what smoothing costs");
-    let heads = [sheet::head(info), sheet::precision_head()];
-    let [trade, precise] = heads.clone();
-    let mut errors = output.journal("trade", trade);
-    let mut precisions = output.journal("work-precision", precise);
+    let progress = Progress::endless(output, "measuring what smoothing costs");
+    let mut errors = output.journal("trade", sheet::head(info));
+    let mut precisions = output.journal("work-precision", sheet::precision_head());
     let mut watch = |end: usize, finding: Finding<'_>| {
         match finding {
             Finding::Copy(kernel, point) => errors.add([sheet::row((end, kernel, point))]),
@@ -46,20 +35,19 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         }
         interrupt::verdict()
     };
-    let record = entry
-        .trade(&case, &scope, &mut watch)
-        .map_err(|error| Failure::of(&error, info))?;
+    let record = asked.entry.trade(case, &scope, &mut watch);
+    let record = record.map_err(|error| asked.failed(error))?;
     drop(progress);
-    let [trade, precise] = heads;
+    let errors = copies(&record).map(sheet::row);
     let precisions = precision(&record).flat_map(sheet::precision_rows);
     let sheets = [
+        ("trade", Spreadsheet::new(sheet::head(info), errors)),
         (
-            "trade",
-            Spreadsheet::new(trade, copies(&record).map(sheet::row)),
+            "work-precision",
+            Spreadsheet::new(sheet::precision_head(), precisions),
         ),
-        ("work-precision", Spreadsheet::new(precise, precisions)),
     ];
-    let text = text::describe(info, &case, &record, scope.accuracy);
+    let text = text::describe(info, case, &record, scope.accuracy);
     output.deliver("trade", &text, &document::document(info, &record), &sheets)?;
     if record.is_interrupted() {
         let count = copies(&record).count();

@@ -1,7 +1,8 @@
 //! A trade as text.
 
-use crate::app::spreadsheet::head as words;
-use crate::app::text::{digits, followed, number, parameters, short, table, time_unit, timed};
+use crate::app::text::{
+    digits, followed, line, number, parameters, short, table, time_unit, timed,
+};
 use crate::field::Kernel;
 use crate::model::ModelInfo;
 use crate::study::trade::{Cost, Curve, Need, Point, Setting, Trade};
@@ -61,26 +62,21 @@ fn microseconds(cost: &Cost) -> String {
     format!("{:.0} us", 1e6 * cost.seconds)
 }
 
-fn errors(info: &ModelInfo, trade: &Trade) -> Vec<Vec<String>> {
-    let mut head = words([
-        "smoothing",
-        &timed(info, "stiffness", "1/s"),
-        "e_f",
-        "predicted",
-    ]);
-    for state in info.states {
-        head.extend([format!("e_{}", state.name), "predicted".to_owned()]);
-    }
-    head.extend(words(["steps", "one period"]));
-    let mut rows = vec![head];
+fn errors(info: &ModelInfo, trade: &Trade) -> String {
+    let stiffness = timed(info, "stiffness", "1/s");
+    let states = info.states.iter();
+    let states: String = states
+        .map(|state| format!("\te_{}\tpredicted", state.name))
+        .collect();
+    let mut lines = format!("smoothing\t{stiffness}\te_f\tpredicted{states}\tsteps\tone period\n");
     for curve in &trade.curves {
-        rows.extend(curve.points.iter().map(|point| row(curve, point)));
+        lines.extend(curve.points.iter().map(|point| row(curve, point)));
     }
-    rows
+    lines
 }
 
 /// An error with its prediction; a question mark where the prediction doubts itself.
-fn row(curve: &Curve, point: &Point) -> Vec<String> {
+fn row(curve: &Curve, point: &Point) -> String {
     let small = |value: f64| number(value, 3);
     let predicted = point.predicted.as_ref().ok();
     let doubt = |value: f64| match predicted {
@@ -98,32 +94,29 @@ fn row(curve: &Curve, point: &Point) -> Vec<String> {
         let found = predicted.and_then(|found| found.max_abs.get(j).copied().flatten());
         row.extend([small(error), told(found)]);
     }
-    row.push(point.cost.work.steps.to_string());
-    row.push(microseconds(&point.cost));
-    row
+    row.extend([point.cost.work.steps.to_string(), microseconds(&point.cost)]);
+    line(row)
 }
 
-fn fits(info: &ModelInfo, trade: &Trade) -> Vec<Vec<String>> {
-    let mut head = words(["e = b size^a", "e_f: a", "b"]);
-    for state in info.states {
-        head.extend([format!("e_{}: a", state.name), "b".to_owned()]);
-    }
-    let mut rows = vec![head];
+fn fits(info: &ModelInfo, trade: &Trade) -> String {
+    let states = info.states.iter();
+    let states: String = states
+        .map(|state| format!("\te_{}: a\tb", state.name))
+        .collect();
+    let mut lines = format!("e = b size^a\te_f: a\tb{states}\n");
     for curve in trade
         .curves
         .iter()
         .filter(|curve| curve.frequency.is_some())
     {
-        let mut row = vec![curve.kernel.to_string()];
-        for fit in std::iter::once(&curve.frequency).chain(&curve.max_abs) {
-            match fit {
-                Some(fit) => row.extend([number(fit.a, 3), number(fit.b, 3)]),
-                None => row.extend(words(["-", "-"])),
-            }
-        }
-        rows.push(row);
+        let fits = std::iter::once(&curve.frequency).chain(&curve.max_abs);
+        let cells = fits.map(|fit| match fit {
+            Some(fit) => format!("{}\t{}", number(fit.a, 3), number(fit.b, 3)),
+            None => "-\t-".to_owned(),
+        });
+        lines += &line([curve.kernel.to_string()].into_iter().chain(cells));
     }
-    rows
+    lines
 }
 
 /// What was refused or lost, and why predictions doubt themselves.
@@ -145,64 +138,47 @@ fn remarks(trade: &Trade) -> Vec<String> {
     lines
 }
 
-fn needs(trade: &Trade) -> Vec<Vec<String>> {
-    let mut rows = vec![words([
-        "",
-        "for e_f alone",
-        "error",
-        "tolerance",
-        "steps",
-        "one period",
-    ])];
-    rows.push(match &trade.need {
-        Some(Ok(setting)) => with(words(["exact", "-"]), setting),
-        Some(Err(reason)) => vec!["exact".to_owned(), reason.clone()],
-        None => words(["exact"]),
-    });
+/// What the columns of settings hold, after that of their names.
+const SETTING: &str = "for e_f alone\terror\ttolerance\tsteps\tone period";
+
+fn needs(trade: &Trade) -> String {
+    let mut lines = format!("\t{SETTING}\nexact");
+    lines += &match &trade.need {
+        Some(Ok(found)) => format!("\t-\t{}\n", setting(found)),
+        Some(Err(reason)) => format!("\t{reason}\n"),
+        None => "\n".to_owned(),
+    };
     for curve in &trade.curves {
         if let Some(need) = &curve.need {
-            rows.push(needed(curve.kernel, need));
+            lines += &needed(curve.kernel, need);
         }
     }
-    rows
+    lines
 }
 
-fn needed(kernel: Kernel, need: &Result<Need, String>) -> Vec<String> {
+fn needed(kernel: Kernel, need: &Result<Need, String>) -> String {
     match need {
         Ok(need) => {
-            let name = format!("{kernel}:{}", number(need.smoothing.size, 3));
-            with(vec![name, number(need.frequency_size, 3)], &need.setting)
+            let [size, alone] = [need.smoothing.size, need.frequency_size].map(|s| number(s, 3));
+            format!("{kernel}:{size}\t{alone}\t{}\n", setting(&need.setting))
         }
-        Err(reason) => vec![kernel.to_string(), reason.clone()],
+        Err(reason) => format!("{kernel}\t{reason}\n"),
     }
 }
 
-fn with(mut row: Vec<String>, setting: &Setting) -> Vec<String> {
-    row.extend([
-        number(setting.error, 3),
-        number(setting.tolerance, 2),
-        setting.cost.work.steps.to_string(),
-        microseconds(&setting.cost),
-    ]);
-    row
+fn setting(found: &Setting) -> String {
+    let (error, tolerance) = (number(found.error, 3), number(found.tolerance, 2));
+    let (steps, period) = (found.cost.work.steps, microseconds(&found.cost));
+    format!("{error}\t{tolerance}\t{steps}\t{period}")
 }
 
-fn worst(record: &TradeRecord, head: &str, values: [f64; 2]) -> Vec<Vec<String>> {
-    let mut rows = vec![words([
-        head,
-        "",
-        "for e_f alone",
-        "error",
-        "tolerance",
-        "steps",
-        "one period",
-    ])];
+fn worst(record: &TradeRecord, head: &str, values: [f64; 2]) -> String {
+    let mut lines = format!("{head}\t\t{SETTING}\n");
     for kernel in Kernel::ALL {
         if let Some((end, need)) = record.need(kernel) {
-            let mut row = vec![values.get(end).copied().map_or(String::new(), short)];
-            row.extend(needed(kernel, &need));
-            rows.push(row);
+            let value = values.get(end).copied().map_or(String::new(), short);
+            lines += &format!("{value}\t{}", needed(kernel, &need));
         }
     }
-    rows
+    lines
 }
