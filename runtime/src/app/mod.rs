@@ -139,14 +139,8 @@ impl App {
 
     /// The model of this name on the command line.
     fn entry(&self, name: &str) -> Result<&dyn Entry, Failure> {
-        let found = self
-            .entries
-            .iter()
-            .find(|entry| entry.info().command == name);
-        found.map(AsRef::as_ref).ok_or_else(|| {
-            let names = self.names();
-            Failure::usage(words::unknown("there is no model", name, &names))
-        })
+        let place = words::place("there is no model", name, &self.names())?;
+        Ok(self.entries[place].as_ref())
     }
 
     fn names(&self) -> Vec<&'static str> {

@@ -5,7 +5,7 @@ use super::arguments::Subject;
 use super::failure::{Failure, refuse};
 use super::output::Output;
 use super::values::{Assignment, Range, SMOOTH, Start};
-use super::words::unknown;
+use super::words::place;
 use crate::field::{Design, Smoothing};
 use crate::model::ModelInfo;
 use crate::study::{Along, Case, Dynamics, Entry, StudyError};
@@ -85,12 +85,6 @@ fn model<'a>(app: &'a App, subject: &Subject) -> Result<&'a dyn Entry, Failure> 
 pub(super) fn state(info: &ModelInfo, name: &str) -> Result<usize, Failure> {
     let names: Vec<&str> = info.states.iter().map(|state| state.name).collect();
     place(&format!("`{}` has no state", info.command), name, &names)
-}
-
-/// The place of a name among others; `what` says what is missing, if it is.
-pub(super) fn place(what: &str, name: &str, names: &[&str]) -> Result<usize, Failure> {
-    let place = names.iter().position(|known| *known == name);
-    place.ok_or_else(|| Failure::usage(unknown(what, name, names)))
 }
 
 /// The place of the parameter of this name; `also` can be meant, too.

@@ -7,7 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, Error};
 
 use super::failure::{Failure, refuse};
-use super::words::{both_sides, number, positive, unknown};
+use super::words::{both_sides, number, place, positive};
 use crate::field::{Kernel, Smoothing, SmoothingError};
 
 /// The name of what follows the size of a smoothing, where parameters have theirs.
@@ -159,6 +159,5 @@ pub(super) fn one_of<T: Copy, const COUNT: usize>(
     what: &str,
     word: &str,
 ) -> Result<T, Failure> {
-    let found = all.into_iter().find(|one| name(*one) == word);
-    found.ok_or_else(|| Failure::usage(unknown(what, word, &all.map(name))))
+    Ok(all[place(what, word, &all.map(name))?])
 }

@@ -18,6 +18,12 @@ fn all(names: &[&str]) -> String {
     format!("{verb} {}", names.join(", "))
 }
 
+/// The place of a name among others; `what` says what is missing, if it is.
+pub(super) fn place(what: &str, name: &str, names: &[&str]) -> Result<usize, Failure> {
+    let place = names.iter().position(|known| *known == name);
+    place.ok_or_else(|| Failure::usage(unknown(what, name, names)))
+}
+
 /// The two sides of `name=value`.
 pub(super) fn both_sides<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'a str), Failure> {
     let Some((name, value)) = word.split_once('=') else {

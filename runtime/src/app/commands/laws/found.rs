@@ -10,9 +10,9 @@ use super::swing::swing;
 use crate::app::App;
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
-use crate::app::request::{self, place};
+use crate::app::request;
 use crate::app::values::Assignment;
-use crate::app::words::unknown;
+use crate::app::words::{place, unknown};
 use crate::study::{Case, Characteristic, Dynamics, Entry, Shown, Specimen};
 
 pub(super) enum Found<'a> {

@@ -8,7 +8,7 @@ use std::path::Path;
 use crate::app::failure::Failure;
 use crate::app::interrupt::{Work, growing};
 use crate::app::output::prepare;
-use crate::app::words::unknown;
+use crate::app::words::place;
 use crate::app::{App, command, usage};
 pub(in crate::app) use arguments::{Arguments, Report};
 
@@ -37,15 +37,9 @@ pub(in crate::app) fn missing(app: &App) -> Failure {
 
 /// The part of this name.
 fn part(app: &App, name: &str) -> Result<Reproduction, Failure> {
-    let found = app.parts.iter().find(|(known, _)| *known == name);
-    found.map(|(_, part)| *part).ok_or_else(|| {
-        let names: Vec<&str> = app.parts.iter().map(|(known, _)| *known).collect();
-        Failure::usage(unknown(
-            "there is nothing to reproduce by the name",
-            name,
-            &names,
-        ))
-    })
+    let names: Vec<&str> = app.parts.iter().map(|(known, _)| *known).collect();
+    let what = "there is nothing to reproduce by the name";
+    Ok(app.parts[place(what, name, &names)?].1)
 }
 
 #[cfg(test)]
