@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Modules from left to right. `app` and `study` stand on everything.
-const ORDER: [&str; 21] = [
+const ORDER: [&str; 22] = [
     "scalar",
     "math",
     "linear",
     "suggest",
+    "serial",
     "model",
     "memory",
     "friction",

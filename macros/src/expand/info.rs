@@ -1,5 +1,6 @@
 //! Models and laws as data.
 
+use heck::ToKebabCase;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
@@ -272,22 +273,7 @@ fn text(name: &Ident) -> String {
 
 /// The name on the command line: `BeltOscillator` is `belt-oscillator`.
 pub(super) fn command(name: &Ident) -> String {
-    let letters: Vec<char> = text(name).chars().collect();
-    let mut command = String::new();
-    for (i, letter) in letters.iter().enumerate() {
-        let after_small = i > 0 && !letters[i - 1].is_uppercase();
-        let before_small = letters.get(i + 1).is_some_and(|next| next.is_lowercase());
-        let begins_word = i > 0 && letter.is_uppercase() && (after_small || before_small);
-        if begins_word && !command.ends_with('-') {
-            command.push('-');
-        }
-        command.extend(if *letter == '_' {
-            vec!['-']
-        } else {
-            letter.to_lowercase().collect()
-        });
-    }
-    command
+    text(name).to_kebab_case()
 }
 
 /// Doc comments as one text, without the space after the slashes.

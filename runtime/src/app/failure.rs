@@ -1,5 +1,6 @@
 //! Why the program does not do what it was asked.
 
+use std::fmt;
 use std::io::Write;
 
 use crate::flow::FlowError;
@@ -17,6 +18,12 @@ pub(super) struct Failure {
     message: String,
     code: u8,
 }
+
+/// The error that the command line makes no sense, formatted.
+macro_rules! refuse {
+    ($($message:tt)*) => { Err($crate::app::failure::Failure::usage(format!($($message)*))) };
+}
+pub(super) use refuse;
 
 impl Failure {
     /// The command line makes no sense.
@@ -72,7 +79,13 @@ impl Failure {
 
     /// Prints the message on stderr; if nobody listens, so be it.
     pub(super) fn report(&self) {
-        let _ = writeln!(std::io::stderr(), "error: {}", self.message);
+        let _ = writeln!(std::io::stderr(), "error: {self}");
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
     }
 }
 
@@ -82,21 +95,12 @@ fn is_usage(error: &StudyError) -> bool {
         StudyError::NothingToSmooth
         | StudyError::NothingToFollow
         | StudyError::Driven { .. }
-        | StudyError::NotIsolated { .. } => return true,
-        StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
-        StudyError::Trade(TradeError::NoFriction { .. } | TradeError::OnlyForm { .. }) => {
+        | StudyError::NotIsolated { .. }
+        | StudyError::Trade(TradeError::NoFriction { .. } | TradeError::OnlyForm { .. }) => {
             return true;
         }
-        StudyError::Orbit(_)
-        | StudyError::Trade(_)
-        | StudyError::NoEquilibrium { .. }
-        | StudyError::NoSpecial { .. }
-        | StudyError::NotFollowed { .. }
-        | StudyError::Curve(_)
-        | StudyError::Equilibrium(_)
-        | StudyError::Interrupted(_)
-        | StudyError::NoHopf
-        | StudyError::Hopf(_) => return false,
+        StudyError::Flow(flow) | StudyError::Orbit(OrbitError::Flow(flow)) => flow,
+        _ => return false,
     };
     matches!(
         flow,

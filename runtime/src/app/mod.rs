@@ -1,39 +1,32 @@
 //! The program that `stickslip::app!` makes of declared models.
 
 mod arguments;
-mod branch;
-mod curve;
-mod diagram;
-mod equilibria;
+mod chart;
+mod command;
+mod commands;
+mod document;
 mod failure;
 mod interrupt;
-mod json;
-mod laws;
-mod models;
-mod options;
-mod orbit;
+mod journal;
 mod output;
 mod passages;
-mod picture;
 mod progress;
-mod reproduce;
+mod request;
 mod resume;
 mod section;
-mod simulate;
 mod spreadsheet;
 mod text;
-mod trade;
+mod trail;
 mod usage;
+mod values;
 mod words;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::ArgMatches;
-
 use crate::study::{Shown, System};
+pub use commands::reproduce::Reproduction;
 use failure::Failure;
-pub use reproduce::Reproduction;
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
 ///
@@ -137,38 +130,17 @@ impl App {
     }
 
     fn answer(&self, words: Vec<OsString>) -> Result<(), Failure> {
-        let command = arguments::command(self, words.first());
+        let command = command::command(self, words.first());
         match command.clone().try_get_matches_from(&words) {
-            Ok(matches) => self.perform(&matches),
+            Ok(matches) => command::perform(self, &matches),
             Err(error) => usage::explain(&error, &command, &words),
-        }
-    }
-
-    fn perform(&self, matches: &ArgMatches) -> Result<(), Failure> {
-        match matches.subcommand() {
-            Some(("models", options)) => models::perform(self, options),
-            Some(("laws", options)) => laws::perform(self, options),
-            Some(("simulate", options)) => simulate::perform(self, options),
-            Some(("orbit", options)) => orbit::perform(self, options),
-            Some(("branch", options)) => branch::perform(self, options),
-            Some(("trade", options)) => trade::perform(self, options),
-            Some(("diagram", options)) => diagram::perform(self, options),
-            Some(("equilibria", options)) => equilibria::perform(self, options),
-            Some(("reproduce", options)) => reproduce::perform(self, options),
-            _ => reproduce::perform(self, matches),
         }
     }
 
     /// The model of this name on the command line.
     fn entry(&self, name: &str) -> Result<&System, Failure> {
-        let found = self
-            .entries
-            .iter()
-            .find(|entry| entry.info().command == name);
-        found.ok_or_else(|| {
-            let names = self.names();
-            Failure::usage(words::unknown("there is no model", name, &names))
-        })
+        let place = words::place("there is no model", name, &self.names())?;
+        Ok(&self.entries[place])
     }
 
     fn names(&self) -> Vec<&'static str> {

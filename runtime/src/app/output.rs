@@ -1,45 +1,55 @@
 //! Where answers go: stdout and a folder.
 
 use std::fmt::Display;
-use std::fs::File;
-use std::io::{ErrorKind, Seek, SeekFrom, Write};
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use clap::ArgMatches;
 use serde::Serialize;
 
+use super::arguments::{Destination, View};
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
-use super::spreadsheet::Spreadsheet;
+use super::journal::Journal;
+use super::spreadsheet::{Row, Spreadsheet};
 use crate::report::Figure;
 use crate::report::whole;
 use crate::study::Ended;
 
 /// What the user wants to see, and where.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(super) struct Output {
-    pub(super) json: bool,
-    pub(super) quiet: bool,
-    pub(super) out: Option<PathBuf>,
+    view: View,
+    out: Option<PathBuf>,
+}
+
+impl From<&View> for Output {
+    fn from(view: &View) -> Self {
+        Self {
+            view: view.clone(),
+            out: None,
+        }
+    }
 }
 
 impl Output {
-    /// Reads the options; the folder is there and can be written to afterwards.
-    pub(super) fn new(options: &ArgMatches) -> Result<Self, Failure> {
-        let flag = |name| options.try_get_one::<bool>(name).ok().flatten() == Some(&true);
-        let out = options
-            .try_get_one::<PathBuf>("out")
-            .ok()
-            .flatten()
-            .cloned();
-        if let Some(folder) = &out {
-            prepare(folder)?;
-        }
+    /// The folder is there and can be written to afterwards.
+    pub(super) fn open(destination: &Destination) -> Result<Self, Failure> {
+        let out = destination.out.clone();
+        out.as_deref().map_or(Ok(()), prepare)?;
         Ok(Self {
-            json: flag("json"),
-            quiet: flag("quiet"),
+            view: destination.view.clone(),
             out,
         })
+    }
+
+    /// Whether there is a folder.
+    pub(super) fn is_kept(&self) -> bool {
+        self.out.is_some()
+    }
+
+    /// Whether there shall be neither progress nor notes.
+    pub(super) fn is_quiet(&self) -> bool {
+        self.view.quiet
     }
 
     /// Prints an answer, as text or as JSON, and writes it to the folder.
@@ -60,7 +70,7 @@ impl Output {
             }
         }
         // A full disk costs no answer.
-        print(if self.json { &document } else { &text }).and(written)
+        print(if self.view.json { &document } else { &text }).and(written)
     }
 
     /// Writes to the folder, if there is one, what is found beside the answer.
@@ -81,11 +91,8 @@ impl Output {
     }
 
     /// A table in the folder, if there is one, that grows row by row.
-    pub(super) fn journal(&self, name: &str) -> Journal {
-        Journal {
-            path: self.path(&format!("{name}.csv")),
-            file: None,
-        }
+    pub(super) fn journal(&self, name: &str, head: Row) -> Journal {
+        Journal::new(self.path(&format!("{name}.csv")), head)
     }
 
     /// Writes figures to the folder, if there is one, each under its name.
@@ -127,86 +134,9 @@ impl Output {
 
     /// Says something beside the answer.
     pub(super) fn note(&self, note: impl Display) {
-        if !self.quiet {
+        if !self.view.quiet {
             let _ = writeln!(std::io::stderr(), "{note}");
         }
-    }
-}
-
-/// A table that is there as far as it has come, whatever ends the program.
-pub(super) struct Journal {
-    path: Option<PathBuf>,
-    file: Option<Growing>,
-}
-
-/// A file that is whole after each addition.
-pub(super) struct Growing {
-    path: PathBuf,
-    file: File,
-    length: u64,
-}
-
-impl Growing {
-    /// A new file with this beginning.
-    pub(super) fn begin(path: PathBuf, text: &str) -> std::io::Result<Self> {
-        let file = File::create(&path)?;
-        let mut new = Self::new(path, file, 0);
-        new.add(text)?;
-        Ok(new)
-    }
-
-    /// A file that is there, of which only this many bytes are good.
-    pub(super) fn carry_on(path: PathBuf, length: u64) -> std::io::Result<Self> {
-        let mut file = File::options().write(true).open(&path)?;
-        file.set_len(length)?;
-        file.seek(SeekFrom::End(0))?;
-        Ok(Self::new(path, file, length))
-    }
-
-    fn new(path: PathBuf, file: File, length: u64) -> Self {
-        growing().push(path.clone());
-        Self { path, file, length }
-    }
-
-    /// Adds whole lines, or nothing at all.
-    pub(super) fn add(&mut self, text: &str) -> std::io::Result<()> {
-        let mut files = growing();
-        let added = self.file.write_all(text.as_bytes());
-        match &added {
-            Ok(()) => self.length += text.len() as u64,
-            Err(_) => {
-                let _ = self.file.set_len(self.length);
-                files.retain(|path| *path != self.path);
-            }
-        }
-        added
-    }
-}
-
-impl Journal {
-    /// Adds the rows of a table that has the same head; once that fails, no more: the whole is written at the end.
-    pub(super) fn add(&mut self, rows: impl FnOnce() -> Spreadsheet) {
-        if let Some(path) = &self.path
-            && self.grow(path.clone(), rows()).is_none()
-        {
-            self.path = None;
-        }
-    }
-
-    fn grow(&mut self, path: PathBuf, rows: Spreadsheet) -> Option<()> {
-        let rows = match self.file {
-            Some(_) => rows.without_head(),
-            None => rows,
-        };
-        let rows = rows.text().ok()?;
-        match self.file.take() {
-            Some(mut file) => {
-                file.add(&rows).ok()?;
-                self.file = Some(file);
-            }
-            None => self.file = Some(Growing::begin(path, &rows).ok()?),
-        }
-        Some(())
     }
 }
 

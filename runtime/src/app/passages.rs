@@ -2,10 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
-use clap::ArgMatches;
-
+use super::arguments::Resume;
 use super::failure::Failure;
 use super::interrupt;
 use super::output::Output;
@@ -26,17 +23,16 @@ impl Passages {
     /// There is no folder to resume in, or what is there belongs to another question.
     pub(super) fn open(
         output: &Output,
-        options: &ArgMatches,
+        resume: &Resume,
         name: &str,
         question: &Question,
     ) -> Result<Self, Failure> {
         let mut known = Vec::new();
-        let mut recall = |line: &str| {
-            let record = BASE64.decode(line).ok()?;
-            known.push(record);
+        let mut recall = |record: &[u8]| {
+            known.push(record.to_vec());
             Some(())
         };
-        let notes = Notes::open(output, options, name, question, &mut recall)?;
+        let notes = Notes::open(output, resume, name, question, &mut recall)?;
         Ok(Self {
             known,
             notes: Arc::new(Mutex::new(notes)),
@@ -52,7 +48,7 @@ impl Passages {
         let note = move |record: &[u8]| {
             // What is computed to come to an end is not what will be computed to go on.
             if !interrupt::asked() {
-                locked(&notes).add(|| Some(BASE64.encode(record)));
+                locked(&notes).add(Some(record.to_vec()));
             }
         };
         system.recorded(Tape::new(std::mem::take(&mut self.known), Box::new(note)))

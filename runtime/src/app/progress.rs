@@ -45,7 +45,7 @@ impl Progress {
     }
 
     fn shown(output: &Output, bar: impl FnOnce() -> ProgressBar) -> Self {
-        let visible = !output.quiet && std::io::stderr().is_terminal();
+        let visible = !output.is_quiet() && std::io::stderr().is_terminal();
         Self {
             bar: if visible {
                 bar()

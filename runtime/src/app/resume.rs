@@ -6,10 +6,13 @@
 use std::fmt::{Debug, Display};
 use std::path::PathBuf;
 
-use clap::ArgMatches;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
 
-use super::failure::Failure;
-use super::output::{Growing, Output};
+use super::arguments::Resume;
+use super::failure::{Failure, refuse};
+use super::journal::Growing;
+use super::output::Output;
 use crate::model::ModelInfo;
 use crate::study::Case;
 
@@ -83,10 +86,7 @@ impl Question {
 }
 
 /// The notes of a command.
-pub(super) struct Notes {
-    path: Option<PathBuf>,
-    file: Option<Growing>,
-}
+pub(super) struct Notes(Option<(PathBuf, Option<Growing>)>);
 
 impl Notes {
     /// Notes of this name: new ones, or with `--resume` those that are there, of which each line is read until one
@@ -96,26 +96,21 @@ impl Notes {
     /// There is no folder to resume in, or its notes belong to another question.
     pub(super) fn open(
         output: &Output,
-        options: &ArgMatches,
+        resume: &Resume,
         name: &str,
         question: &Question,
-        read: &mut dyn FnMut(&str) -> Option<()>,
+        read: &mut dyn FnMut(&[u8]) -> Option<()>,
     ) -> Result<Self, Failure> {
-        let path = output.path(&format!("{name}.{ENDING}"));
-        let Some(path) = path else {
-            return match options.get_flag("resume") {
-                true => Err(Failure::usage(
+        let Some(path) = output.path(&format!("{name}.{ENDING}")) else {
+            return if resume.resume {
+                Err(Failure::usage(
                     "`--resume` goes on from what is in a folder: name it with `--out DIR`",
-                )),
-                false => Ok(Self {
-                    path: None,
-                    file: None,
-                }),
+                ))
+            } else {
+                Ok(Self(None))
             };
         };
-        let old = options
-            .get_flag("resume")
-            .then(|| std::fs::read_to_string(&path));
+        let old = resume.resume.then(|| std::fs::read_to_string(&path));
         let file = match old {
             Some(Ok(text)) => {
                 let length = agreed(&text, question, &path.display())?;
@@ -136,30 +131,29 @@ impl Notes {
                 path.display()
             ))
         })?;
-        Ok(Self {
-            path: Some(path),
-            file: Some(file),
-        })
+        Ok(Self(Some((path, Some(file)))))
     }
 
     /// Whether there is a file that takes them.
-    pub(super) fn are_kept(&self) -> bool {
-        self.file.is_some()
+    pub(super) const fn are_kept(&self) -> bool {
+        matches!(self.0, Some((_, Some(_))))
     }
 
-    /// Notes a finding, in one line; once that fails, no more.
-    pub(super) fn add(&mut self, line: impl FnOnce() -> Option<String>) {
-        if let Some(file) = &mut self.file {
-            let added = line().and_then(|line| file.add(&(line + "\n")).ok());
-            if added.is_none() {
-                self.file = None;
+    /// Notes a finding; once that fails, no more.
+    pub(super) fn add(&mut self, finding: Option<Vec<u8>>) {
+        if let Some((_, kept)) = &mut self.0
+            && let Some(file) = kept
+        {
+            let line = finding.map(|finding| BASE64.encode(finding) + "\n");
+            if line.and_then(|line| file.add(&line).ok()).is_none() {
+                *kept = None;
             }
         }
     }
 
     /// The command is done: they are needed no more.
     pub(super) fn discard(&self) {
-        if let Some(path) = &self.path {
+        if let Some((path, _)) = &self.0 {
             let _ = std::fs::remove_file(path);
         }
     }
@@ -176,19 +170,20 @@ fn agreed(text: &str, question: &Question, place: &impl Display) -> Result<usize
         ))
     })?;
     question.differs(&asked).map_or(Ok(length), |difference| {
-        Err(Failure::usage(format!(
-            "`--resume`: {place} belongs to another question: {difference}; ask the same one, or {anew}"
-        )))
+        refuse!("`--resume`: {place} belongs to another question: {difference}; ask the same one, or {anew}")
     })
 }
 
 /// The length of the lines that are whole and make sense; what was being written when the program ended does not.
-fn whole(text: &str, read: &mut dyn FnMut(&str) -> Option<()>) -> usize {
+fn whole(text: &str, read: &mut dyn FnMut(&[u8]) -> Option<()>) -> usize {
     let lines = text
         .split_inclusive('\n')
         .filter(|line| line.ends_with('\n'));
     lines
-        .map_while(|line| read(line.trim_end()).map(|()| line.len()))
+        .map_while(|line| {
+            let finding = BASE64.decode(line.trim_end()).ok()?;
+            read(&finding).map(|()| line.len())
+        })
         .sum()
 }
 
@@ -198,14 +193,14 @@ mod tests {
 
     #[test]
     fn a_torn_line_is_forgotten() {
-        let mut seen = Vec::new();
-        let mut read = |line: &str| {
-            let number: Option<u8> = line.parse().ok();
-            number.map(|number| seen.push(number))
-        };
-        assert_eq!(whole("1\n22\n3", &mut read), 5);
-        assert_eq!(whole("4\nx\n5\n", &mut read), 2);
-        assert_eq!(seen, [1, 22, 4]);
+        let mut seen: Vec<u8> = Vec::new();
+        let mut read = |finding: &[u8]| (finding.len() > 1).then(|| seen.extend(finding));
+        let line = |finding: &[u8]| BASE64.encode(finding) + "\n";
+        let torn = [line(b"one"), line(b"two"), "dGhy".to_owned()].concat();
+        assert_eq!(whole(&torn, &mut read), 10);
+        let senseless = [line(b"four"), line(b"5"), line(b"six")].concat();
+        assert_eq!(whole(&senseless, &mut read), 7);
+        assert_eq!(seen, b"onetwofour");
     }
 
     #[test]

@@ -1,72 +1,95 @@
 //! `--section`: which points of a motion are looked at.
 
-use clap::ArgMatches;
+use clap::Args;
+use serde_json::Value;
 
-use super::failure::Failure;
-use super::options::text;
-use super::text::{label, number, table, time_unit};
-use super::words::{assignment, number as numeral, unknown};
+use super::document::Document;
+use super::failure::{Failure, refuse};
+use super::request::state;
+use super::spreadsheet::{Spreadsheet, full, head};
+use super::text::{line, number, states, table, timed};
+use super::values::{Reading, one_of};
+use super::words::{both_sides, number as numeral};
 use crate::model::ModelInfo;
-use crate::poincare::Crossing;
-use crate::poincare::{Direction, Section, Surface};
+use crate::poincare::{Crossing, Direction, Section, Surface};
 
 /// Digits shown of a point.
 const DIGITS: usize = 9;
 
-/// The section that is asked for, if any is.
-pub(super) fn section(info: &ModelInfo, options: &ArgMatches) -> Result<Option<Section>, Failure> {
-    text(options, "section")
-        .map(|word| parse(info, word))
-        .transpose()
+#[derive(Debug, Clone, Args)]
+#[group(skip)]
+pub(super) struct Cut {
+    /// Points where a state has this value: `v=0.1`, `'v=0.1 down'`, `der(x)=0`; counted `up` unless `down` or `both`
+    #[arg(long, value_name = "NAME=VALUE", value_parser = Reading(Written::read))]
+    section: Option<Written>,
 }
 
-/// `v=0.1`, `v=0.1 down`, `der(x)=0`.
-fn parse(info: &ModelInfo, word: &str) -> Result<Section, Failure> {
-    let (name, rest) = assignment("--section", word)?;
-    let mut words = rest.split_whitespace();
-    let value = words.next().unwrap_or_default();
-    let direction = words.next().map_or(Ok(Direction::Up), direction)?;
-    if let Some(more) = words.next() {
-        return Err(Failure::usage(format!(
-            "`--section {word}`: `{more}` is one word too many: write a value and `up`, `down` or `both`"
-        )));
+impl Cut {
+    /// The section that is asked for, if any is.
+    pub(super) fn of(&self, info: &ModelInfo) -> Result<Option<Section>, Failure> {
+        let section = self.section.as_ref();
+        section.map(|written| written.of(info)).transpose()
     }
-    let value = numeral(&format!("--section {word}"), value)?;
-    let inner = name
-        .strip_prefix("der(")
-        .and_then(|name| name.strip_suffix(')'));
-    let surface = match inner {
-        None => Surface::Level {
-            state: state(info, name)?,
-            value,
-        },
-        Some(inner) if value == 0.0 => Surface::Rate(state(info, inner.trim())?),
-        Some(inner) => {
-            state(info, inner.trim())?;
-            return Err(Failure::usage(format!(
-                "`--section {word}`: a rate is looked at where it vanishes: write `{name}=0`"
-            )));
-        }
-    };
-    Ok(Section { surface, direction })
 }
 
-fn state(info: &ModelInfo, name: &str) -> Result<usize, Failure> {
-    let place = info.states.iter().position(|state| state.name == name);
-    place.ok_or_else(|| {
-        let names: Vec<&str> = info.states.iter().map(|state| state.name).collect();
-        let what = format!("`{}` has no state", info.command);
-        Failure::usage(unknown(&what, name, &names))
-    })
+/// A section with the name of its state.
+#[derive(Debug, Clone, PartialEq)]
+struct Written {
+    /// Whether the rate of the state is meant.
+    rate: bool,
+    state: String,
+    value: f64,
+    direction: Direction,
+}
+
+impl Written {
+    /// `v=0.1`, `v=0.1 down`, `der(x)=0`.
+    fn read(option: &str, word: &str) -> Result<Self, Failure> {
+        let (name, rest) = both_sides(option, word)?;
+        let mut words = rest.split_whitespace();
+        let value = words.next().unwrap_or_default();
+        let direction = words.next().map_or(Ok(Direction::Up), direction)?;
+        if let Some(more) = words.next() {
+            return refuse!(
+                "`{option} {word}`: `{more}` is one word too many: write a value and `up`, `down` or `both`"
+            );
+        }
+        let value = numeral(&format!("{option} {word}"), value)?;
+        let inner = name
+            .strip_prefix("der(")
+            .and_then(|name| name.strip_suffix(')'));
+        if inner.is_some() && value != 0.0 {
+            return refuse!(
+                "`{option} {word}`: a rate is looked at where it vanishes: write `{name}=0`"
+            );
+        }
+        Ok(Self {
+            rate: inner.is_some(),
+            state: inner.unwrap_or(name).trim().to_owned(),
+            value,
+            direction,
+        })
+    }
+
+    fn of(&self, info: &ModelInfo) -> Result<Section, Failure> {
+        let state = state(info, &self.state)?;
+        Ok(Section {
+            surface: if self.rate {
+                Surface::Rate(state)
+            } else {
+                Surface::Level {
+                    state,
+                    value: self.value,
+                }
+            },
+            direction: self.direction,
+        })
+    }
 }
 
 fn direction(word: &str) -> Result<Direction, Failure> {
     let all = [Direction::Up, Direction::Down, Direction::Both];
-    let found = all.into_iter().find(|direction| direction.name() == word);
-    found.ok_or_else(|| {
-        let what = "`--section` knows no direction";
-        Failure::usage(unknown(what, word, &all.map(Direction::name)))
-    })
+    one_of(all, Direction::name, "`--section` knows no direction", word)
 }
 
 /// The points as a table, under a line that says where they lie.
@@ -75,27 +98,36 @@ pub(super) fn describe(info: &ModelInfo, section: &Section, points: &[Crossing])
         1 => "1 point".to_owned(),
         count => format!("{count} points"),
     };
-    let mut text = format!("\n  section {}: {count}\n", section.describe(info));
+    let text = format!("\n  section {}: {count}\n", section.describe(info));
     if points.is_empty() {
         return text;
     }
-    let time = format!("t{}", bracketed(time_unit(info)));
-    let states = info
-        .states
-        .iter()
-        .map(|state| label(state.name, state.unit));
-    let mut rows = vec![std::iter::once(time).chain(states).collect::<Vec<_>>()];
-    rows.extend(points.iter().map(|point| {
+    let time = [timed(info, "t", "s")].into_iter();
+    let mut lines = line(time.chain(states(info, "")));
+    for point in points {
         let values = std::iter::once(&point.time).chain(&point.state);
-        values.map(|&value| number(value, DIGITS)).collect()
-    }));
-    text.push_str(&table(&rows));
-    text
+        lines += &line(values.map(|&value| number(value, DIGITS)));
+    }
+    text + &table(&lines)
 }
 
-fn bracketed(unit: &str) -> String {
-    match unit.trim() {
-        "" => String::new(),
-        unit => format!(" ({unit})"),
-    }
+/// One row for each point.
+pub(super) fn sheet(info: &ModelInfo, points: &[Crossing]) -> Spreadsheet {
+    let time = std::iter::once(timed(info, "t", "s"));
+    let columns = time.chain(states(info, "")).chain(head(["direction"]));
+    let row = |point: &Crossing| {
+        let values = std::iter::once(&point.time).chain(&point.state);
+        let direction = if point.rising { "up" } else { "down" };
+        values.map(full).chain([direction.to_owned()]).collect()
+    };
+    Spreadsheet::new(columns.collect(), points.iter().map(row))
+}
+
+/// The points as JSON.
+pub(super) fn document(info: &ModelInfo, section: &Section, points: &[Crossing]) -> Value {
+    let point = |point: &Crossing| Document::of(info, point).by_state(&["state"]);
+    Document::new(info)
+        .put("surface", section.describe(info))
+        .put("points", points.iter().map(point).collect::<Vec<_>>())
+        .into()
 }

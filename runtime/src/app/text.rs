@@ -1,6 +1,6 @@
 //! Answers as text: numbers at sensible digits, in aligned columns, with their units.
 
-use crate::field::Design;
+use crate::field::{Design, Work};
 use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case};
 
@@ -106,44 +106,64 @@ pub(super) fn time_unit(info: &ModelInfo) -> &'static str {
     }
 }
 
-/// Rows of cells, each column as wide as its widest cell, indented.
-pub(super) fn table(rows: &[Vec<String>]) -> String {
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |j: usize| {
-        rows.iter()
-            .filter_map(|row| row.get(j))
-            .map(|cell| cell.chars().count())
-            .max()
-    };
-    let widths: Vec<usize> = (0..columns).map(|j| width(j).unwrap_or(0)).collect();
-    let mut text = String::new();
-    for row in rows {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .map(|(cell, &width)| format!("  {cell:<width$}"));
-        text.push_str(cells.collect::<String>().trim_end());
-        text.push('\n');
+/// Lines whose cells stand between tabs, each column as wide as its widest cell, indented.
+pub(super) fn table(lines: &str) -> String {
+    let rows = || lines.lines().map(|line| line.split('\t'));
+    let mut widths: Vec<usize> = Vec::new();
+    for row in rows() {
+        for (j, cell) in row.enumerate() {
+            widths.resize(widths.len().max(j + 1), 0);
+            widths[j] = widths[j].max(cell.chars().count());
+        }
     }
-    text
+    let aligned = rows().map(|row| {
+        let cells = row.zip(&widths);
+        let line: String = cells
+            .map(|(cell, &width)| format!("  {cell:<width$}"))
+            .collect();
+        line.trim_end().to_owned() + "\n"
+    });
+    aligned.collect()
+}
+
+/// A line of cells.
+pub(super) fn line(cells: impl IntoIterator<Item = String>) -> String {
+    cells.into_iter().collect::<Vec<_>>().join("\t") + "\n"
+}
+
+/// The heading of an answer: the model, what is shown of it, and its parameters.
+pub(super) fn heading(info: &ModelInfo, case: &Case, what: &str) -> String {
+    let (model, dynamics) = (info.command, case.dynamics);
+    format!(
+        "{model}, {dynamics}: {what}\n  {}\n\n",
+        parameters(info, case)
+    )
+}
+
+/// The states with their units, as the heads of columns, each after `prefix`.
+pub(super) fn states(info: &ModelInfo, prefix: &str) -> impl Iterator<Item = String> {
+    let states = info.states.iter();
+    states.map(move |state| label(&format!("{prefix}{}", state.name), state.unit))
+}
+
+/// A value with its name and unit.
+pub(super) fn assigned(name: &str, value: f64, of: Option<Unit>) -> String {
+    format!("{name} = {}{}", short(value), unit(of))
 }
 
 /// The parameters of a case, in one line.
 pub(super) fn parameters(info: &ModelInfo, case: &Case) -> String {
-    let pairs: Vec<String> = info
-        .parameters
-        .iter()
-        .zip(&case.parameters)
-        .map(|(declared, &value)| {
-            format!(
-                "{} = {}{}",
-                declared.name,
-                short(value),
-                unit(declared.unit)
-            )
-        })
-        .collect();
-    pairs.join(", ")
+    let pairs = info.parameters.iter().zip(&case.parameters);
+    let pairs = pairs.map(|(declared, &value)| assigned(declared.name, value, declared.unit));
+    pairs.collect::<Vec<_>>().join(", ")
+}
+
+/// Counted work in one line.
+pub(super) fn work(work: &Work) -> String {
+    let told = work.counts().filter(|(count, _)| *count > 0);
+    told.map(|(count, name)| format!("{count} {name}"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 #[cfg(test)]
@@ -162,7 +182,6 @@ mod tests {
 
     #[test]
     fn columns_are_aligned() {
-        let rows = [["a", "bb"], ["ccc", "d"]].map(|row| row.map(str::to_owned).to_vec());
-        assert_eq!(table(&rows), "  a    bb\n  ccc  d\n");
+        assert_eq!(table("a\tbb\nccc\td\n"), "  a    bb\n  ccc  d\n");
     }
 }

@@ -29,6 +29,7 @@ pub(super) fn explain(error: &Error, command: &Command, words: &[OsString]) -> R
                 named(ContextKind::InvalidValue)
             )
         }
+        ErrorKind::ValueValidation => named(ContextKind::Custom),
         ErrorKind::InvalidUtf8 => "an argument is no text: it is not valid UTF-8".to_owned(),
         _ => plain(error),
     }))

@@ -1,6 +1,6 @@
 //! Words of the command line, and what to say of wrong ones.
 
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use crate::model::within_reach;
 use crate::suggest::did_you_mean;
 
@@ -18,8 +18,14 @@ fn all(names: &[&str]) -> String {
     format!("{verb} {}", names.join(", "))
 }
 
+/// The place of a name among others; `what` says what is missing, if it is.
+pub(super) fn place(what: &str, name: &str, names: &[&str]) -> Result<usize, Failure> {
+    let place = names.iter().position(|known| *known == name);
+    place.ok_or_else(|| Failure::usage(unknown(what, name, names)))
+}
+
 /// The two sides of `name=value`.
-pub(super) fn assignment<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'a str), Failure> {
+pub(super) fn both_sides<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'a str), Failure> {
     let Some((name, value)) = word.split_once('=') else {
         return Err(Failure::usage(match word.trim() {
             "" => format!("`{option}` holds an empty word: write `name=value`"),
@@ -47,19 +53,17 @@ pub(super) fn number(place: &str, word: &str) -> Result<f64, Failure> {
         })
     })?;
     if value.is_nan() {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`{place}`: `{word}` is not a number: NaN has no motion, give a finite number"
-        )));
+        );
     }
     if value.is_infinite() {
-        return Err(Failure::usage(format!(
-            "`{place}`: `{word}` is infinite: give a finite number"
-        )));
+        return refuse!("`{place}`: `{word}` is infinite: give a finite number");
     }
     if !within_reach(value) {
-        return Err(Failure::usage(format!(
+        return refuse!(
             "`{place}`: {value:e} is out of reach: magnitudes lie between 1e-100 and 1e100"
-        )));
+        );
     }
     Ok(value)
 }
@@ -70,9 +74,7 @@ pub(super) fn positive(place: &str, word: &str) -> Result<f64, Failure> {
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::usage(format!(
-        "`{place} {word}`: {value} is not above 0"
-    )))
+    refuse!("`{place} {word}`: {value} is not above 0")
 }
 
 /// A whole number between `least` and `most`.
@@ -93,9 +95,9 @@ mod tests {
 
     #[test]
     fn both_sides_must_be_there() {
-        assert_eq!(assignment("--set", " a = 1 "), Ok(("a", "1")));
+        assert_eq!(both_sides("--set", " a = 1 "), Ok(("a", "1")));
         for word in ["", " ", "a", "=1", "a="] {
-            assert_eq!(assignment("--set", word).map_err(|f| f.code()), Err(2));
+            assert_eq!(both_sides("--set", word).map_err(|f| f.code()), Err(2));
         }
     }
 

@@ -11,6 +11,11 @@ const RESOLVED: f64 = 1e-9;
 
 /// What the multipliers say of a periodic orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "app",
+    derive(serde::Serialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum Stability {
     /// All multipliers lie inside the unit circle.
     Stable,

@@ -16,10 +16,13 @@ const BOXES: usize = 24;
 
 /// A box that holds exactly one equilibrium: rigorous, but for what [`interval`](crate::math::interval) assumes.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct Proof {
     /// Smallest value of each state.
+    #[cfg_attr(feature = "app", serde(rename = "min"))]
     pub low: Vec<f64>,
     /// Largest value of each state.
+    #[cfg_attr(feature = "app", serde(rename = "max"))]
     pub high: Vec<f64>,
 }
 

@@ -21,13 +21,14 @@ const ITERATIONS: usize = 80;
 
 /// A point where a motion crosses a section.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct Crossing {
     /// When, from the beginning of the motion.
     pub time: f64,
-    /// Where.
-    pub state: Vec<f64>,
     /// Whether the function that vanishes there grows.
     pub rising: bool,
+    /// Where.
+    pub state: Vec<f64>,
 }
 
 /// The crossings of a motion with a section, in the order of time; an iterator over them.

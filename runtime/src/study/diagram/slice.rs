@@ -1,5 +1,7 @@
 //! One value of a diagram: the motion to which the system settles there.
 
+use borsh::{BorshDeserialize, BorshSerialize};
+
 use super::Diagram;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
@@ -15,7 +17,7 @@ const SAME: f64 = 1e-5;
 const REST: f64 = 1e-6;
 
 /// What is seen at one value of the design variable.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Slice {
     /// The design variable, in the user's own values.
     pub r: f64,
@@ -36,7 +38,7 @@ pub struct Slice {
 }
 
 /// The kind of a motion, as far as its points on a section tell.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub enum Motion {
     /// It comes back after this many points.
     Periodic(usize),

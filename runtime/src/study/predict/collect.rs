@@ -34,6 +34,7 @@ pub struct Prediction {
 
 /// What one release costs the copy (7.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct ReleaseLoss {
     /// Number of the contact.
     pub contact: usize,
@@ -50,6 +51,7 @@ pub struct ReleaseLoss {
     /// The time that the layer takes.
     pub layer: f64,
     /// The shorter of the stick before it and the slip after it.
+    #[cfg_attr(feature = "app", serde(skip))]
     pub room: f64,
 }
 

@@ -29,6 +29,7 @@ pub struct Need {
 
 /// How a system is integrated to meet an accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct Setting {
     /// The loosest tolerance, by half decades, that does.
     pub tolerance: f64,

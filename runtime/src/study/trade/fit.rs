@@ -2,6 +2,7 @@
 
 /// e = b ε^a.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct Fit {
     /// The exponent.
     pub a: f64,

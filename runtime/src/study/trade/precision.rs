@@ -32,12 +32,15 @@ impl Precision {
 
 /// One orbit at one tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct PrecisionPoint {
     /// The local tolerance.
     pub tolerance: f64,
     /// Largest relative error of period and extrema against the same system at a tight tolerance.
+    #[cfg_attr(feature = "app", serde(rename = "integration_error"))]
     pub integration: f64,
     /// The same against the exact system: smoothing and integration together.
+    #[cfg_attr(feature = "app", serde(rename = "total_error"))]
     pub total: f64,
     /// What one period costs.
     pub cost: Cost,

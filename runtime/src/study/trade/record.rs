@@ -34,11 +34,12 @@ impl Default for Scope {
 
 /// Work and time of one period with its derivatives and extrema: what one Newton iteration pays.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct Cost {
-    /// Counted work.
-    pub work: Work,
     /// Seconds, the best of a few repetitions.
     pub seconds: f64,
+    /// Counted work.
+    pub work: Work,
 }
 
 /// The exact orbit, against which everything is measured.

@@ -1,0 +1,80 @@
+//! The commands that there are.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
+
+use super::App;
+use super::commands::{
+    branch, diagram, equilibria, laws, models, orbit, reproduce, simulate, trade,
+};
+use super::failure::Failure;
+
+/// A command that every program has.
+#[derive(Debug, Subcommand)]
+enum Study {
+    Models(models::Arguments),
+    Laws(laws::Arguments),
+    Simulate(simulate::Arguments),
+    Orbit(orbit::Arguments),
+    Branch(branch::Arguments),
+    Trade(trade::Arguments),
+    Equilibria(equilibria::Arguments),
+    Diagram(diagram::Arguments),
+}
+
+/// The command line of a program.
+pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
+    let name = called
+        .and_then(|path| Path::new(path).file_stem())
+        .map_or_else(
+            || "stickslip".to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
+        );
+    let mut command = Study::augment_subcommands(Command::new(name))
+        .subcommand_required(false)
+        .arg_required_else_help(false)
+        .version(app.version)
+        .about("Periodic motions of systems with dry friction, exact or smoothed");
+    if app.reproduction.is_some() {
+        let named = reproduce::Arguments::augment_args(Command::new(reproduce::NAME))
+            .mut_arg("part", |part| part.hide(app.parts.is_empty()));
+        command = reproduce::Report::augment_args(command).subcommand(named);
+    }
+    // A wrong number may begin with a minus sign, and shall be named as such.
+    let valued = |arg: clap::Arg| match arg.get_long() {
+        Some(_) if arg.get_action().takes_values() => arg.allow_hyphen_values(true),
+        _ => arg,
+    };
+    command
+        .mut_args(valued)
+        .mut_subcommands(|one| one.mut_args(valued))
+}
+
+/// Does what the command line says.
+pub(super) fn perform(app: &App, matches: &ArgMatches) -> Result<(), Failure> {
+    match matches.subcommand() {
+        Some((reproduce::NAME, options)) => reproduce::perform(app, &read(options)?),
+        Some(_) => study(app, read(matches)?),
+        None if app.reproduction.is_none() => Err(reproduce::missing(app)),
+        None => reproduce::perform(app, &read::<reproduce::Report>(matches)?.into()),
+    }
+}
+
+fn read<A: FromArgMatches>(matches: &ArgMatches) -> Result<A, Failure> {
+    A::from_arg_matches(matches).map_err(|error| Failure::usage(error.to_string()))
+}
+
+fn study(app: &App, study: Study) -> Result<(), Failure> {
+    match study {
+        Study::Models(arguments) => models::perform(app, &arguments),
+        Study::Laws(arguments) => laws::perform(app, &arguments),
+        Study::Simulate(arguments) => simulate::perform(app, &arguments),
+        Study::Orbit(arguments) => orbit::perform(app, &arguments),
+        Study::Branch(arguments) => branch::perform(app, &arguments),
+        Study::Trade(arguments) => trade::perform(app, &arguments),
+        Study::Equilibria(arguments) => equilibria::perform(app, &arguments),
+        Study::Diagram(arguments) => diagram::perform(app, &arguments),
+    }
+}

@@ -1,0 +1,131 @@
+//! `branch --and`: a special point followed in two parameters.
+
+mod arguments;
+mod document;
+mod picture;
+mod sheet;
+mod text;
+
+use super::branch;
+use crate::app::App;
+use crate::app::failure::{Failure, refuse};
+use crate::app::passages::Passages;
+use crate::app::progress::Progress;
+use crate::app::request::{Request, agrees, along, kernel_missing};
+use crate::app::resume::Question;
+use crate::app::spreadsheet::{Row, Spreadsheet};
+use crate::app::trail::Trail;
+use crate::app::values::{Assignment, Range};
+use crate::field::Design;
+use crate::model::ModelInfo;
+use crate::study::{Case, CurveFinding, CurveRecord, CurveScope, StudyError};
+pub(in crate::app) use arguments::Arguments;
+
+/// The second range, if a curve is asked for; options that make sense only with one, or without, are refused.
+pub(super) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failure> {
+    let Some(and) = &asked.curve.and else {
+        return match &asked.curve.of {
+            Some(of) => refuse!(
+                "`--of {of}` names the point to be followed in two parameters, but no second one is there: add `--and NAME=C..D`"
+            ),
+            None => Ok(None),
+        };
+    };
+    let switch = asked.switch.map(|switch| ("switch", switch.name()));
+    let from = asked.from.as_ref().map(|from| ("from", from.word.as_str()));
+    match switch.or(from) {
+        Some((other, word)) => refuse!(
+            "`--and` follows one special point and no branches: `--{other} {word}` has no meaning beside it"
+        ),
+        None => Ok(Some(and)),
+    }
+}
+
+/// Follows the curve and answers.
+pub(super) fn perform(
+    app: &App,
+    mut asked: Request<'_>,
+    and: &Range,
+    arguments: &branch::Arguments,
+) -> Result<(), Failure> {
+    let info = asked.info;
+    let (case, scope) = plane(info, and, arguments, asked.case)?;
+    asked.case = case;
+    let progress = Progress::along(&asked.output);
+    let question = Question::new(app.version, info, &asked.case)
+        .exactly("`--and`", &scope.and)
+        .exactly("`--of`", &scope.of);
+    let mut passages = Passages::open(&asked.output, &arguments.resume, "curve", &question)?;
+    let head = sheet::head(info, [&asked.along()?, &scope.and]);
+    let mut orbits = branch::trail(&asked, &progress)?;
+    let mut points = Trail::new(&asked, scope.and, "curve", head.clone(), &progress);
+    let mut watch = |finding: CurveFinding<'_>| match finding {
+        CurveFinding::Orbit(orbit) => branch::found(&mut orbits, orbit),
+        CurveFinding::Point(point) => points.reach(point.q, sheet::row(point)),
+    };
+    let curve = passages
+        .recorded(asked.entry)
+        .curve(&asked.case, &scope, &mut watch);
+    drop(progress);
+    let curve = match curve {
+        Ok(curve) => curve,
+        Err(StudyError::Interrupted(branch)) => return branch::deliver(&asked, &branch),
+        Err(error) => return Err(asked.failed(error)),
+    };
+    deliver(&asked, &curve, head)?;
+    if !curve.ended.is_interrupted() {
+        passages.discard();
+    }
+    let found = format!("{} points were found", curve.points.len());
+    asked.output.close("curve", &curve.ended, &found)
+}
+
+fn deliver(asked: &Request<'_>, curve: &CurveRecord, head: Row) -> Result<(), Failure> {
+    let (info, case, output) = (asked.info, &asked.case, &asked.output);
+    let kept = branch::keep(asked, &curve.branch);
+    let drawn = output.draw([("curve", picture::picture(info, curve))]);
+    let rows = curve.points.iter().map(sheet::row);
+    output.deliver(
+        "curve",
+        &text::describe(info, case, curve),
+        &document::document(info, case, curve),
+        &[("curve", Spreadsheet::new(head, rows))],
+    )?;
+    drawn.and(kept)
+}
+
+/// The case where the curve begins, and what is followed.
+fn plane(
+    info: &ModelInfo,
+    range: &Range,
+    arguments: &branch::Arguments,
+    mut case: Case,
+) -> Result<(Case, CurveScope), Failure> {
+    let word = &range.word;
+    let and = along(info, "--and", range)?;
+    let name = and.name(info);
+    if case.along.is_some_and(|along| along.design == and.design) {
+        return refuse!(
+            "`--and {word}` follows what `--along` follows already: name another parameter than `{name}`"
+        );
+    }
+    if and.design == Design::Smoothing && case.smoothing().is_none() {
+        return Err(kernel_missing(&format!("--and {word}"), &and));
+    }
+    for Assignment {
+        word,
+        name: set,
+        value,
+    } in &arguments.subject.settings.set
+    {
+        if set == name {
+            agrees(word, *value, "--and", name, and)?;
+        }
+    }
+    let along = case.along.replace(and);
+    case = case.at(and.from);
+    case.along = along;
+    let of = arguments.curve.of.as_ref();
+    let of = of.map(|label| label.trim().to_uppercase());
+    Ok((case, CurveScope { and, of }))
+}

@@ -1,0 +1,92 @@
+//! A law ready to be shown, of whatever kind.
+
+use heck::ToKebabCase;
+use serde_json::{Value, json};
+
+use crate::app::document::{named, unit};
+use crate::app::spreadsheet::Spreadsheet;
+use crate::app::text::{assigned, indented, summary, table};
+use crate::friction::LawParameter;
+use crate::report::Figure;
+
+/// A law as everything that the program writes.
+pub(super) struct Exhibit {
+    pub(super) name: String,
+    /// A few lines, for a list.
+    pub(super) listing: String,
+    /// All that is known of it.
+    pub(super) text: String,
+    pub(super) document: Value,
+    pub(super) figure: Figure,
+    pub(super) sheet: Spreadsheet,
+}
+
+/// What is known of a law of either kind.
+pub(super) struct Known<'a> {
+    /// Its name as a type.
+    pub(super) name: &'static str,
+    pub(super) doc: &'static str,
+    /// Its formulas, one a line.
+    pub(super) formulas: Vec<String>,
+    pub(super) parameters: &'static [LawParameter],
+    /// Values of its parameters, where they are given and not computed.
+    pub(super) values: &'a [f64],
+}
+
+impl Known<'_> {
+    /// Its name on the command line.
+    pub(super) fn command(&self) -> String {
+        self.name.to_kebab_case()
+    }
+
+    /// A few lines, for a list.
+    pub(super) fn listing(&self) -> String {
+        let pairs = self.parameters.iter().zip(self.values);
+        let values = pairs.map(|(one, &value)| assigned(one.name, value, one.unit));
+        format!(
+            "{}\n  {}\n{}    {}\n",
+            self.command(),
+            summary(self.doc),
+            self.lines("    "),
+            values.collect::<Vec<_>>().join(", ")
+        )
+    }
+
+    /// Its formulas, where it acts, and its parameters, under this name.
+    pub(super) fn text(&self, name: &str, place: Option<&str>) -> String {
+        let mut text = format!("{name}\n{}\nformulas\n", indented(self.doc)) + &self.lines("  ");
+        if let Some(place) = place {
+            text += &format!("\ncontact\n  {place}\n");
+        }
+        if !self.values.is_empty() {
+            let pairs = self.parameters.iter().zip(self.values);
+            let rows = pairs.map(|(one, &value)| {
+                let value = assigned(one.name, value, one.unit);
+                let bounds = one.bounds.describe(one.name);
+                format!("{value}\t{bounds}\t{}\n", summary(one.doc))
+            });
+            text += &format!("\nparameters\n{}", table(&rows.collect::<String>()));
+        }
+        text
+    }
+
+    fn lines(&self, indent: &str) -> String {
+        let lines = self.formulas.iter();
+        lines.map(|line| format!("{indent}{line}\n")).collect()
+    }
+
+    /// Its parameters as JSON.
+    pub(super) fn parameters(&self) -> Vec<Value> {
+        let parameter = |declared: &LawParameter| {
+            json!({ "name": declared.name, "doc": declared.doc.trim(), "unit": unit(declared.unit),
+                    "bounds": declared.bounds.describe(declared.name) })
+        };
+        self.parameters.iter().map(parameter).collect()
+    }
+
+    /// The values of its parameters as JSON.
+    pub(super) fn values(&self) -> Value {
+        let names = self.parameters.iter().map(|declared| declared.name);
+        named(names, self.values)
+    }
+}

@@ -1,0 +1,135 @@
+//! Laws by their names: alone, or where they act in a model.
+
+use heck::ToKebabCase;
+
+use super::arguments::Wish;
+use super::curve::Curve;
+use super::drawn::Drawn;
+use super::exhibit::Exhibit;
+use super::swing::swing;
+use crate::app::App;
+use crate::app::document::unit;
+use crate::app::failure::{Failure, refuse};
+use crate::app::request;
+use crate::app::values::Assignment;
+use crate::app::words::{place, unknown};
+use crate::study::{Case, Characteristic, Dynamics, Shown, Specimen, System};
+
+pub(super) enum Found<'a> {
+    Law(&'a Shown),
+    Model(&'a System),
+}
+
+/// The name of a law as a type.
+fn type_name(law: &Shown) -> &'static str {
+    match law {
+        Shown::Static(specimen) => specimen.law().name,
+        Shown::Remembering(remembering) => remembering.specimen.law().name,
+    }
+}
+
+/// A law by its name as a word or as a type, or a model.
+pub(super) fn find<'a>(app: &'a App, name: &str) -> Result<Found<'a>, Failure> {
+    let is_named = |law: &&Shown| {
+        let known = type_name(law);
+        known == name || known.to_kebab_case() == name
+    };
+    if let Some(law) = app.laws.iter().find(is_named) {
+        return Ok(Found::Law(law));
+    }
+    app.entry(name).map(Found::Model).map_err(|_| {
+        let names = names(app);
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        Failure::usage(unknown("there is no law and no model", name, &names))
+    })
+}
+
+pub(super) fn names(app: &App) -> Vec<String> {
+    let laws = app.laws.iter().map(|one| type_name(one).to_kebab_case());
+    laws.chain(app.names().into_iter().map(str::to_owned))
+        .collect()
+}
+
+/// A law of the list at its typical values, or at those of `--set`.
+pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhibit, Failure> {
+    match law {
+        Shown::Static(specimen) => {
+            let (values, built) = at_values(specimen, specimen.law().name, set)?;
+            let drawn = Drawn {
+                law: specimen.law(),
+                place: None,
+                values: &values,
+                curve: curve(wish, built.as_ref(), ["m/s", "N"])?,
+            };
+            Ok(drawn.exhibit())
+        }
+        Shown::Remembering(remembering) => {
+            let name = remembering.specimen.law().name;
+            let (values, built) = at_values(&remembering.specimen, name, set)?;
+            swing(remembering, built.as_ref(), &values, wish)
+        }
+    }
+}
+
+/// The values of a law's parameters, typical or as `--set` says, and the law there.
+fn at_values<L: ?Sized>(
+    specimen: &Specimen<L>,
+    law: &str,
+    set: &[Assignment],
+) -> Result<(Vec<f64>, Box<L>), Failure> {
+    let (mut values, parameters) = (specimen.values(), specimen.parameters());
+    let names: Vec<&str> = parameters.iter().map(|declared| declared.name).collect();
+    for one in set {
+        let what = format!("`{law}` has no parameter");
+        values[place(&what, &one.name, &names)?] = one.value;
+    }
+    let built = specimen
+        .at(&values)
+        .map_err(|error| Failure::usage(format!("`{law}`: {error}")))?;
+    Ok((values, built))
+}
+
+/// The laws of a model's contacts, at its parameters and its start.
+pub(super) fn acting(
+    entry: &System,
+    set: &[Assignment],
+    wish: &Wish,
+) -> Result<Vec<Exhibit>, Failure> {
+    let info = entry.info();
+    if info.contacts.is_empty() {
+        return refuse!("`{}` has no friction", info.command);
+    }
+    let mut case = Case::declared(info, Dynamics::Exact);
+    request::set(info, set, &mut case)?;
+    let mut drawn = Vec::new();
+    entry.laws(&case, &mut |index, law| {
+        let contact = &info.contacts[index];
+        let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
+        let name = format!("{}-{}", info.command, contact.name);
+        let place = format!(
+            "{} = {} {{ {} }} opposing {}",
+            contact.name, contact.law.name, contact.fields, contact.speed
+        );
+        let exhibit = |curve| Drawn {
+            law: contact.law,
+            place: Some((name, place)),
+            values: &[],
+            curve,
+        };
+        drawn.push(curve(wish, law, units).map(|curve| exhibit(curve).exhibit()));
+    });
+    drawn.into_iter().collect()
+}
+
+/// The curve of a law as wished for.
+fn curve(
+    wish: &Wish,
+    law: &dyn Characteristic,
+    units: [&'static str; 2],
+) -> Result<Curve, Failure> {
+    if let Some(smoothing) = wish.smoothing {
+        law.accepts(smoothing)
+            .map_err(|error| Failure::usage(format!("`--smooth {smoothing}`: {error}")))?;
+    }
+    Ok(Curve::of(law, units, wish.speed, wish.smoothing))
+}

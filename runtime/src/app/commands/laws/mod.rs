@@ -1,0 +1,82 @@
+//! `laws`: friction laws, and their forces against the sliding speed.
+
+mod arguments;
+mod curve;
+mod drawn;
+mod exhibit;
+mod found;
+mod swing;
+
+use serde_json::{Value, json};
+
+use crate::app::App;
+use crate::app::failure::{Failure, refuse};
+use crate::app::output::Output;
+pub(in crate::app) use arguments::Arguments;
+use arguments::Wish;
+use exhibit::Exhibit;
+use found::{Found, acting, find, lone, names};
+
+pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.law {
+        Some(name) => one(app, name, arguments),
+        None => all(app, arguments),
+    }
+}
+
+fn one(app: &App, name: &str, arguments: &Arguments) -> Result<(), Failure> {
+    let (set, wish) = (&arguments.settings.set, &arguments.wish);
+    let exhibits = match find(app, name)? {
+        Found::Law(law) => vec![lone(law, set, wish)?],
+        Found::Model(entry) => acting(entry, set, wish)?,
+    };
+    let texts: Vec<&str> = exhibits.iter().map(|one| one.text.as_str()).collect();
+    deliver(name, &texts.join("\n"), &exhibits, arguments)
+}
+
+fn all(app: &App, arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(set) = arguments.settings.set.first() {
+        return refuse!(
+            "`--set {}` sets a parameter of one law or model: name it, as in `laws {}`",
+            set.word,
+            names(app).first().map_or("", String::as_str)
+        );
+    }
+    let wish = Wish {
+        smoothing: None,
+        amplitude: None,
+        ..arguments.wish
+    };
+    let exhibits = app.laws.iter().map(|law| lone(law, &[], &wish));
+    let exhibits = exhibits.collect::<Result<Vec<_>, _>>()?;
+    let listed: Vec<&str> = exhibits.iter().map(|one| one.listing.as_str()).collect();
+    let hint = format!(
+        "{}`laws MODEL` draws the laws that act in a model: {}\n",
+        if listed.is_empty() { "" } else { "\n" },
+        app.names().join(", ")
+    );
+    deliver("laws", &(listed.join("\n") + &hint), &exhibits, arguments)
+}
+
+fn deliver(
+    name: &str,
+    text: &str,
+    exhibits: &[Exhibit],
+    arguments: &Arguments,
+) -> Result<(), Failure> {
+    let output = Output::open(&arguments.destination)?;
+    let figures = exhibits.iter();
+    let drawn = output.draw(figures.map(|one| (one.name.as_str(), one.figure.clone())));
+    let document = match exhibits {
+        [one] if name != "laws" => one.document.clone(),
+        _ => {
+            let documents: Vec<&Value> = exhibits.iter().map(|one| &one.document).collect();
+            json!({ "laws": documents })
+        }
+    };
+    let sheets = exhibits.iter();
+    let sheets: Vec<_> = sheets
+        .map(|one| (one.name.as_str(), one.sheet.clone()))
+        .collect();
+    output.deliver(name, text, &document, &sheets).and(drawn)
+}

@@ -1,0 +1,44 @@
+//! `models`: what is declared.
+
+mod arguments;
+mod document;
+mod text;
+
+use serde_json::{Value, json};
+
+use crate::app::App;
+use crate::app::failure::Failure;
+use crate::app::output::Output;
+use crate::app::spreadsheet::Spreadsheet;
+use crate::model::{Memory, ModelInfo};
+pub(in crate::app) use arguments::Arguments;
+use document::document;
+use text::{brief, describe};
+
+/// A model has no tables.
+const NO_SHEETS: [(&str, Spreadsheet); 0] = [];
+
+pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
+    let output = Output::from(&arguments.view);
+    match &arguments.model {
+        Some(name) => {
+            let info = app.entry(name)?.info();
+            output.deliver(name, &describe(info), &document(info), &NO_SHEETS)
+        }
+        None => {
+            let infos = app.entries.iter().map(|entry| entry.info());
+            let documents: Vec<Value> = infos.clone().map(document).collect();
+            let text = infos.map(brief).collect::<Vec<_>>().join("\n");
+            output.deliver("models", &text, &json!({ "models": documents }), &NO_SHEETS)
+        }
+    }
+}
+
+/// The states that carry the internal states of a law.
+fn carriers<'a>(info: &'a ModelInfo, memory: &'a Memory) -> impl Iterator<Item = &'a str> {
+    let states = memory
+        .states
+        .iter()
+        .filter_map(|&state| info.states.get(state));
+    states.map(|state| state.name)
+}

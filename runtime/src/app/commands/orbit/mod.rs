@@ -1,0 +1,104 @@
+//! `orbit`: a periodic orbit and its stability.
+
+mod arguments;
+mod certificate;
+mod document;
+mod text;
+
+use crate::app::App;
+use crate::app::failure::Failure;
+use crate::app::output::Output;
+use crate::app::progress::Progress;
+use crate::app::request::request;
+use crate::app::text::number;
+use crate::app::{commands::simulate, section};
+use crate::shooting::{Certificate, Uncertified};
+use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, choose};
+pub(in crate::app) use arguments::Arguments;
+pub(in crate::app) use document::document;
+
+/// An estimate this many times above the accuracy asked for is worth a word.
+const MISSED: f64 = 10.0;
+
+pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
+    let asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
+    let section = arguments.cut.of(info)?;
+    let failed = |error| asked.failed(error);
+    let progress = Progress::endless(output, "looking for a periodic orbit");
+    let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
+    let from = Case {
+        start: Some(orbit.state.clone()),
+        ..case.clone()
+    };
+    let mut text = text::describe(info, case, &orbit);
+    let mut document = document(info, &orbit);
+    // `--exact` asks for what would be chosen anyway.
+    let wanted = arguments.subject.smooth.as_ref().map(|_| case.dynamics);
+    let reason = choose(info, wanted, case.accuracy).reason;
+    document = document.put("method", &reason);
+    if let Some(found) = &certificate {
+        text.push_str(&certificate::describe(info, found));
+    }
+    let (mut sheets, mut drawn) = (Vec::new(), Ok(()));
+    if let Some(section) = section {
+        let span = Span::Period(orbit.period);
+        let found = entry.crossings(&from, section, span).map_err(failed)?;
+        text.push_str(&section::describe(info, &section, &found));
+        document = document.put("section", section::document(info, &section, &found));
+        sheets.push(("section", section::sheet(info, &found)));
+    }
+    if output.is_kept() {
+        let motion = entry.motion(&from, orbit.period).map_err(failed)?;
+        sheets.push(("orbit", simulate::sheet(info, &motion)));
+        drawn = output.draw([("orbit", simulate::picture(info, &motion))]);
+    }
+    drop(progress);
+    text.push_str(&format!("\n  {reason}\n"));
+    let certified = certificate.as_ref();
+    let document = document
+        .maybe(
+            "certificate",
+            certified.map(|found| certificate::document(info, found)),
+        )
+        .put("work", orbit.work);
+    doubt(output, case, &orbit);
+    output
+        .deliver("orbit", &text, &document, &sheets)
+        .and(drawn)?;
+    verdict(certified)
+}
+
+/// The orbit of a case, with its certificate if that is wanted.
+fn find(
+    entry: &System,
+    case: &Case,
+    certify: bool,
+) -> Result<(OrbitRecord, Option<Result<Certificate, Uncertified>>), StudyError> {
+    if !certify {
+        return Ok((entry.orbit(case)?, None));
+    }
+    let CertifiedOrbit { orbit, certificate } = entry.certified_orbit(case)?;
+    Ok((orbit, Some(certificate)))
+}
+
+/// Says that an orbit is less accurate than asked for, if it is.
+fn doubt(output: &Output, case: &Case, orbit: &OrbitRecord) {
+    if orbit.error_estimate > MISSED * case.accuracy {
+        output.note(format!(
+            "note: the estimated error, {}, is larger than the accuracy asked for, {:e}: the orbit hardly attracts, or \
+             its numbers are near the end of their digits",
+            number(orbit.error_estimate, 2),
+            case.accuracy
+        ));
+    }
+}
+
+fn verdict(certificate: Option<&Result<Certificate, Uncertified>>) -> Result<(), Failure> {
+    match certificate {
+        Some(Err(reason)) => Err(Failure::failed(format!(
+            "the orbit is not certified: {reason}"
+        ))),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,96 @@
+//! `reproduce`: what a program may do of its own, and does without a command.
+
+mod arguments;
+
+use std::error::Error;
+use std::path::Path;
+
+use crate::app::failure::Failure;
+use crate::app::interrupt::{Work, growing};
+use crate::app::output::prepare;
+use crate::app::words::place;
+use crate::app::{App, command, usage};
+pub(in crate::app) use arguments::{Arguments, Report};
+
+/// Its name on the command line.
+pub(in crate::app) const NAME: &str = "reproduce";
+
+/// Writes a report to a folder; quietly if the flag says so.
+pub type Reproduction = fn(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>>;
+
+pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
+    let reproduction = match &arguments.part {
+        Some(name) => part(app, name)?,
+        None => app.reproduction.ok_or_else(|| missing(app))?,
+    };
+    let folder = &arguments.report.out;
+    prepare(folder)?;
+    growing().push(folder.join("index.html"));
+    let _work = Work::begin();
+    reproduction(folder, arguments.report.quiet).map_err(|error| Failure::failed(error.to_string()))
+}
+
+/// That there is nothing to be done without a command.
+pub(in crate::app) fn missing(app: &App) -> Failure {
+    Failure::usage(usage::which_command(&command::command(app, None)))
+}
+
+/// The part of this name.
+fn part(app: &App, name: &str) -> Result<Reproduction, Failure> {
+    let names: Vec<&str> = app.parts.iter().map(|(known, _)| *known).collect();
+    let what = "there is nothing to reproduce by the name";
+    Ok(app.parts[place(what, name, &names)?].1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn leave_a_mark(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
+        std::fs::write(folder.join("mark"), format!("{quiet}"))?;
+        if quiet {
+            Ok(())
+        } else {
+            Err("not quiet".into())
+        }
+    }
+
+    fn leave_another(folder: &Path, _: bool) -> Result<(), Box<dyn Error>> {
+        Ok(std::fs::write(folder.join("mark"), "a part")?)
+    }
+
+    #[test]
+    fn happens_with_and_without_its_name() {
+        let folder = std::env::temp_dir().join(format!("stickslip-{}", std::process::id()));
+        let place = folder.to_string_lossy().into_owned();
+        let ask = |words: &[&str]| {
+            let app = App::new("0").reproduce(leave_a_mark);
+            let app = app.reproduce_part("one", leave_another);
+            app.answer(words.iter().map(Into::into).collect())
+        };
+        for (name, mark) in [
+            (&["program"][..], "true"),
+            (&["program", "reproduce"], "true"),
+            (&["program", "reproduce", "one"], "a part"),
+        ] {
+            let words = [name, &["--out", &place, "--quiet"]].concat();
+            assert_eq!(ask(&words), Ok(()));
+            let found = std::fs::read_to_string(folder.join("mark")).unwrap();
+            assert_eq!(found, mark);
+            std::fs::remove_file(folder.join("mark")).unwrap();
+        }
+        assert_eq!(
+            ask(&["program", "--out", &place]),
+            Err(Failure::failed("not quiet"))
+        );
+        let failure = ask(&["program", "reproduce", "two"]).unwrap_err();
+        assert_eq!(failure.code(), 2);
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn without_it_a_command_is_needed() {
+        let failure = App::new("0").answer(vec!["program".into()]).unwrap_err();
+        assert_eq!(failure.code(), 2);
+    }
+}

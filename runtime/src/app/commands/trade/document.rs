@@ -1,0 +1,140 @@
+//! A trade as JSON.
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::app::document::{Document, value_of};
+use crate::field::Kernel;
+use crate::model::ModelInfo;
+use crate::study::predict::Prediction;
+use crate::study::trade::{Curve, Need, Point, Precision, Trade};
+use crate::study::{End, TradeRecord};
+
+/// A trade; for a range, the most demanding end of each kernel, too.
+pub(super) fn document<'a>(info: &'a ModelInfo, record: &TradeRecord) -> Document<'a> {
+    let ends = record.ends.iter().map(|end| at_end(info, end));
+    let worst = Kernel::ALL.into_iter().filter_map(|kernel| {
+        let (end, need) = record.need(kernel)?;
+        Some(json!({ "kernel": kernel.name(), "end": end, "need": answer(&need, needed) }))
+    });
+    let document = Document::new(info).put("model", info.command);
+    let document = match &record.along {
+        Some(along) => document.range("along", along),
+        None => document.put("along", Value::Null),
+    };
+    document
+        .put("ends", ends.collect::<Vec<_>>())
+        .put("worst", worst.collect::<Vec<_>>())
+        .maybe("interrupted", record.is_interrupted().then_some(true))
+        .units()
+}
+
+/// What was found, or why nothing was.
+fn answer<T>(found: &Result<T, String>, value: impl Fn(&T) -> Value) -> Value {
+    match found {
+        Ok(found) => value(found),
+        Err(reason) => json!({ "reason": reason }),
+    }
+}
+
+fn needed(need: &Need) -> Value {
+    json!({
+        "smoothing": need.smoothing.to_string(),
+        "size": need.smoothing.size,
+        "size_for_frequency": need.frequency_size,
+        "error": need.error,
+        "setting": need.setting,
+    })
+}
+
+fn at_end<'a>(info: &'a ModelInfo, end: &End) -> Document<'a> {
+    let trade = &end.trade;
+    let curves = trade.curves.iter().map(|one| curve(info, one));
+    Document::new(info)
+        .parameters(&end.parameters)
+        .put("exact", exact(info, trade))
+        .put("smoothings", curves.collect::<Vec<_>>())
+        .put(
+            "work_precision",
+            trade.precision.iter().map(precision).collect::<Vec<_>>(),
+        )
+}
+
+fn exact<'a>(info: &'a ModelInfo, trade: &Trade) -> Document<'a> {
+    let truth = &trade.exact;
+    Document::new(info)
+        .put("period", truth.period)
+        .put("frequency", 1.0 / truth.period)
+        .states("max_abs", &truth.max_abs)
+        .put("period_count", truth.period_count)
+        .put("cost", truth.cost)
+        .put(
+            "need",
+            trade
+                .need
+                .as_ref()
+                .map(|found| answer(found, |setting| value_of(setting))),
+        )
+}
+
+fn curve<'a>(info: &'a ModelInfo, curve: &Curve) -> Document<'a> {
+    let points = curve.points.iter().map(|point| copy(info, curve, point));
+    let lost = curve.lost.iter();
+    let lost = lost.map(|(size, reason)| json!({ "size": size, "reason": reason }));
+    let fits = curve.refused.is_none().then(|| {
+        Document::new(info)
+            .put("frequency", curve.frequency)
+            .states("max_abs", &curve.max_abs)
+    });
+    Document::new(info)
+        .put("kernel", curve.kernel.name())
+        .put("refused", curve.refused.as_ref().map(ToString::to_string))
+        .put("points", points.collect::<Vec<_>>())
+        .put("lost", lost.collect::<Vec<_>>())
+        .put("fits", fits)
+        .put(
+            "need",
+            curve.need.as_ref().map(|found| answer(found, needed)),
+        )
+}
+
+fn copy<'a>(info: &'a ModelInfo, curve: &Curve, point: &Point) -> Document<'a> {
+    let predicted = answer(&point.predicted, |found| predicted(info, found).into());
+    Document::new(info)
+        .put("smoothing", curve.at(point.size).to_string())
+        .put("size", point.size)
+        .put("stiffness", point.stiffness)
+        .put("e_f", point.frequency.abs())
+        .states("e_max_abs", point.max_abs.iter().map(|error| error.abs()))
+        .put("signed", signed(info, point.frequency, &point.max_abs))
+        .put("predicted", predicted)
+        .put("resolution", point.resolution)
+        .put("cost", point.cost)
+        .put("work", point.found)
+}
+
+fn signed<'a>(info: &'a ModelInfo, frequency: f64, max_abs: &[impl Serialize]) -> Document<'a> {
+    Document::new(info)
+        .put("frequency", frequency)
+        .states("max_abs", max_abs)
+}
+
+fn predicted<'a>(info: &'a ModelInfo, found: &Prediction) -> Document<'a> {
+    Document::new(info)
+        .put("signed", signed(info, found.frequency, &found.max_abs))
+        .put("leading", found.leading)
+        .put("asymptotic", found.doubts.is_empty())
+        .put("doubts", &found.doubts)
+        .put("releases", &found.releases)
+}
+
+fn precision(curve: &Precision) -> Value {
+    let failed = curve.failed.iter();
+    let failed =
+        failed.map(|(tolerance, reason)| json!({ "tolerance": tolerance, "reason": reason }));
+    json!({
+        "dynamics": curve.dynamics(),
+        "points": curve.points,
+        "failed": failed.collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,89 @@
+//! Files that grow as results are found, and are whole after each addition.
+
+use std::fs::File;
+use std::io::{Result, Seek, SeekFrom, Write};
+use std::path::PathBuf;
+
+use super::interrupt::growing;
+use super::spreadsheet::{Row, csv};
+use crate::report::whole;
+
+/// A table that is there as far as it has come, whatever ends the program.
+pub(super) struct Journal {
+    path: Option<PathBuf>,
+    head: Row,
+    file: Option<Growing>,
+}
+
+impl Journal {
+    /// A table with this head; nothing is kept without a path.
+    pub(super) const fn new(path: Option<PathBuf>, head: Row) -> Self {
+        Self {
+            path,
+            head,
+            file: None,
+        }
+    }
+
+    /// Adds rows; once that fails, no more: the whole is written at the end.
+    pub(super) fn add(&mut self, rows: impl IntoIterator<Item = Row>) {
+        if self.path.is_some() && self.grow(rows.into_iter()).is_none() {
+            self.path = None;
+        }
+    }
+
+    fn grow(&mut self, rows: impl Iterator<Item = Row>) -> Option<()> {
+        if let Some(mut file) = self.file.take() {
+            file.add(&csv(rows).ok()?).ok()?;
+            self.file = Some(file);
+        } else {
+            let head = std::iter::once(self.head.clone());
+            let text = csv(head.chain(rows)).ok()?;
+            self.file = Some(Growing::begin(self.path.clone()?, &text).ok()?);
+        }
+        Some(())
+    }
+}
+
+/// A file that is whole after each addition.
+pub(super) struct Growing {
+    path: PathBuf,
+    file: File,
+    length: u64,
+}
+
+impl Growing {
+    /// A new file with this beginning: before it is there whole, it is not there at all.
+    pub(super) fn begin(path: PathBuf, text: &str) -> Result<Self> {
+        let mut files = growing();
+        whole::write(&path, text)?;
+        Self::open(path, text.len() as u64, &mut files)
+    }
+
+    /// A file that is there, of which only this many bytes are good.
+    pub(super) fn carry_on(path: PathBuf, length: u64) -> Result<Self> {
+        Self::open(path, length, &mut growing())
+    }
+
+    fn open(path: PathBuf, length: u64, files: &mut Vec<PathBuf>) -> Result<Self> {
+        let mut file = File::options().write(true).open(&path)?;
+        file.set_len(length)?;
+        file.seek(SeekFrom::End(0))?;
+        files.push(path.clone());
+        Ok(Self { path, file, length })
+    }
+
+    /// Adds whole lines, or nothing at all.
+    pub(super) fn add(&mut self, text: &str) -> Result<()> {
+        let mut files = growing();
+        let added = self.file.write_all(text.as_bytes());
+        match &added {
+            Ok(()) => self.length += text.len() as u64,
+            Err(_) => {
+                let _ = self.file.set_len(self.length);
+                files.retain(|path| *path != self.path);
+            }
+        }
+        added
+    }
+}

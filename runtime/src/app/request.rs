@@ -1,0 +1,230 @@
+//! What is asked of which model, and where the answer goes: the arguments that commands share, as a case.
+
+use super::App;
+use super::arguments::Subject;
+use super::failure::{Failure, refuse};
+use super::output::Output;
+use super::values::{Assignment, Range, SMOOTH, Start};
+use super::words::place;
+use crate::field::{Design, Smoothing};
+use crate::model::ModelInfo;
+use crate::study::{Along, Case, Dynamics, StudyError, System};
+
+/// A question to a model.
+pub(super) struct Request<'a> {
+    pub(super) entry: &'a System,
+    pub(super) info: &'static ModelInfo,
+    pub(super) case: Case,
+    pub(super) output: Output,
+}
+
+/// Reads a request; nothing has been computed or written yet.
+pub(super) fn request<'a>(
+    app: &'a App,
+    subject: &Subject,
+    range: Option<&Range>,
+    period: Option<f64>,
+) -> Result<Request<'a>, Failure> {
+    let entry = model(app, subject)?;
+    let info = entry.info();
+    let along = range
+        .map(|range| along(info, "--along", range))
+        .transpose()?;
+    let mut case = Case::declared(info, dynamics(info, subject, along)?);
+    case.along = along;
+    set(info, &subject.settings.set, &mut case)?;
+    if let Some(along) = along {
+        case = case.at(along.from);
+    }
+    let start = subject.start.as_ref();
+    case.start = start.map(|given| begin(info, given)).transpose()?;
+    case.period = period;
+    case.accuracy = subject.accuracy.unwrap_or(case.accuracy);
+    entry
+        .check(&case)
+        .map_err(|error| Failure::of(&error, info))?;
+    let output = Output::open(&subject.destination)?;
+    if let Some(size) = superseded(subject, along) {
+        output.note(format!(
+            "note: the smoothing begins at the size {size}, as `--along` says"
+        ));
+    }
+    Ok(Request {
+        entry,
+        info,
+        case,
+        output,
+    })
+}
+
+impl Request<'_> {
+    /// What the question ran into.
+    pub(super) fn failed(&self, error: StudyError) -> Failure {
+        Failure::of(&error, self.info)
+    }
+
+    /// What is followed.
+    ///
+    /// # Errors
+    /// Nothing is.
+    pub(super) fn along(&self) -> Result<Along, Failure> {
+        let along = self.case.along;
+        along.ok_or_else(|| self.failed(StudyError::NothingToFollow))
+    }
+}
+
+fn model<'a>(app: &'a App, subject: &Subject) -> Result<&'a System, Failure> {
+    let Some(name) = &subject.model else {
+        let names = app.names().join(", ");
+        return refuse!("no model is named: there are {names}");
+    };
+    app.entry(name)
+}
+
+/// The place of the state of this name.
+pub(super) fn state(info: &ModelInfo, name: &str) -> Result<usize, Failure> {
+    let names: Vec<&str> = info.states.iter().map(|state| state.name).collect();
+    place(&format!("`{}` has no state", info.command), name, &names)
+}
+
+/// The place of the parameter of this name; `also` can be meant, too.
+fn parameter(info: &ModelInfo, name: &str, also: &[&'static str]) -> Result<usize, Failure> {
+    if info.states.iter().any(|state| state.name == name) {
+        return refuse!(
+            "`{name}` is a state of `{}`, not a parameter: `--start {name}=...` says where it begins",
+            info.command
+        );
+    }
+    let declared = info.parameters.iter().map(|declared| declared.name);
+    let names: Vec<&str> = declared.chain(also.iter().copied()).collect();
+    place(
+        &format!("`{}` has no parameter", info.command),
+        name,
+        &names,
+    )
+}
+
+/// That the parameter may have this value.
+fn bounded(info: &ModelInfo, index: usize, option: &str, value: f64) -> Result<(), Failure> {
+    let verdict = info
+        .parameters
+        .get(index)
+        .map_or(Ok(()), |declared| declared.check(value));
+    verdict.map_err(|error| Failure::usage(format!("`{option}`: {error}")))
+}
+
+/// Sets parameters as `--set` says.
+pub(super) fn set(info: &ModelInfo, all: &[Assignment], case: &mut Case) -> Result<(), Failure> {
+    let mut done = vec![false; case.parameters.len()];
+    for Assignment { word, name, value } in all {
+        let index = parameter(info, name, &[])?;
+        bounded(info, index, &format!("--set {word}"), *value)?;
+        if std::mem::replace(&mut done[index], true) {
+            return refuse!("`--set {name}=...` is given more than once");
+        }
+        if let Some(along) = case.along
+            && along.design == Design::Parameter(index)
+        {
+            agrees(word, *value, "--along", name, along)?;
+        }
+        case.parameters[index] = *value;
+    }
+    Ok(())
+}
+
+/// That `--set` gives what is followed its beginning.
+pub(super) fn agrees(
+    word: &str,
+    value: f64,
+    option: &str,
+    name: &str,
+    Along { from, to, .. }: Along,
+) -> Result<(), Failure> {
+    if value == from {
+        return Ok(());
+    }
+    refuse!(
+        "`--set {word}` contradicts `{option} {name}={from}..{to}`, which begins at {name} = {from}"
+    )
+}
+
+/// What the range of this option follows.
+pub(super) fn along(info: &ModelInfo, option: &str, range: &Range) -> Result<Along, Failure> {
+    let option = format!("{option} {}", range.word);
+    let design = match range.name.as_str() {
+        SMOOTH => Design::Smoothing,
+        name => Design::Parameter(parameter(info, name, &[SMOOTH])?),
+    };
+    let (from, to) = (range.from, range.to);
+    if let Design::Parameter(index) = design {
+        bounded(info, index, &option, from)?;
+        bounded(info, index, &option, to)?;
+    }
+    Ok(Along { design, from, to })
+}
+
+fn dynamics(
+    info: &ModelInfo,
+    subject: &Subject,
+    along: Option<Along>,
+) -> Result<Dynamics, Failure> {
+    let sized = along.filter(|along| along.design == Design::Smoothing);
+    if let (true, Some(reason)) = (subject.exact, info.only_form()) {
+        return refuse!("`--exact`: {reason}");
+    }
+    let Some(copy) = &subject.smooth else {
+        return match sized {
+            Some(along) => Err(kernel_missing("--along smooth=...", &along)),
+            None if info.contacts.is_empty() => Ok(Dynamics::Smooth),
+            None => Ok(Dynamics::Exact),
+        };
+    };
+    let word = &copy.word;
+    if subject.exact {
+        return refuse!("`--exact` and `--smooth {word}` exclude each other");
+    }
+    if let Some(reason) = info.only_form() {
+        return refuse!("`--smooth {word}`: {reason}");
+    }
+    if info.contacts.is_empty() {
+        return refuse!(
+            "`--smooth {word}`: `{}` has no friction that could be smoothed",
+            info.command
+        );
+    }
+    // Followed along its size, a smoothing begins at the beginning of the range.
+    let smoothing = match (&copy.smoothing, sized) {
+        (Err(_), Some(along)) => Smoothing {
+            kernel: copy.kernel,
+            size: along.from,
+        },
+        _ => copy.sized()?,
+    };
+    Ok(Dynamics::Smoothed(smoothing))
+}
+
+/// That the size of a smoothing is followed which nobody has named.
+pub(super) fn kernel_missing(option: &str, along: &Along) -> Failure {
+    Failure::usage(format!(
+        "`{option}` follows the size of a smoothing: name its kernel, for instance `--smooth arctan:{:e}`",
+        along.from
+    ))
+}
+
+/// The size with which a followed smoothing begins, if `--smooth` says another.
+fn superseded(subject: &Subject, along: Option<Along>) -> Option<f64> {
+    let from = along
+        .filter(|along| along.design == Design::Smoothing)?
+        .from;
+    let given = subject.smooth.as_ref()?.smoothing.as_ref().ok()?;
+    (given.size != from).then_some(from)
+}
+
+/// The declared start but for what is given.
+fn begin(info: &ModelInfo, given: &Start) -> Result<Vec<f64>, Failure> {
+    let mut start: Vec<f64> = info.states.iter().map(|state| state.start).collect();
+    for one in &given.0 {
+        start[state(info, &one.name)?] = one.value;
+    }
+    Ok(start)
+}
