@@ -1,4 +1,24 @@
 //! Periodic motions of systems with dry friction: declared once, exact or smoothed, shot, followed and judged.
+//!
+//! The path of the data is the order of the modules; each imports only from those above it:
+//!
+//! | modules | what lives there |
+//! |---|---|
+//! | [`scalar`], [`math`], [`suggest`] | numbers that carry derivatives, intervals, nearest names |
+//! | [`model`], [`friction`], [`memory`] | what [`model!`] and [`friction_law!`] make of a declaration |
+//! | [`field`] | the vector field: smoothed, or exact with its sticking forces; its derivatives, its work |
+//! | [`integrate`] | steps: explicit, implicit, with events |
+//! | [`flow`] | where a motion is after a time, how that depends on where it began; saltation |
+//! | [`motion`] | the joint: from here on, no model and no number of states is known any more |
+//! | [`poincare`], [`lyapunov`] | points of motions on sections, exponents |
+//! | [`continuation`] | zero problems, their branches, named monitors, one walk that locates, accounts and ends |
+//! | [`bifurcation`] | multipliers, and the monitors made of them |
+//! | [`equilibrium`], [`shooting`], [`curve`] | equilibria, periodic orbits, bifurcations in two parameters |
+//! | [`study`] | what is asked and answered: for programs, the place to begin |
+//! | `report`, `app` | figures and tables; the program (feature `app`) |
+//!
+//! Below [`motion`] all is generic over the model and its number of states, and no step touches the heap; above it all
+//! is compiled once, in this crate, whatever is declared.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 

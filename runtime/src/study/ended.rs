@@ -1,8 +1,8 @@
 //! Why something that was followed ended, as it is reported.
 
-use super::case::Along;
 use crate::continuation::{Ending, Kind, Stop, Unexplained};
 use crate::flow::FlowError;
+use crate::study::question::Along;
 
 /// Why a branch or a curve ended.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,10 +1,10 @@
 //! Why a question has no answer.
 
-use super::branch::BranchRecord;
-use super::trade::TradeError;
 use crate::continuation::Failure;
 use crate::flow::FlowError;
 use crate::shooting::{OrbitError, SwitchError};
+use crate::study::branch::BranchRecord;
+use crate::study::trade::TradeError;
 
 /// Why a case has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

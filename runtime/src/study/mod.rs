@@ -1,55 +1,51 @@
 //! Whole studies of declared models: what is asked, how it is answered, and what the answer holds.
 //!
 //! A [`Case`] says what is asked, a [`System`] is a model that answers, whatever its number of states; records are the
-//! answers, free of type parameters, for programs, tables and figures.
+//! answers, free of type parameters, for programs, tables and figures. Each kind of answer has a room of its own, in the
+//! order in which they build on each other:
+//!
+//! | room | what is asked there |
+//! |---|---|
+//! | `question` | nothing: it says what can be asked |
+//! | `law` | the force of a friction law on its own |
+//! | `predict` | what a smoothing would make of an exact orbit |
+//! | `system` | whether a case can be asked at all |
+//! | `motion` | [`System::motion`], [`System::crossings`] |
+//! | `equilibria` | [`System::equilibria`], [`System::equilibria_along`], [`System::proofs`] |
+//! | `orbit` | [`System::orbit`], [`System::certified_orbit`] |
+//! | `branch` | [`System::branch`] |
+//! | `curve` | [`System::curve`] |
+//! | `diagram` | [`System::diagram`] |
+//! | `trade` | [`System::trade`] |
 
-mod atlas;
 mod branch;
-mod case;
-mod characteristic;
-mod choice;
-mod counterpart;
 mod curve;
-mod declared;
+mod physics;
 mod diagram;
 mod ended;
-mod ends;
-mod error;
-
 mod equilibria;
-mod equilibrium;
-mod follow;
-mod hysteresis;
-mod modes;
+mod error;
+mod label;
+mod law;
+mod motion;
 mod orbit;
-mod parallel;
 pub mod predict;
-mod section;
-mod seed;
-mod sought;
-mod special;
-mod specimen;
+mod question;
 mod system;
 pub mod trade;
-mod trajectory;
 
-pub use branch::BranchRecord;
-pub use case::{Along, Beginning, Case, Dynamics, Switch};
-pub use characteristic::Characteristic;
-pub use choice::{Choice, choose};
+pub use branch::{BranchRecord, Special};
 pub use curve::{CurveFinding, CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
 pub use diagram::{
-    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
+    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher, parallel,
+    parallel_on,
 };
 pub use ended::Ended;
-pub use ends::{End, TradeRecord};
-pub use equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
+pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
-pub use hysteresis::Hysteresis;
+pub use law::{Characteristic, Hysteresis, Remembering, Shown, Specimen};
+pub use motion::Trajectory;
 pub use orbit::{CertifiedOrbit, OrbitRecord};
-pub use parallel::{parallel, parallel_on};
-pub use section::Span;
-pub use special::Special;
-pub use specimen::{Remembering, Shown, Specimen};
+pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::System;
-pub use trajectory::Trajectory;
+pub use trade::{End, TradeRecord};

@@ -3,11 +3,6 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::case::{Case, Dynamics};
-use super::characteristic::Characteristic;
-use super::declared::{Declared, Of};
-use super::error::StudyError;
-use super::predict::{PredictError, Prediction};
 use crate::field::exact::Mode;
 use crate::field::{Design, Smoothing};
 use crate::flow::FlowError;
@@ -15,11 +10,16 @@ use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
 use crate::motion::{Enclosure, Family, Flow, Tape};
 use crate::shooting::Orbit;
+use crate::study::physics::{Of, Physics};
+use crate::study::error::StudyError;
+use crate::study::law::Characteristic;
+use crate::study::predict::{PredictError, Prediction};
+use crate::study::question::{Case, Dynamics};
 
 /// A declared model that answers a [`Case`]; cheap to clone.
 #[derive(Clone)]
 pub struct System {
-    declared: Arc<dyn Declared>,
+    physics: Arc<dyn Physics>,
     tape: Option<Arc<Tape>>,
 }
 
@@ -34,7 +34,7 @@ impl System {
     #[must_use]
     pub fn of<M: Model<N>, const N: usize>() -> Self {
         Self {
-            declared: Arc::new(Of::<M, N>::new()),
+            physics: Arc::new(Of::<M, N>::new()),
             tape: None,
         }
     }
@@ -51,7 +51,7 @@ impl System {
     /// The model as data.
     #[must_use]
     pub fn info(&self) -> &'static ModelInfo {
-        self.declared.info()
+        self.physics.info()
     }
 
     /// Whether the case can be asked at all: at both ends of what is followed.
@@ -71,7 +71,7 @@ impl System {
 
     /// Shows the law of each contact with its number, at the parameters and the start of the case.
     pub fn laws(&self, case: &Case, see: &mut dyn FnMut(usize, &dyn Characteristic)) {
-        self.declared.laws(&case.parameters, &self.start(case), see);
+        self.physics.laws(&case.parameters, &self.start(case), see);
     }
 
     /// Whether friction acts as declared, by set-valued laws.
@@ -84,10 +84,10 @@ impl System {
         let tolerance = Tolerance::for_accuracy(case.accuracy);
         let (values, design) = (&case.parameters, design(case));
         let family = if self.rubs(case) {
-            self.declared.exact(values, design, tolerance)
+            self.physics.exact(values, design, tolerance)
         } else {
             let smoothing = case.smoothing();
-            self.declared.smooth(values, smoothing, design, tolerance)
+            self.physics.smooth(values, smoothing, design, tolerance)
         };
         match &self.tape {
             Some(tape) => family.recorded(tape),
@@ -117,12 +117,12 @@ impl System {
     /// The field of the case over boxes: sliding in these modes, or smooth.
     pub(super) fn enclosure(&self, case: &Case, modes: Option<&[Mode]>) -> Box<dyn Enclosure> {
         let smoothing = case.smoothing();
-        self.declared.enclosure(&case.parameters, modes, smoothing)
+        self.physics.enclosure(&case.parameters, modes, smoothing)
     }
 
     /// stick · G of each contact at a state, all of them held; the largest.
     pub(super) fn stiffness(&self, case: &Case, state: &[f64]) -> f64 {
-        self.declared.stiffness(&case.parameters, state)
+        self.physics.stiffness(&case.parameters, state)
     }
 
     /// The errors of the copy with this smoothing, predicted from the exact orbit of the case.
@@ -135,7 +135,7 @@ impl System {
         orbit: &Orbit,
         smoothing: Smoothing,
     ) -> Result<Prediction, PredictError> {
-        self.declared.predict(&case.parameters, orbit, smoothing)
+        self.physics.predict(&case.parameters, orbit, smoothing)
     }
 }
 

@@ -6,22 +6,23 @@
 //! start afresh run on all cores; nothing depends on how many there are.
 
 mod known;
+mod parallel;
 mod slice;
 mod sweep;
 
 pub use known::Known;
+pub use parallel::{parallel, parallel_on};
 pub use slice::{Motion, Slice};
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use super::case::{Along, Case};
-use super::error::StudyError;
-use super::parallel::parallel_on;
-use super::system::System;
 use crate::field::Work;
 use crate::motion::Family;
 use crate::poincare::Section;
+use crate::study::error::StudyError;
+use crate::study::question::{Along, Case};
+use crate::study::system::System;
 use slice::Cut;
 
 /// What is to be drawn.

@@ -9,8 +9,8 @@ use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Place};
 use crate::shooting::{Guess, Orbit};
-use crate::study::case::{Along, Case, Dynamics};
 use crate::study::predict::Prediction;
+use crate::study::question::{Along, Case, Dynamics};
 use crate::study::system::System;
 
 /// Tolerances tried in this order: where a layer is thin, a looser one can leave less noise for Newton.

@@ -5,64 +5,29 @@
 
 mod accuracy;
 mod copy;
+mod ends;
+mod error;
 mod fit;
 mod precision;
 mod record;
 mod shoot;
 
 pub use accuracy::{Need, Setting};
+pub use ends::{End, TradeRecord};
+pub use error::TradeError;
+use error::tradable;
 pub use fit::Fit;
 pub use precision::{Precision, PrecisionPoint};
 pub use record::{Cost, Curve, Finding, Point, Scope, Trade, Truth, worst};
 
 use std::ops::ControlFlow;
 
-use super::case::Case;
-use super::system::System;
 use crate::field::{Kernel, Smoothing};
-use crate::flow::FlowError;
-use crate::model::ModelInfo;
-use crate::shooting::{Orbit, OrbitError};
+use crate::shooting::Orbit;
+use crate::study::question::Case;
+use crate::study::system::System;
 use copy::Copies;
 use shoot::{Effort, Shooting};
-
-/// Why there is no trade.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum TradeError {
-    /// The model has no contact.
-    #[error("`{model}` has no friction: there is nothing to trade")]
-    NoFriction {
-        /// The model.
-        model: &'static str,
-    },
-    /// All friction of the model has internal state.
-    #[error("`{model}` has nothing to trade: {reason}")]
-    OnlyForm {
-        /// The model.
-        model: &'static str,
-        /// Why there are no other forms.
-        reason: String,
-    },
-    /// The exact orbit cannot be shot again.
-    #[error("the exact orbit cannot be reproduced: {0}")]
-    Orbit(#[from] OrbitError),
-    /// The exact motion cannot be followed.
-    #[error(transparent)]
-    Flow(#[from] FlowError),
-}
-
-/// Whether a model has friction that can be smoothed.
-///
-/// # Errors
-/// It has none, or only laws with internal state.
-pub(super) fn tradable(info: &ModelInfo) -> Result<(), TradeError> {
-    let model = info.command;
-    match info.only_form() {
-        Some(reason) => Err(TradeError::OnlyForm { model, reason }),
-        None if info.contacts.is_empty() => Err(TradeError::NoFriction { model }),
-        None => Ok(()),
-    }
-}
 
 /// Told of each finding of a trade; a break ends it there.
 pub type Watch<'a> = &'a mut dyn FnMut(Finding<'_>) -> ControlFlow<()>;

@@ -52,7 +52,7 @@ pub struct Switch {
 
 impl Switch {
     /// Whether another branch is wanted at this kind of point.
-    pub(super) fn wants(&self, kind: Kind) -> bool {
+    pub(in crate::study) fn wants(&self, kind: Kind) -> bool {
         match kind {
             Kind::Flip => self.flips,
             Kind::BranchPoint | Kind::SymmetryBreaking => self.branch_points,

@@ -8,7 +8,7 @@ use crate::motion::{Flow, Modes, Segment, word};
 const COMBINED: usize = 5;
 
 /// Modes as a word of one letter for each contact; `None` where there is no mode.
-pub(super) fn spelt(info: &ModelInfo, modes: &Modes) -> Option<String> {
+pub(in crate::study) fn spelt(info: &ModelInfo, modes: &Modes) -> Option<String> {
     let segment = Segment {
         modes: modes.clone(),
         duration: 0.0,
@@ -17,12 +17,12 @@ pub(super) fn spelt(info: &ModelInfo, modes: &Modes) -> Option<String> {
 }
 
 /// The modes in which every contact slides as it does at `state`.
-pub(super) fn sliding_mode(flow: &dyn Flow, state: &[f64]) -> Modes {
+pub(in crate::study) fn sliding_mode(flow: &dyn Flow, state: &[f64]) -> Modes {
     flow.speeds(state).into_iter().map(Mode::sliding).collect()
 }
 
 /// The modes in which every contact slides, first those in which it does at `state`; of a smooth flow, the only ones.
-pub(super) fn sliding_modes(flow: &dyn Flow, state: &[f64]) -> Vec<Modes> {
+pub(in crate::study) fn sliding_modes(flow: &dyn Flow, state: &[f64]) -> Vec<Modes> {
     let speeds = flow.speeds(state);
     let count = speeds.len();
     let turns = if count > COMBINED { 1 } else { 1 << count };
@@ -34,7 +34,7 @@ pub(super) fn sliding_modes(flow: &dyn Flow, state: &[f64]) -> Vec<Modes> {
 }
 
 /// The modes of `count` contacts of which at least one sticks: in every combination, or all of them.
-pub(super) fn sticking_modes(count: usize) -> Vec<Modes> {
+pub(in crate::study) fn sticking_modes(count: usize) -> Vec<Modes> {
     const LETTERS: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
     if count > COMBINED {
         return vec![vec![Mode::Stick; count]];

@@ -2,17 +2,17 @@
 
 use std::ops::ControlFlow;
 
-use super::branch::{BranchRecord, Watch};
-use super::case::{Along, Beginning, Case};
-use super::equilibrium::EquilibriumRecord;
-use super::error::StudyError;
 use super::follow::{Stretch, follow};
-use super::sought::Sought;
+use super::record::{BranchRecord, Watch};
 use super::special::numbered;
-use super::system::System;
 use crate::continuation::{Kind, Located, Settings};
 use crate::field::Work;
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
+use crate::study::equilibria::EquilibriumRecord;
+use crate::study::error::StudyError;
+use crate::study::orbit::Sought;
+use crate::study::question::{Along, Beginning, Case};
+use crate::study::system::System;
 
 type Here = Located<Orbit>;
 

@@ -2,8 +2,6 @@
 
 use std::marker::PhantomData;
 
-use super::characteristic::{Characteristic, Laws};
-use super::predict::{PredictError, Prediction, predict};
 use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::field::{Design, EnclosedField, Smoothing};
 use crate::flow::{ExactFamily, SmoothFamily};
@@ -12,9 +10,11 @@ use crate::model::{Model, ModelInfo};
 use crate::motion::{Enclosure, Family};
 use crate::scalar::Inline;
 use crate::shooting::Orbit;
+use crate::study::law::{Characteristic, Laws};
+use crate::study::predict::{PredictError, Prediction, predict};
 
 /// A declared model, whatever its type and its number of states.
-pub(super) trait Declared: Send + Sync {
+pub(super) trait Physics: Send + Sync {
     /// The model as data.
     fn info(&self) -> &'static ModelInfo;
 
@@ -80,7 +80,7 @@ fn modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<M, N> {
     Modes::from_fn(|i| modes.get(i).copied().unwrap_or(Mode::Stick))
 }
 
-impl<M: Model<N>, const N: usize> Declared for Of<M, N> {
+impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
     fn info(&self) -> &'static ModelInfo {
         M::INFO
     }

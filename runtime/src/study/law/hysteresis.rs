@@ -28,10 +28,10 @@ pub trait Hysteresis {
 }
 
 /// A law with `S` internal states, whatever its type.
-pub(super) struct Shaken<L, const S: usize>(L);
+pub(in crate::study) struct Shaken<L, const S: usize>(L);
 
 impl<L, const S: usize> Shaken<L, S> {
-    pub(super) const fn new(law: L) -> Self {
+    pub(in crate::study) const fn new(law: L) -> Self {
         Self(law)
     }
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::Complex;
 
-use super::case::{Along, Dynamics};
-use super::ended::Ended;
 use crate::bifurcation::Stability;
 use crate::field::Work;
+use crate::study::ended::Ended;
+use crate::study::question::{Along, Dynamics};
 
 /// An equilibrium, or a set of sticking ones, as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]

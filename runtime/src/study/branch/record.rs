@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 
-use super::case::Along;
-use super::ended::Ended;
-use super::orbit::OrbitRecord;
 use super::special::Special;
+use crate::study::ended::Ended;
+use crate::study::orbit::OrbitRecord;
+use crate::study::question::Along;
 
 /// Told of each orbit as it is found; a break ends the branch there.
-pub(super) type Watch<'a> = &'a mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>;
+pub(in crate::study) type Watch<'a> = &'a mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>;
 
 /// A branch as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,14 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::case::{Along, Case};
 use super::counterpart::Counterpart;
-use super::ended::Ended;
-use super::equilibrium::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
-use super::error::StudyError;
 use super::modes::{sliding_mode, sliding_modes, spelt, sticking_modes};
-use super::special::labels;
-use super::system::System;
+use super::record::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 use crate::continuation::{Ending, Kind, Located, Walked};
 use crate::equilibrium::{
     EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, follow, prove, settings,
@@ -18,9 +13,14 @@ use crate::equilibrium::{
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
 use crate::motion::{Family, Place};
+use crate::study::ended::Ended;
+use crate::study::error::StudyError;
+use crate::study::label::labels;
+use crate::study::question::{Along, Case};
+use crate::study::system::System;
 
 /// Told of each point of a branch.
-pub(super) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>;
+pub(in crate::study) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>;
 
 impl System {
     /// Every equilibrium that is found, and for exact dynamics every set of sticking ones.

@@ -8,13 +8,13 @@ const SWEEPS: usize = 50;
 
 /// A place to begin, with a guess of the period; without one, the motion settles from there.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Seed {
-    pub(super) start: Vec<f64>,
-    pub(super) period: Option<f64>,
+pub(in crate::study) struct Seed {
+    pub(in crate::study) start: Vec<f64>,
+    pub(in crate::study) period: Option<f64>,
 }
 
 impl Seed {
-    pub(super) fn at(start: Vec<f64>) -> Self {
+    pub(in crate::study) fn at(start: Vec<f64>) -> Self {
         Self {
             start,
             period: None,
@@ -24,7 +24,7 @@ impl Seed {
 
 /// From rest on the belt: near `start`, each contact in turn without relative speed, then all; then the same places
 /// where those contacts need no force to stay at rest, from which they surely stick.
-pub(super) fn on_the_belt(flow: &dyn Flow, start: &[f64]) -> Vec<Seed> {
+pub(in crate::study) fn on_the_belt(flow: &dyn Flow, start: &[f64]) -> Vec<Seed> {
     let count = flow.speeds(start).len();
     let mut sets: Vec<Vec<usize>> = (0..count).map(|contact| vec![contact]).collect();
     if count > 1 {

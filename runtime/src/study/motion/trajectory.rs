@@ -1,11 +1,11 @@
 //! One motion, sampled, with the forces and observables along it.
 
-use super::case::Case;
-use super::error::StudyError;
-use super::system::System;
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Modes, Place, Sample, Segment};
+use crate::study::error::StudyError;
+use crate::study::question::Case;
+use crate::study::system::System;
 
 /// A motion as it is reported, whatever model it belongs to; one row for each time.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,12 +1,11 @@
 //! Special points of a branch, numbered in their order.
 
-use std::collections::HashMap;
-
 use nalgebra::Complex;
 
-use super::case::Along;
-use crate::continuation::{Kind, Located};
+use crate::continuation::Located;
 use crate::shooting::Orbit;
+use crate::study::label::labels;
+use crate::study::question::Along;
 
 /// A point of a branch where something changes.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,18 +39,12 @@ pub struct Special {
     pub note: Option<String>,
 }
 
-/// The label of each special point: its kind and number, for instance `PD1`.
-pub(super) fn labels(kinds: impl IntoIterator<Item = Kind>) -> impl Iterator<Item = String> {
-    let mut counts: HashMap<Kind, usize> = HashMap::new();
-    kinds.into_iter().map(move |kind| {
-        let count = counts.entry(kind).or_default();
-        *count += 1;
-        format!("{}{count}", kind.letters())
-    })
-}
-
 /// The special points as they are reported.
-pub(super) fn numbered(along: &Along, located: &[Located<Orbit>], after: &[usize]) -> Vec<Special> {
+pub(in crate::study) fn numbered(
+    along: &Along,
+    located: &[Located<Orbit>],
+    after: &[usize],
+) -> Vec<Special> {
     let labels = labels(located.iter().map(|found| found.kind));
     let special = |((found, after), label): ((&Located<Orbit>, &usize), String)| Special {
         kind: found.kind.name(),

@@ -1,33 +1,33 @@
 //! One branch of periodic orbits, followed in one direction.
 
-use super::branch::Watch;
-use super::case::Along;
-use super::ended::Ended;
-use super::orbit::OrbitRecord;
-use super::sought::Sought;
+use super::record::Watch;
 use crate::continuation::{Ending, Located, walk};
 use crate::field::Work;
 use crate::shooting::{Guess, Orbit, OrbitBranch, converge};
+use crate::study::ended::Ended;
+use crate::study::orbit::OrbitRecord;
+use crate::study::orbit::Sought;
+use crate::study::question::Along;
 
 /// A branch as far as it was followed in one direction, or in both.
-pub(super) struct Stretch {
-    pub(super) points: Vec<OrbitRecord>,
-    pub(super) located: Vec<Located<Orbit>>,
+pub(in crate::study) struct Stretch {
+    pub(in crate::study) points: Vec<OrbitRecord>,
+    pub(in crate::study) located: Vec<Located<Orbit>>,
     /// How many of the points precede each of the located ones.
-    pub(super) after: Vec<usize>,
-    pub(super) ended: Ended,
-    pub(super) began: Option<Ended>,
+    pub(in crate::study) after: Vec<usize>,
+    pub(in crate::study) ended: Ended,
+    pub(in crate::study) began: Option<Ended>,
 }
 
 impl Stretch {
     /// Whether it would have gone on if it had not been interrupted.
-    pub(super) fn is_interrupted(&self) -> bool {
+    pub(in crate::study) fn is_interrupted(&self) -> bool {
         let mut ends = self.began.iter().chain([&self.ended]);
         ends.any(Ended::is_interrupted)
     }
 
     /// The same branch with what lies behind its beginning; `shared` tells whether both begin with one orbit.
-    pub(super) fn behind(self, back: Self, shared: bool) -> Self {
+    pub(in crate::study) fn behind(self, back: Self, shared: bool) -> Self {
         let (mut points, count) = (back.points, back.after.iter().rev());
         let turned = points.len();
         let mut after: Vec<usize> = count.map(|after| turned.saturating_sub(*after)).collect();
@@ -51,7 +51,7 @@ impl Stretch {
 }
 
 /// Follows a branch to its end; `before` is work that its first point has cost besides.
-pub(super) fn follow(
+pub(in crate::study) fn follow(
     sought: &Sought<'_>,
     along: Along,
     mut branch: OrbitBranch,

@@ -1,13 +1,13 @@
 //! Where the orbit of a case is looked for, and what is told where there is none.
 
-use super::case::{Case, Dynamics};
-use super::modes::sliding_modes;
 use super::seed::{Seed, on_the_belt};
-use super::system::System;
 use crate::equilibrium::find;
 use crate::flow::FlowError;
 use crate::motion::Family;
 use crate::shooting::{Orbit, OrbitError, Search, closest};
+use crate::study::equilibria::sliding_modes;
+use crate::study::question::{Case, Dynamics};
+use crate::study::system::System;
 
 /// A motion that has settled is this near to its equilibrium.
 const SETTLED: f64 = 1e-3;
@@ -23,13 +23,13 @@ fn tells(error: &OrbitError) -> u8 {
 }
 
 /// A family with what is sought in it.
-pub(super) struct Sought<'a> {
-    pub(super) system: &'a System,
-    pub(super) family: Family,
-    pub(super) case: &'a Case,
+pub(in crate::study) struct Sought<'a> {
+    pub(in crate::study) system: &'a System,
+    pub(in crate::study) family: Family,
+    pub(in crate::study) case: &'a Case,
     /// Tried in this order.
     seeds: Vec<Seed>,
-    pub(super) search: Search,
+    pub(in crate::study) search: Search,
 }
 
 impl System {
@@ -37,7 +37,7 @@ impl System {
     ///
     /// # Errors
     /// The case has no flow.
-    pub(super) fn sought<'a>(&'a self, case: &'a Case) -> Result<Sought<'a>, FlowError> {
+    pub(in crate::study) fn sought<'a>(&'a self, case: &'a Case) -> Result<Sought<'a>, FlowError> {
         Ok(Sought {
             system: self,
             family: self.family(case),
@@ -90,7 +90,7 @@ impl System {
     }
 
     /// An error that names an equilibrium, with its exact place where Newton finds it.
-    pub(super) fn sharpened(&self, case: &Case, error: OrbitError) -> OrbitError {
+    pub(in crate::study) fn sharpened(&self, case: &Case, error: OrbitError) -> OrbitError {
         let (OrbitError::Equilibrium { state: near }, Ok(flow)) = (&error, self.at(case)) else {
             return error;
         };
@@ -113,7 +113,7 @@ impl System {
 
 impl Sought<'_> {
     /// The orbit at r, in the family's own count, from the first seed that leads to one.
-    pub(super) fn orbit(&self, r: f64) -> Result<Orbit, OrbitError> {
+    pub(in crate::study) fn orbit(&self, r: f64) -> Result<Orbit, OrbitError> {
         let mut telling = None::<OrbitError>;
         for seed in &self.seeds {
             let search = Search {

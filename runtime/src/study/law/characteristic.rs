@@ -51,7 +51,9 @@ impl<L: FrictionLaw<f64>> Characteristic for L {
 }
 
 /// Shows the law of each contact; the forces are zero.
-pub(super) struct Laws<'a>(pub(super) &'a mut dyn FnMut(usize, &dyn Characteristic));
+pub(in crate::study) struct Laws<'a>(
+    pub(in crate::study) &'a mut dyn FnMut(usize, &dyn Characteristic),
+);
 
 impl ContactRule<f64> for Laws<'_> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {

@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use super::case::{Along, Case, Dynamics};
-use super::error::StudyError;
-use super::system::System;
-use super::trade::{Finding, Need, Scope, Trade, tradable, trade, worst};
+use super::{Finding, Need, Scope, Trade, tradable, trade, worst};
 use crate::field::{Design, Kernel};
+use crate::study::error::StudyError;
+use crate::study::question::{Along, Case, Dynamics};
+use crate::study::system::System;
 
 /// How accurately the exact orbit is found.
 const ACCURACY: f64 = 1e-11;

@@ -3,27 +3,27 @@
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
-use super::case::{Along, Case, Dynamics};
-use super::equilibrium::{EquilibriumRecord, SpecialEquilibrium};
 use super::modes::{sliding_mode, sliding_modes, sticking_modes};
-use super::system::System;
+use super::record::{EquilibriumRecord, SpecialEquilibrium};
 use crate::bifurcation::Stability;
 use crate::continuation::Located;
 use crate::equilibrium::{EquilibriumPoint, find, follow, settings, sticking_sets};
 use crate::field::Design;
+use crate::study::question::{Along, Case, Dynamics};
+use crate::study::system::System;
 
 /// Special points of both systems this close, relative to r, are the same one.
 const SHIFT: f64 = 0.1;
 
 /// The exact system of a case with a smoothing.
-pub(super) struct Counterpart<'a> {
+pub(in crate::study) struct Counterpart<'a> {
     system: &'a System,
     case: Case,
     special: OnceCell<Vec<Located<EquilibriumPoint>>>,
 }
 
 impl<'a> Counterpart<'a> {
-    pub(super) fn new(system: &'a System, case: &Case) -> Self {
+    pub(in crate::study) fn new(system: &'a System, case: &Case) -> Self {
         Self {
             system,
             case: Case {
@@ -35,7 +35,7 @@ impl<'a> Counterpart<'a> {
     }
 
     /// Whether the exact system has no equilibrium there, or one of another stability.
-    pub(super) fn differs(&self, copy: &EquilibriumRecord) -> bool {
+    pub(in crate::study) fn differs(&self, copy: &EquilibriumRecord) -> bool {
         let decided = |stability| stability != Stability::Undecided;
         match self.stability(&copy.state) {
             None => true,
@@ -61,7 +61,7 @@ impl<'a> Counterpart<'a> {
     }
 
     /// Whether the exact system, followed along the same way, has no such special point nearby.
-    pub(super) fn lacks(&self, along: Along, copy: &SpecialEquilibrium) -> bool {
+    pub(in crate::study) fn lacks(&self, along: Along, copy: &SpecialEquilibrium) -> bool {
         if self.case.along.is_none() {
             return false;
         }

@@ -1,0 +1,11 @@
+//! Branches of periodic orbits, with those that leave them.
+
+mod atlas;
+mod follow;
+mod record;
+mod special;
+
+pub(in crate::study) use follow::follow;
+pub use record::BranchRecord;
+pub use special::Special;
+pub(in crate::study) use special::numbered;

@@ -1,0 +1,9 @@
+//! Equilibria of a system: of its exact friction, of its copies, and what the one says of the other.
+
+mod counterpart;
+mod found;
+mod modes;
+mod record;
+
+pub(in crate::study) use modes::sliding_modes;
+pub use record::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};

@@ -1,0 +1,10 @@
+//! Friction laws on their own: force against sliding speed, and the loops of laws that remember.
+
+mod characteristic;
+mod hysteresis;
+mod specimen;
+
+pub use characteristic::Characteristic;
+pub(in crate::study) use characteristic::Laws;
+pub use hysteresis::Hysteresis;
+pub use specimen::{Remembering, Shown, Specimen};

@@ -1,0 +1,9 @@
+//! What is asked of a system: at which parameters, along what, with which friction, on which section.
+
+mod case;
+mod choice;
+mod section;
+
+pub use case::{Along, Beginning, Case, Dynamics, Switch};
+pub use choice::{Choice, choose};
+pub use section::Span;
