@@ -5,13 +5,14 @@ use serde_json::Value;
 
 use super::document::Document;
 use super::failure::{Failure, refuse};
-use super::request::state;
+use super::request::{Request, state};
 use super::spreadsheet::{Spreadsheet, full, head};
 use super::text::{line, number, states, table, timed};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
 use crate::model::ModelInfo;
 use crate::poincare::{Crossing, Direction, Section, Surface};
+use crate::study::{Case, Span};
 
 /// Digits shown of a point.
 const DIGITS: usize = 9;
@@ -92,8 +93,35 @@ fn direction(word: &str) -> Result<Direction, Failure> {
     one_of(all, Direction::name, "`--section` knows no direction", word)
 }
 
+/// Points on a section in all forms.
+pub(super) struct Points {
+    pub(super) text: String,
+    pub(super) document: Value,
+    pub(super) sheet: Spreadsheet,
+}
+
+/// Where the motion of a case meets a section, if one is asked for.
+pub(super) fn points(
+    asked: &Request<'_>,
+    case: &Case,
+    section: Option<Section>,
+    span: Span,
+) -> Result<Option<Points>, Failure> {
+    let Some(section) = section else {
+        return Ok(None);
+    };
+    let info = asked.info;
+    let found = asked.entry.crossings(case, section, span);
+    let found = found.map_err(|error| asked.failed(error))?;
+    Ok(Some(Points {
+        text: describe(info, &section, &found),
+        document: document(info, &section, &found),
+        sheet: sheet(info, &found),
+    }))
+}
+
 /// The points as a table, under a line that says where they lie.
-pub(super) fn describe(info: &ModelInfo, section: &Section, points: &[Crossing]) -> String {
+fn describe(info: &ModelInfo, section: &Section, points: &[Crossing]) -> String {
     let count = match points.len() {
         1 => "1 point".to_owned(),
         count => format!("{count} points"),
@@ -112,7 +140,7 @@ pub(super) fn describe(info: &ModelInfo, section: &Section, points: &[Crossing])
 }
 
 /// One row for each point.
-pub(super) fn sheet(info: &ModelInfo, points: &[Crossing]) -> Spreadsheet {
+fn sheet(info: &ModelInfo, points: &[Crossing]) -> Spreadsheet {
     let time = std::iter::once(timed(info, "t", "s"));
     let columns = time.chain(states(info, "")).chain(head(["direction"]));
     let row = |point: &Crossing| {
@@ -124,7 +152,7 @@ pub(super) fn sheet(info: &ModelInfo, points: &[Crossing]) -> Spreadsheet {
 }
 
 /// The points as JSON.
-pub(super) fn document(info: &ModelInfo, section: &Section, points: &[Crossing]) -> Value {
+fn document(info: &ModelInfo, section: &Section, points: &[Crossing]) -> Value {
     let point = |point: &Crossing| Document::of(info, point).by_state(&["state"]);
     Document::new(info)
         .put("surface", section.describe(info))

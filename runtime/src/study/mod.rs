@@ -20,7 +20,6 @@
 
 mod branch;
 mod curve;
-mod physics;
 mod diagram;
 mod ended;
 mod equilibria;
@@ -29,6 +28,7 @@ mod label;
 mod law;
 mod motion;
 mod orbit;
+mod physics;
 pub mod predict;
 mod question;
 mod system;

@@ -10,9 +10,9 @@ use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
 use crate::motion::{Enclosure, Family, Flow, Tape};
 use crate::shooting::Orbit;
-use crate::study::physics::{Of, Physics};
 use crate::study::error::StudyError;
 use crate::study::law::Characteristic;
+use crate::study::physics::{Of, Physics};
 use crate::study::predict::{PredictError, Prediction};
 use crate::study::question::{Case, Dynamics};
 

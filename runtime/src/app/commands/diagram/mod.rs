@@ -12,11 +12,12 @@ use crate::app::App;
 use crate::app::failure::Failure;
 use crate::app::journal::Journal;
 use crate::app::progress::Progress;
-use crate::app::request::request;
+use crate::app::request::{Request, request};
 use crate::app::resume::{Notes, Question};
 use crate::app::spreadsheet::Spreadsheet;
 use crate::app::text::followed;
 use crate::model::ModelInfo;
+use crate::report::Figure;
 use crate::study::{Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice};
 pub(in crate::app) use arguments::Arguments;
 
@@ -53,21 +54,27 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let record = asked.entry.diagram(case, &diagram, &known, &watch);
     let record = record.map_err(|error| asked.failed(error))?;
     drop(progress);
-    let drawn = output.draw([("diagram", picture::picture(info, &record, shown))]);
-    output.deliver(
-        "diagram",
-        &text::describe(info, case, &record),
-        &document::document(info, case, &record),
-        &sheets(info, &record),
-    )?;
-    drawn?;
-    if record.missing > 0 {
-        let count = slices(&record).count();
-        return Err(output.interrupted(&format!("{count} values were found")));
-    }
+    let picture = picture::picture(info, &record, shown);
+    deliver(&asked, &record, picture)?;
     let papers = papers.into_inner().unwrap_or_else(PoisonError::into_inner);
     papers.notes.discard();
     failures(info, &record)
+}
+
+fn deliver(asked: &Request<'_>, record: &DiagramRecord, picture: Figure) -> Result<(), Failure> {
+    let (info, case, output) = (asked.info, &asked.case, &asked.output);
+    let drawn = output.draw([("diagram", picture)]);
+    let (text, document) = (
+        text::describe(info, case, record),
+        document::document(info, case, record),
+    );
+    let delivered = output.deliver("diagram", &text, &document, &sheets(info, record));
+    delivered.and(drawn)?;
+    if record.missing > 0 {
+        let count = slices(record).count();
+        return Err(output.interrupted(&format!("{count} values were found")));
+    }
+    Ok(())
 }
 
 /// All values with the names of their sweeps.

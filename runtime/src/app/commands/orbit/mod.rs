@@ -9,7 +9,7 @@ use crate::app::App;
 use crate::app::failure::Failure;
 use crate::app::output::Output;
 use crate::app::progress::Progress;
-use crate::app::request::request;
+use crate::app::request::{Request, request};
 use crate::app::text::number;
 use crate::app::{commands::simulate, section};
 use crate::shooting::{Certificate, Uncertified};
@@ -31,22 +31,17 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
-    let mut text = text::describe(info, case, &orbit);
-    let mut document = document(info, &orbit);
-    // `--exact` asks for what would be chosen anyway.
-    let wanted = arguments.subject.smooth.as_ref().map(|_| case.dynamics);
-    let reason = choose(info, wanted, case.accuracy).reason;
-    document = document.put("method", &reason);
+    let (mut text, document) = (text::describe(info, case, &orbit), document(info, &orbit));
     if let Some(found) = &certificate {
         text.push_str(&certificate::describe(info, found));
     }
+    let reason = reason(arguments, &asked);
+    let mut document = document.put("method", &reason);
     let (mut sheets, mut drawn) = (Vec::new(), Ok(()));
-    if let Some(section) = section {
-        let span = Span::Period(orbit.period);
-        let found = entry.crossings(&from, section, span).map_err(failed)?;
-        text.push_str(&section::describe(info, &section, &found));
-        document = document.put("section", section::document(info, &section, &found));
-        sheets.push(("section", section::sheet(info, &found)));
+    if let Some(points) = section::points(&asked, &from, section, Span::Period(orbit.period))? {
+        text.push_str(&points.text);
+        document = document.put("section", points.document);
+        sheets.push(("section", points.sheet));
     }
     if output.is_kept() {
         let motion = entry.motion(&from, orbit.period).map_err(failed)?;
@@ -55,18 +50,22 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     }
     drop(progress);
     text.push_str(&format!("\n  {reason}\n"));
-    let certified = certificate.as_ref();
-    let document = document
-        .maybe(
-            "certificate",
-            certified.map(|found| certificate::document(info, found)),
-        )
-        .put("work", orbit.work);
+    if let Some(found) = &certificate {
+        document = document.put("certificate", certificate::document(info, found));
+    }
+    let document = document.put("work", orbit.work);
     doubt(output, case, &orbit);
-    output
-        .deliver("orbit", &text, &document, &sheets)
-        .and(drawn)?;
-    verdict(certified)
+    let delivered = output.deliver("orbit", &text, &document, &sheets);
+    delivered.and(drawn)?;
+    verdict(certificate.as_ref())
+}
+
+/// The method that was chosen, and why.
+fn reason(arguments: &Arguments, asked: &Request<'_>) -> String {
+    let (info, case) = (asked.info, &asked.case);
+    // `--exact` asks for what would be chosen anyway.
+    let wanted = arguments.subject.smooth.as_ref().map(|_| case.dynamics);
+    choose(info, wanted, case.accuracy).reason
 }
 
 /// The orbit of a case, with its certificate if that is wanted.

@@ -20,25 +20,21 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let asked = request(app, &arguments.subject, None, None)?;
     let (info, case, time) = (asked.info, &asked.case, arguments.time);
     let section = arguments.cut.of(info)?;
-    let failed = |error| asked.failed(error);
     let progress = Progress::endless(&asked.output, "following the motion");
-    let motion = asked.entry.motion(case, time).map_err(failed)?;
+    let motion = asked.entry.motion(case, time);
+    let motion = motion.map_err(|error| asked.failed(error))?;
     let mut text = text::describe(info, case, &motion, time);
+    let mut document = document::document(info, case, &motion);
     let mut sheets = vec![("trajectory", sheet(info, &motion))];
-    let mut points = None;
-    if let Some(section) = section {
-        let found = asked.entry.crossings(case, section, Span::Time(time));
-        let found = found.map_err(failed)?;
-        text.push_str(&section::describe(info, &section, &found));
-        sheets.push(("section", section::sheet(info, &found)));
-        points = Some(section::document(info, &section, &found));
+    if let Some(points) = section::points(&asked, case, section, Span::Time(time))? {
+        text.push_str(&points.text);
+        document = document.put("section", points.document);
+        sheets.push(("section", points.sheet));
     }
     drop(progress);
     let drawn = [("trajectory", picture(info, &motion))];
     let drawn = asked.output.draw(drawn);
-    let document = document::document(info, case, &motion)
-        .maybe("section", points)
-        .put("work", motion.work);
+    let document = document.put("work", motion.work);
     let delivered = asked
         .output
         .deliver("trajectory", &text, &document, &sheets);
