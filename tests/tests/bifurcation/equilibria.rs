@@ -8,10 +8,10 @@ use stickslip::equilibrium::{Branch, End, Kind, find, follow, settings, starts, 
 use stickslip::field::Design;
 use stickslip::field::exact::Mode;
 use stickslip::flow::{ExactFamily, SmoothFamily};
-use stickslip::motion::{Family, Place};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
+use stickslip::motion::{Family, Place};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString};
 
 model! {
@@ -85,7 +85,9 @@ fn branch<M: Model<N>, const N: usize>(
     (from, to): (f64, f64),
 ) -> Branch {
     let family = Family::from(smooth(model, smoothing, Design::Parameter(along.index)));
-    let found = find(&family, from, &starts(&declared::<M, N>()), |_| vec![vec![]]);
+    let found = find(&family, from, &starts(&declared::<M, N>()), |_| {
+        vec![vec![]]
+    });
     let first = found.first().expect("an equilibrium");
     follow(&family, &first.place, settings(from, to), &mut |_| {
         ControlFlow::Continue(())
@@ -263,7 +265,13 @@ fn a_mass_sticks_wherever_friction_holds_its_spring() {
         ..Default::default()
     };
     let stick = [vec![Mode::Stick]];
-    let sets = sticking_sets(&*Family::from(exact(model, BeltOscillator::v_dr)).at(0.0).unwrap(), &[vec![1.0, 0.3]], &stick);
+    let sets = sticking_sets(
+        &*Family::from(exact(model, BeltOscillator::v_dr))
+            .at(0.0)
+            .unwrap(),
+        &[vec![1.0, 0.3]],
+        &stick,
+    );
     let [set] = sets.as_slice() else {
         panic!("{} sets", sets.len());
     };
@@ -272,7 +280,13 @@ fn a_mass_sticks_wherever_friction_holds_its_spring() {
     close(set.high[0], 0.25, 1e-12);
     assert_eq!(set.spectrum.stability, Stability::Stable);
     // A moving belt lets nothing rest.
-    let moving = sticking_sets(&*Family::from(exact(BeltOscillator::default(), BeltOscillator::v_dr)).at(0.2).unwrap(), &[vec![1.0, 0.3]], &stick);
+    let moving = sticking_sets(
+        &*Family::from(exact(BeltOscillator::default(), BeltOscillator::v_dr))
+            .at(0.2)
+            .unwrap(),
+        &[vec![1.0, 0.3]],
+        &stick,
+    );
     assert!(moving.is_empty());
 }
 
@@ -284,7 +298,11 @@ fn two_masses_stick_in_a_parallelogram() {
         ..Default::default()
     };
     let stick = [vec![Mode::Stick; 2]];
-    let sets = sticking_sets(&*Family::from(exact(model, BeltPair::v_dr)).at(0.0).unwrap(), &[vec![0.1, 0.2, 0.0, 0.1]], &stick);
+    let sets = sticking_sets(
+        &*Family::from(exact(model, BeltPair::v_dr)).at(0.0).unwrap(),
+        &[vec![0.1, 0.2, 0.0, 0.1]],
+        &stick,
+    );
     let [set] = sets.as_slice() else {
         panic!("{} sets", sets.len());
     };
@@ -305,12 +323,23 @@ fn two_masses_stick_in_a_parallelogram() {
 
 #[test]
 fn proof() {
-    use stickslip::equilibrium::prove; use stickslip::field::EnclosedField;
+    use stickslip::equilibrium::prove;
+    use stickslip::field::EnclosedField;
     let slip = 1.0 / (1.0 + 3.0 * 0.2);
-    for (smoothing, share) in [("tanh:10", (0.2 * 10_f64).tanh()), ("cubic:1e5", 1.0), ("quintic:5", 1.0)] {
-        let field = EnclosedField::smooth(&BeltOscillator::default(), Some(smoothing.parse().unwrap()));
+    for (smoothing, share) in [
+        ("tanh:10", (0.2 * 10_f64).tanh()),
+        ("cubic:1e5", 1.0),
+        ("quintic:5", 1.0),
+    ] {
+        let field =
+            EnclosedField::smooth(&BeltOscillator::default(), Some(smoothing.parse().unwrap()));
         let p = prove(&field, &[slip * share, 0.0]).unwrap();
-        assert!(p.low[0] <= slip * share + 1e-15 && slip * share <= p.high[0] + 1e-15 && p.high[0] - p.low[0] < 1e-12, "{p:?}");
+        assert!(
+            p.low[0] <= slip * share + 1e-15
+                && slip * share <= p.high[0] + 1e-15
+                && p.high[0] - p.low[0] < 1e-12,
+            "{p:?}"
+        );
         assert!(prove(&field, &[slip * share]).is_err());
     }
 }
