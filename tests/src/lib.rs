@@ -1,6 +1,7 @@
 //! The same questions asked of every reference system.
 
 pub mod chain;
+pub mod exact;
 pub mod hand_written;
 pub mod lanes;
 pub mod random;

@@ -1,11 +1,14 @@
 //! The reference systems as subjects of one questionnaire.
 
 use stickslip::field::{Design, Kernel, SmoothField, Smoothing};
-use stickslip::flow::{Family, Place, SmoothFamily, SmoothFlow};
+use stickslip::flow::{Family as _, SmoothFamily, SmoothFlow};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::motion::{Family, Place};
 use stickslip::shooting::{Guess, Orbit, Search, closest};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString, VanDerPol};
+
+use crate::exact;
 
 /// A model at its defaults, with a smoothing of moderate size where it has friction.
 #[derive(Debug, Clone, Copy)]
@@ -84,9 +87,15 @@ impl<M: Model<N>, const N: usize> Subject<M, N> {
             .collect()
     }
 
+    /// The subject's flows along a design variable, for whoever need not know what moves.
+    #[must_use]
+    pub fn family(&self, design: Design, tolerance: Tolerance) -> Family {
+        self.smooth(design, tolerance).into()
+    }
+
     /// The subject's flows along a design variable.
     #[must_use]
-    pub fn family(&self, design: Design, tolerance: Tolerance) -> SmoothFamily<M, N> {
+    pub fn smooth(&self, design: Design, tolerance: Tolerance) -> SmoothFamily<M, N> {
         SmoothFamily {
             model: self.model,
             smoothing: self.smoothing,
@@ -111,19 +120,14 @@ impl<M: Model<N>, const N: usize> Subject<M, N> {
     /// Its parameters are out of bounds.
     #[must_use]
     pub fn flow(&self, tolerance: Tolerance) -> SmoothFlow<M, N> {
-        let family = self.family(Design::None, tolerance);
+        let family = self.smooth(Design::None, tolerance);
         family.at(0.0).expect("parameters within bounds")
     }
 
     /// What is asked of the search for its orbit.
     #[must_use]
-    pub fn search(&self) -> Search<N> {
-        Search {
-            start: self.start(),
-            period: None,
-            accuracy: ACCURACY,
-            segments: 1,
-        }
+    pub fn search(&self) -> Search {
+        exact::search(&self.start(), ACCURACY)
     }
 
     /// The periodic orbit that is reached from the declared start.
@@ -131,18 +135,23 @@ impl<M: Model<N>, const N: usize> Subject<M, N> {
     /// # Panics
     /// There is none.
     #[must_use]
-    pub fn orbit(&self) -> Orbit<N, ()> {
+    pub fn orbit(&self) -> Orbit {
         closest(&self.family(Design::None, TIGHT), 0.0, &self.search())
             .unwrap_or_else(|error| panic!("{}: {error}", M::INFO.name))
     }
 
     /// An orbit as a guess, its start displaced by `by` times half the extent of each state.
     #[must_use]
-    pub fn beside(&self, orbit: &Orbit<N, ()>, by: [f64; N]) -> Guess<N, ()> {
-        let magnitude = std::array::from_fn(|j| 0.5 * (orbit.max[j] - orbit.min[j]));
-        let state = std::array::from_fn(|j| orbit.place.state[j] + by[j] * magnitude[j]);
+    pub fn beside(&self, orbit: &Orbit, by: [f64; N]) -> Guess {
+        let magnitude: Vec<f64> = (0..N)
+            .map(|j| 0.5 * (orbit.max[j] - orbit.min[j]))
+            .collect();
+        let displaced = |j: usize| orbit.place.state[j] + by[j] * magnitude[j];
         Guess {
-            place: Place { state, mode: () },
+            place: Place {
+                state: (0..N).map(displaced).collect(),
+                modes: orbit.place.modes.clone(),
+            },
             period: orbit.period,
             magnitude,
         }

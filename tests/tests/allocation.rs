@@ -16,7 +16,7 @@ fn steps_allocate_nothing<M: Model<N>, const N: usize>(subject: &Subject<M, N>) 
     let (design, value) = subject.designs()[0];
     for design in [design, Design::None] {
         let flow = subject
-            .family(design, TIGHT)
+            .smooth(design, TIGHT)
             .at(value)
             .expect("a value within bounds");
         for derivatives in [true, false] {

@@ -7,13 +7,14 @@ use stickslip::field::{Design, Smoothing, Work};
 use stickslip::flow::SmoothFamily;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::motion::Family;
 use stickslip::shooting::{Orbit, OrbitBranch, Search, closest};
 use stickslip_models::{BeltOscillator, VanDerPol};
 
 /// A branch as it is asked for: r through these values, to this accuracy.
-struct Route<M, const N: usize> {
-    family: SmoothFamily<M, N>,
-    search: Search<N>,
+struct Route {
+    family: Family,
+    search: Search,
     stops: Vec<f64>,
 }
 
@@ -54,18 +55,18 @@ fn route<M: Model<N>, const N: usize>(
     smoothing: Option<Smoothing>,
     accuracy: f64,
     stops: Vec<f64>,
-) -> Route<M, N> {
-    let start = std::array::from_fn(|j| M::INFO.states[j].start);
+) -> Route {
+    let family = SmoothFamily {
+        model,
+        smoothing,
+        design,
+        tolerance: Tolerance::for_accuracy(accuracy),
+        magnitude: [1.0; N],
+    };
     Route {
-        family: SmoothFamily {
-            model,
-            smoothing,
-            design,
-            tolerance: Tolerance::for_accuracy(accuracy),
-            magnitude: [1.0; N],
-        },
+        family: family.into(),
         search: Search {
-            start,
+            start: M::INFO.states.iter().map(|state| state.start).collect(),
             period: None,
             accuracy,
             segments: 1,
@@ -74,13 +75,13 @@ fn route<M: Model<N>, const N: usize>(
     }
 }
 
-impl<M: Model<N>, const N: usize> Route<M, N> {
-    fn first(&self) -> Orbit<N, ()> {
+impl Route {
+    fn first(&self) -> Orbit {
         closest(&self.family, self.stops[0], &self.search).expect("a first orbit")
     }
 
     /// Every orbit, and whether the end was reached; the last of a stretch is the first of the next.
-    fn follow(&self, first: &Orbit<N, ()>) -> (Vec<Orbit<N, ()>>, bool) {
+    fn follow(&self, first: &Orbit) -> (Vec<Orbit>, bool) {
         let (mut orbits, mut reached) = (vec![first.clone()], true);
         for ends in self.stops.windows(2) {
             let settings = Settings::new(ends[0], ends[1], self.search.accuracy);
@@ -94,7 +95,7 @@ impl<M: Model<N>, const N: usize> Route<M, N> {
     }
 }
 
-fn row<M: Model<N>, const N: usize>(name: &str, route: &Route<M, N>, wanted: f64) {
+fn row(name: &str, route: &Route, wanted: f64) {
     let begin = Instant::now();
     let first = route.first();
     let found = begin.elapsed().as_secs_f64();
@@ -117,13 +118,13 @@ fn row<M: Model<N>, const N: usize>(name: &str, route: &Route<M, N>, wanted: f64
 }
 
 /// T, max |x| and max |ẋ| of the branch's points against orbits computed tighter by far.
-fn digits(route: &Route<VanDerPol, 2>) {
+fn digits(route: &Route) {
     println!("\nVan der Pol's branch against a tighter run (1e-9 is wanted)");
     println!("{:<26}{:>10}{:>10}{:>10}", "", "T", "max |x|", "max |v|");
     let (orbits, _) = route.follow(&route.first());
     let search = Search {
         accuracy: 1e-13,
-        ..route.search
+        ..route.search.clone()
     };
     for nu in [5.0, 10.0, 15.0] {
         let point = orbits

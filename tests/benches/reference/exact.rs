@@ -4,9 +4,10 @@ use std::time::Duration;
 
 use stickslip::bifurcation::floquet;
 use stickslip::field::{Design, Smoothing};
-use stickslip::flow::{ExactFamily, Family, Flow, Place, SmoothFamily, Want};
+use stickslip::flow::{ExactFamily, SmoothFamily, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::motion::Family;
 use stickslip::shooting::{Orbit, Search, closest};
 use stickslip_models::{BeltOscillator, BeltPair};
 
@@ -50,23 +51,25 @@ fn row<M: Model<N>, const N: usize>(
         design: Some(design),
         tolerance,
         magnitude,
-    };
+    }
+    .into();
     let copy = SmoothFamily {
         model,
         smoothing: "arctan:1e5".parse::<Smoothing>().ok(),
         design: Design::Parameter(design),
         tolerance,
         magnitude,
-    };
+    }
+    .into();
     let search = Search {
-        start,
+        start: start.to_vec(),
         period,
         accuracy: ACCURACY,
         segments: 1,
     };
     let orbit = closest(&exact, r, &search).expect("the exact orbit");
     let search = Search {
-        start: orbit.place.state,
+        start: orbit.place.state.clone(),
         period: Some(orbit.period),
         ..search
     };
@@ -83,10 +86,7 @@ fn row<M: Model<N>, const N: usize>(
 }
 
 /// Seconds for one way around, and the number of events on it.
-fn round<F: Family<N>, const N: usize>(
-    family: &F,
-    orbit: &Orbit<N, <F::Flow as Flow<N>>::Mode>,
-) -> (f64, usize) {
+fn round(family: &Family, orbit: &Orbit) -> (f64, usize) {
     let want = Want {
         derivatives: true,
         ..Want::default()
@@ -94,9 +94,8 @@ fn round<F: Family<N>, const N: usize>(
     let mut events = 0;
     let seconds = super::clock::best(Duration::from_secs(1), || {
         let flow = family.at(orbit.r).expect("a value within bounds");
-        let from = Place { ..orbit.place };
         let passage = flow
-            .advance(&from, orbit.period, want)
+            .advance(&orbit.place, orbit.period, want)
             .expect("once around");
         let derivatives = passage.derivatives.as_ref().expect("what was wanted");
         events = passage.events.len();

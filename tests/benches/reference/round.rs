@@ -2,9 +2,10 @@
 
 use stickslip::continuation::Settings;
 use stickslip::field::{Design, SmoothField, Smoothing};
-use stickslip::flow::{ExactFamily, Family, Flow, Passage, Place, SmoothFamily, Want};
+use stickslip::flow::{ExactFamily, Family as _, Flow as _, Passage, Place, SmoothFamily, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::motion::Family;
 use stickslip::shooting::{Orbit, OrbitBranch, Search, closest};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString, VanDerPol};
 
@@ -25,10 +26,8 @@ pub(crate) struct Round<M, const N: usize> {
 pub(crate) struct ExactRound<M: Model<N>, const N: usize> {
     model: M,
     design: usize,
-    orbit: OrbitOf<ExactFamily<M, N>, N>,
+    orbit: Orbit,
 }
-
-type OrbitOf<F, const N: usize> = Orbit<N, <<F as Family<N>>::Flow as Flow<N>>::Mode>;
 
 const DERIVATIVES: Want = Want {
     derivatives: true,
@@ -120,13 +119,13 @@ pub(crate) fn exact_drill_string() -> ExactRound<DrillString, 2> {
 
 impl<M: Model<N>, const N: usize> Asked<M, N> {
     fn round(self, smoothing: Option<&'static str>) -> Round<M, N> {
-        let orbit = self.find(&family(self.model, smoothing, self.design));
+        let orbit = self.find(&family(self.model, smoothing, self.design).into());
         Round {
             model: self.model,
             smoothing,
             design: self.design,
             r: self.to,
-            start: orbit.place.state,
+            start: std::array::from_fn(|j| orbit.place.state[j]),
             period: orbit.period,
         }
     }
@@ -140,9 +139,9 @@ impl<M: Model<N>, const N: usize> Asked<M, N> {
         }
     }
 
-    fn find<F: Family<N> + Clone>(&self, family: &F) -> OrbitOf<F, N> {
+    fn find(&self, family: &Family) -> Orbit {
         let search = Search {
-            start: self.start,
+            start: self.start.to_vec(),
             period: self.period,
             accuracy: 1e-9,
             segments: 1,
@@ -217,7 +216,11 @@ impl<M: Model<N>, const N: usize> ExactRound<M, N> {
         let flow = family.at(self.orbit.r).ok()?;
         let passage = flow.advance(&self.orbit.place, self.orbit.period, DERIVATIVES);
         let derivatives = passage.ok()?.derivatives?;
-        Some((derivatives.state, derivatives.design))
+        let state = |i, j| derivatives.state[(i, j)];
+        Some((
+            std::array::from_fn(|i| std::array::from_fn(|j| state(i, j))),
+            std::array::from_fn(|i| derivatives.design[i]),
+        ))
     }
 }
 
@@ -225,13 +228,14 @@ fn exact_family<M: Model<N>, const N: usize>(
     model: M,
     design: usize,
     tolerance: Tolerance,
-) -> ExactFamily<M, N> {
-    ExactFamily {
+) -> Family {
+    let family = ExactFamily {
         model,
         design: Some(design),
         tolerance,
         magnitude: [1.0; N],
-    }
+    };
+    family.into()
 }
 
 /// Largest errors of Φ and ∂φ/∂r, relative to the largest entries.

@@ -22,8 +22,8 @@ fn follow<M: Model<N>, const N: usize>(
     subject: &Subject<M, N>,
     design: Design,
     (from, to): (f64, f64),
-    first: Option<&Orbit<N, ()>>,
-) -> (Vec<Orbit<N, ()>>, String) {
+    first: Option<&Orbit>,
+) -> (Vec<Orbit>, String) {
     let family = subject.family(design, Tolerance::for_accuracy(ACCURACY));
     let search = search(subject);
     let found;
@@ -45,21 +45,21 @@ fn follow<M: Model<N>, const N: usize>(
     (orbits, ending)
 }
 
-fn search<M: Model<N>, const N: usize>(subject: &Subject<M, N>) -> Search<N> {
+fn search<M: Model<N>, const N: usize>(subject: &Subject<M, N>) -> Search {
     Search {
         accuracy: ACCURACY,
         ..subject.search()
     }
 }
 
-fn same<const N: usize>(a: &Orbit<N, ()>, b: &Orbit<N, ()>) {
+fn same(a: &Orbit, b: &Orbit) {
     assert!(
         (a.period / b.period - 1.0).abs() < 1e-7,
         "{} against {}",
         a.period,
         b.period
     );
-    for j in 0..N {
+    for j in 0..a.max.len() {
         let gap = (a.max[j] - b.max[j]).abs() / (b.max[j] - b.min[j]);
         assert!(gap < 1e-7, "maximum of state {j} is {gap:e} off");
     }

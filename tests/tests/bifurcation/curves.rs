@@ -123,7 +123,7 @@ fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
 #[test]
 fn folds_of_bautins_form_lie_on_a_parabola() {
     let curve = circle(
-        &*System::of::<Bautin, _>(),
+        &System::of::<Bautin, _>(),
         ("p", 0.1, -0.5),
         ("q", 1.0, 0.3),
         &[],
@@ -137,7 +137,7 @@ fn folds_of_bautins_form_lie_on_a_parabola() {
 #[test]
 fn a_cusp_is_passed_and_located() {
     let curve = circle(
-        &*System::of::<Cusp, _>(),
+        &System::of::<Cusp, _>(),
         ("p", -0.3, 0.3),
         ("q", 0.3, -0.3),
         &[],
@@ -162,7 +162,7 @@ fn a_cusp_is_passed_and_located() {
 #[test]
 fn flips_lie_on_their_line_and_meet_in_a_resonance() {
     let curve = circle(
-        &*System::of::<Halves, _>(),
+        &System::of::<Halves, _>(),
         ("p", -0.1, 0.1),
         ("d", 0.05, -0.05),
         &[],
@@ -178,7 +178,7 @@ fn flips_lie_on_their_line_and_meet_in_a_resonance() {
 #[test]
 fn torus_points_lie_on_a_parabola_with_their_resonances() {
     let curve = circle(
-        &*System::of::<Torus, _>(),
+        &System::of::<Torus, _>(),
         ("p", -0.1, 0.2),
         ("q", -0.1, 0.1),
         &[],
@@ -204,14 +204,14 @@ fn torus_points_lie_on_a_parabola_with_their_resonances() {
 fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
     let more = [("d", 0.2)];
     let model = System::of::<Halves, _>();
-    let curve = circle(&*model, ("p", -0.1, 0.1), ("q", 0.3, 0.1), &more).unwrap();
+    let curve = circle(&model, ("p", -0.1, 0.1), ("q", 0.3, 0.1), &more).unwrap();
     assert_eq!((curve.kind, curve.ended.word), ("torus", "resonance-1-2"));
     assert!(curve.ended.located);
     lies_on(&curve, |_| 0.0, 1e-8);
     let last = curve.points.last().unwrap();
     assert!((last.q - 0.2).abs() < 1e-6, "{}", last.q);
     // From within, the branch passes that saddle at p = 0, and there is nothing to be followed.
-    let within = circle(&*model, ("p", -0.1, 0.1), ("q", 0.1, 0.15), &more);
+    let within = circle(&model, ("p", -0.1, 0.1), ("q", 0.1, 0.15), &more);
     assert!(
         matches!(&within, Err(StudyError::NoSpecial { labels, .. }) if labels.is_empty()),
         "{within:?}"
@@ -225,7 +225,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
     let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());
     for (dynamics, tolerance) in [(Dynamics::Exact, 1e-7), (copy, 1e-6)] {
         let (mut case, scope) =
-            question(&*model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
+            question(&model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
         case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
         let curve = model
             .curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
@@ -277,12 +277,7 @@ fn the_drill_strings_graze_follows_its_closed_form() {
         ("zeta", 0.05, 0.02),
         ("theta", 4.2, 2.0),
     ] {
-        let (case, scope) = question(
-            &*model,
-            Dynamics::Exact,
-            ("eta", 4.0, 6.0),
-            (name, from, to),
-        );
+        let (case, scope) = question(&model, Dynamics::Exact, ("eta", 4.0, 6.0), (name, from, to));
         let wide = Case {
             along: Some(Along {
                 from: 4.0,

@@ -46,8 +46,8 @@ fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {
 
 fn belt_pair(from: f64, to: f64) -> (System, Case) {
     let model = System::of::<BeltPair, _>();
-    let along = range(&*model, "v_dr", from, to);
-    let mut case = case(&*model, Dynamics::Exact, along);
+    let along = range(&model, "v_dr", from, to);
+    let mut case = case(&model, Dynamics::Exact, along);
     case.start = Some(IN_PHASE.to_vec());
     (model, case)
 }
@@ -57,7 +57,7 @@ fn belt_pair(from: f64, to: f64) -> (System, Case) {
 fn points_double_where_the_orbit_flips() {
     let (model, case) = belt_pair(0.142, 0.1465);
     let record = draw(
-        &*model,
+        &model,
         &case,
         Diagram {
             settle: 1500,
@@ -68,7 +68,7 @@ fn points_double_where_the_orbit_flips() {
     assert_eq!(motions, [&Motion::Periodic(1), &Motion::Periodic(2)]);
     let (model, case) = belt_pair(0.0865, 0.12);
     let record = draw(
-        &*model,
+        &model,
         &case,
         Diagram {
             settle: 1500,
@@ -92,7 +92,7 @@ fn a_slice_is_the_orbit_that_shooting_finds() {
             lyapunov: Some(40),
             ..USUAL
         };
-        let record = draw(&*model, &case, diagram);
+        let record = draw(&model, &case, diagram);
         for slice in slices(&record, 0) {
             let orbit = model
                 .orbit(&Case {
@@ -120,7 +120,7 @@ fn a_slice_is_the_orbit_that_shooting_finds() {
 #[test]
 fn one_mass_is_superstable_and_its_copy_nearly() {
     let model = System::of::<BeltOscillator, _>();
-    let along = range(&*model, "v_dr", 0.2, 0.25);
+    let along = range(&model, "v_dr", 0.2, 0.25);
     let diagram = Diagram {
         settle: 5,
         lyapunov: Some(4),
@@ -128,8 +128,8 @@ fn one_mass_is_superstable_and_its_copy_nearly() {
     };
     let copy = Dynamics::Smoothed("arctan:1e3".parse().unwrap());
     let exponent = |dynamics| {
-        let case = case(&*model, dynamics, along);
-        let record = draw(&*model, &case, diagram);
+        let case = case(&model, dynamics, along);
+        let record = draw(&model, &case, diagram);
         let slice = slices(&record, 0)[0].clone();
         let orbit = model
             .orbit(&Case {
@@ -149,11 +149,7 @@ fn one_mass_is_superstable_and_its_copy_nearly() {
 #[test]
 fn sweeps_stay_with_their_attractor() {
     let model = System::of::<TwoCircles, _>();
-    let case = case(
-        &*model,
-        Dynamics::Smooth,
-        range(&*model, "p", -1.505, 0.495),
-    );
+    let case = case(&model, Dynamics::Smooth, range(&model, "p", -1.505, 0.495));
     let diagram = Diagram {
         sweep: Sweep::Both,
         values: 101,
@@ -161,7 +157,7 @@ fn sweeps_stay_with_their_attractor() {
         points: 8,
         ..USUAL
     };
-    let record = draw(&*model, &case, diagram);
+    let record = draw(&model, &case, diagram);
     let swings = |slice: &&Slice| slice.motion == Motion::Periodic(1);
     let up: Vec<&Slice> = slices(&record, 0).iter().filter(swings).collect();
     let down: Vec<&Slice> = slices(&record, 1).iter().filter(swings).collect();
@@ -226,7 +222,7 @@ fn the_number_of_threads_changes_no_bit() {
                 threads,
                 ..USUAL
             };
-            draw(&*model, &case, diagram).sweeps
+            draw(&model, &case, diagram).sweeps
         };
         let one = with(Some(1));
         for threads in [Some(2), Some(8), None] {
@@ -238,10 +234,10 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn a_value_without_an_answer_does_not_stop_the_others() {
     let model = System::of::<BeltOscillator, _>();
-    let along = range(&*model, "v_dr", -0.1, 0.1);
+    let along = range(&model, "v_dr", -0.1, 0.1);
     let record = draw(
-        &*model,
-        &case(&*model, Dynamics::Exact, along),
+        &model,
+        &case(&model, Dynamics::Exact, along),
         Diagram {
             values: 5,
             settle: 5,

@@ -112,7 +112,7 @@ fn a_chain_moves_with_exact_friction() {
         let passage = exact
             .advance(&place, 4.0, Want::default())
             .expect("a motion");
-        let switches = passage.events.iter().filter(|event| event.is_switch());
+        let switches = passage.events.iter().filter(|event| event.kind.is_switch());
         assert!(switches.count() > 20, "most contacts switch");
         let sharp = "tanh:1e5".parse().ok();
         let copy = SmoothField::new(&model, sharp, Design::None).expect("a good smoothing");

@@ -14,7 +14,7 @@ on_every_reference_system! {
 fn fields_have_their_slopes<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     let mut random = Random::new(7);
     for (design, value) in subject.designs() {
-        let family = subject.family(design, TIGHT);
+        let family = subject.smooth(design, TIGHT);
         for _ in 0..50 {
             let start = subject.start();
             let state: [f64; N] = std::array::from_fn(|j| start[j] + random.real(1.0));

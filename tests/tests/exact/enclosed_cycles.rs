@@ -3,14 +3,13 @@
 //! The slip ends at the first root of a transcendental equation. Interval arithmetic shows where a root lies (the
 //! function changes its sign and rises throughout), and that there is none before it.
 
-use stickslip::flow::ExactFamily;
-use stickslip::integrate::Tolerance;
 use stickslip::math::enclosure::Enclosure;
 use stickslip::math::interval::Interval;
 use stickslip::scalar::Scalar;
-use stickslip::shooting::{Guess, Search, certify, closest};
+use stickslip::shooting::{Guess, certify, closest};
 use stickslip_models::DrillString;
 use stickslip_models::closed_form::{CoulombBelt, Cycle, Ringdown, drill_string};
+use stickslip_tests::exact;
 
 /// A number that encloses, with no derivatives.
 type E = Enclosure<0>;
@@ -166,18 +165,8 @@ fn computed_orbits_reach_their_enclosures() {
             };
             let near = drill_string(&model).expect("a cycle");
             let enclosed = drill(&model, &near);
-            let family = ExactFamily {
-                model,
-                design: None,
-                tolerance: Tolerance::for_accuracy(accuracy),
-                magnitude: [1.0; 2],
-            };
-            let search = Search {
-                start: [near.release, eta],
-                period: None,
-                accuracy,
-                segments: 1,
-            };
+            let family = exact::family(model, accuracy).into();
+            let search = exact::search(&[near.release, eta], accuracy);
             let orbit = closest(&family, 0.0, &search).expect("an orbit");
             let within = |found: f64, truth: Interval, radius: f64| {
                 let computed = Interval::around(found, radius);
@@ -199,7 +188,7 @@ fn computed_orbits_reach_their_enclosures() {
                 estimate * near.max.abs().max(near.min.abs()),
             );
             let guess = Guess {
-                place: orbit.heading.start,
+                place: orbit.heading.start.clone(),
                 period: orbit.period,
                 magnitude: orbit.magnitude(),
             };

@@ -1,41 +1,35 @@
 //! The same exact motion told in other ways: theory, section 10.
 
 use stickslip::continuation::correct;
-use stickslip::field::exact::Modes;
-use stickslip::flow::{ExactFamily, Family, Flow, Want};
+use stickslip::flow::Want;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::motion::{Family, Flow};
 use stickslip::shooting::{Orbit, OrbitProblem, Phase, Search, closest};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString};
+use stickslip_tests::exact;
 
 const ACCURACY: f64 = 1e-11;
 /// Period-1, in phase, at the declared speed of the belt.
 const IN_PHASE: [f64; 4] = [-0.5976, 0.0, -0.4604, -0.1607];
 
-fn family<M: Model<N>, const N: usize>(model: M) -> ExactFamily<M, N> {
-    ExactFamily {
-        model,
-        design: None,
-        tolerance: Tolerance::for_accuracy(ACCURACY),
-        magnitude: [1.0; N],
-    }
+fn family<M: Model<N>, const N: usize>(model: M) -> Family {
+    exact::family(model, ACCURACY).into()
 }
 
-fn orbit<M: Model<N>, const N: usize>(
-    model: M,
-    start: [f64; N],
-    period: Option<f64>,
-) -> Orbit<N, Modes<M, N>> {
+fn flow<M: Model<N>, const N: usize>(model: M) -> Box<dyn Flow> {
+    family(model).at(0.0).expect("parameters within bounds")
+}
+
+fn orbit<M: Model<N>, const N: usize>(model: M, start: [f64; N], period: Option<f64>) -> Orbit {
     let search = Search {
-        start,
         period,
-        accuracy: ACCURACY,
-        segments: 1,
+        ..exact::search(&start, ACCURACY)
     };
     closest(&family(model), 0.0, &search).expect("an orbit")
 }
 
-fn pair() -> Orbit<4, Modes<BeltPair, 4>> {
+fn pair() -> Orbit {
     orbit(BeltPair::default(), IN_PHASE, Some(16.14))
 }
 
@@ -44,7 +38,7 @@ fn near(a: f64, b: f64, what: &str) {
     assert!(error < 1e-9, "{what}: {a} against {b}");
 }
 
-fn same_multipliers<A, B>(a: &Orbit<4, A>, b: &Orbit<4, B>) {
+fn same_multipliers(a: &Orbit, b: &Orbit) {
     for (a, b) in a.floquet.multipliers.iter().zip(&b.floquet.multipliers) {
         assert!((a - b).norm() < 1e-7, "{a} against {b}");
     }
@@ -64,15 +58,15 @@ fn an_uncoupled_pair_is_two_oscillators() {
             v_dr: pair.v_dr,
             ..BeltOscillator::default()
         };
-        let flow = family(model).at(0.0).unwrap();
-        let place = flow.place(start).unwrap();
+        let flow = flow(model);
+        let place = flow.place(&start).unwrap();
         flow.advance(&place, time, Want::default())
             .unwrap()
             .end
             .state
     };
-    let flow = family(pair).at(0.0).unwrap();
-    let place = flow.place(start).unwrap();
+    let flow = flow(pair);
+    let place = flow.place(&start).unwrap();
     let both = flow
         .advance(&place, time, Want::default())
         .unwrap()
@@ -150,7 +144,7 @@ fn swapped_masses_move_alike() {
 #[test]
 fn a_doubled_period_squares_the_multipliers() {
     let reference = pair();
-    let flow = family(BeltPair::default()).at(0.0).unwrap();
+    let flow = flow(BeltPair::default());
     let want = Want {
         derivatives: true,
         ..Want::default()
@@ -168,14 +162,15 @@ fn a_doubled_period_squares_the_multipliers() {
 #[test]
 fn a_shifted_start_changes_nothing() {
     let reference = pair();
-    let flow = family(BeltPair::default()).at(0.0).unwrap();
+    let flow = flow(BeltPair::default());
     for share in [0.1, 0.35, 0.8] {
         let shift = share * reference.period;
         let place = flow
             .advance(&reference.place, shift, Want::default())
             .unwrap()
             .end;
-        let other = orbit(BeltPair::default(), place.state, Some(reference.period));
+        let start = std::array::from_fn(|j| place.state[j]);
+        let other = orbit(BeltPair::default(), start, Some(reference.period));
         near(other.period, reference.period, "period");
         same_multipliers(&other, &reference);
         for j in 0..4 {
@@ -191,10 +186,8 @@ fn shooting_converges_quadratically() {
     for phase in [
         Phase::Section(0),
         Phase::Orthogonal {
-            at: reference.place.state,
-            velocity: family(BeltPair::default())
-                .at(0.0)
-                .unwrap()
+            at: reference.place.state.clone(),
+            velocity: flow(BeltPair::default())
                 .velocity(&reference.place)
                 .unwrap()
                 .f,
@@ -204,21 +197,19 @@ fn shooting_converges_quadratically() {
             relative: 1e-11,
             absolute: 1e-11,
         });
-        let magnitude = std::array::from_fn(|j| 0.5 * (reference.max[j] - reference.min[j]));
+        let extents = reference.max.iter().zip(&reference.min);
+        let magnitude = extents.map(|(max, min)| 0.5 * (max - min)).collect();
         let mut problem = OrbitProblem::new(
             family,
             phase,
-            &[reference.place],
+            std::slice::from_ref(&reference.place),
             reference.period,
             magnitude,
         );
-        let mut start = reference.place.state;
-        start[0] += 2e-3;
-        start[2] -= 1e-3;
-        let z = OrbitProblem::<ExactFamily<BeltPair, 4>, 4>::unknowns(
-            &[start],
-            reference.period * 1.0005,
-        );
+        let mut start = reference.place.clone();
+        start.state[0] += 2e-3;
+        start.state[2] -= 1e-3;
+        let z = OrbitProblem::unknowns(&[start], reference.period * 1.0005);
         let mut normal = nalgebra::DVector::zeros(6);
         normal[5] = 1.0;
         let found = correct(&mut problem, z, 0.0, &normal, 1.0, 1e-13).unwrap();

@@ -92,7 +92,7 @@ fn the_linear_response_is_the_closed_form() {
     let model = System::of::<Forced, _>();
     for (omega, zeta) in [(1.3, 0.1), (0.4, 0.02), (0.99, 0.2), (7.0, 0.05)] {
         let set = [("omega", omega), ("zeta", zeta)];
-        let orbit = model.orbit(&case(&*model, Dynamics::Smooth, &set));
+        let orbit = model.orbit(&case(&model, Dynamics::Smooth, &set));
         check_response(&orbit.expect("the response"), omega, zeta);
     }
 }
@@ -101,8 +101,8 @@ fn the_linear_response_is_the_closed_form() {
 fn the_response_is_followed_through_resonance() {
     let model = System::of::<Forced, _>();
     let case = Case {
-        along: Some(range(&*model, "omega", 0.5, 2.0)),
-        ..case(&*model, Dynamics::Smooth, &[("omega", 0.5)])
+        along: Some(range(&model, "omega", 0.5, 2.0)),
+        ..case(&model, Dynamics::Smooth, &[("omega", 0.5)])
     };
     let branch = model
         .branch(&case, &mut |_| ControlFlow::Continue(()))
@@ -117,12 +117,12 @@ fn the_response_is_followed_through_resonance() {
 #[test]
 fn a_driven_model_has_no_equilibrium() {
     let model = System::of::<Forced, _>();
-    let error = model.equilibria(&case(&*model, Dynamics::Smooth, &[]));
+    let error = model.equilibria(&case(&model, Dynamics::Smooth, &[]));
     assert!(
         matches!(error, Err(StudyError::Driven { phase: "phi", .. })),
         "{error:?}"
     );
-    let standing = model.orbit(&case(&*model, Dynamics::Smooth, &[("omega", 0.0)]));
+    let standing = model.orbit(&case(&model, Dynamics::Smooth, &[("omega", 0.0)]));
     let message = standing.expect_err("a drive that stands still").to_string();
     assert_eq!(
         message,
@@ -137,7 +137,7 @@ fn dry_friction_damps_as_den_hartog_says() {
     for (beta, level) in [(0.6, 0.2), (0.8, 0.5), (1.4, 0.3), (2.0, 0.1)] {
         let set = [("beta", beta), ("level", level)];
         let orbit = model
-            .orbit(&case(&*model, Dynamics::Exact, &set))
+            .orbit(&case(&model, Dynamics::Exact, &set))
             .expect("the response");
         let turned = PI / beta;
         let damping = turned.sin() / (beta * (1.0 + turned.cos()));
@@ -157,7 +157,7 @@ fn dry_friction_damps_as_den_hartog_says() {
 fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
     let model = System::of::<ForcedBelt, _>();
     let orbit = model
-        .orbit(&case(&*model, Dynamics::Exact, &[]))
+        .orbit(&case(&model, Dynamics::Exact, &[]))
         .expect("stick-slip");
     close(orbit.period, TAU / 0.6, 1e-12, "period");
     close(orbit.state[0], 0.638_741_028_542_3, 1e-10, "x at phase 0");
@@ -171,7 +171,7 @@ fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
 
     let set = [("load", 0.4), ("omega", 0.5), ("delta", 3.0)];
     let doubled = model
-        .orbit(&case(&*model, Dynamics::Exact, &set))
+        .orbit(&case(&model, Dynamics::Exact, &set))
         .expect("stick-slip");
     close(
         doubled.period,
@@ -195,14 +195,14 @@ fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
 fn smooth_copies_of_a_forced_orbit_tend_to_it() {
     let model = System::of::<ForcedBelt, _>();
     let exact = model
-        .orbit(&case(&*model, Dynamics::Exact, &[]))
+        .orbit(&case(&model, Dynamics::Exact, &[]))
         .expect("stick-slip");
     let error = |size: f64| {
         let smoothing = Smoothing {
             kernel: Kernel::Tanh,
             size,
         };
-        let copy = case(&*model, Dynamics::Smoothed(smoothing), &[]);
+        let copy = case(&model, Dynamics::Smoothed(smoothing), &[]);
         let orbit = model.orbit(&copy).expect("the copy");
         close(orbit.period, exact.period, 1e-9, "period");
         (orbit.max[0] - exact.max[0]).abs()
@@ -216,11 +216,11 @@ fn smooth_copies_of_a_forced_orbit_tend_to_it() {
 #[test]
 fn a_motion_and_a_branch_of_a_forced_contact() {
     let model = System::of::<ForcedBelt, _>();
-    let motion = model.motion(&case(&*model, Dynamics::Exact, &[]), 30.0);
+    let motion = model.motion(&case(&model, Dynamics::Exact, &[]), 30.0);
     assert!(motion.is_ok(), "{motion:?}");
     let case = Case {
-        along: Some(range(&*model, "omega", 0.6, 0.66)),
-        ..case(&*model, Dynamics::Exact, &[("omega", 0.6)])
+        along: Some(range(&model, "omega", 0.6, 0.66)),
+        ..case(&model, Dynamics::Exact, &[("omega", 0.6)])
     };
     let branch = model
         .branch(&case, &mut |_| ControlFlow::Continue(()))
@@ -241,7 +241,7 @@ fn trade_measures_the_copies_of_a_forced_orbit() {
         tolerances: Vec::new(),
         ..Scope::default()
     };
-    let trade = model.trade(&case(&*model, Dynamics::Exact, &[]), &scope, &mut |_, _| {
+    let trade = model.trade(&case(&model, Dynamics::Exact, &[]), &scope, &mut |_, _| {
         ControlFlow::Continue(())
     });
     let trade = trade.expect("a trade");

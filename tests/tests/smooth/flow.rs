@@ -100,7 +100,7 @@ fn monodromy_is_the_slope_of_the_flow<M: Model<N>, const N: usize>(subject: &Sub
 
 fn design_derivatives_are_slopes_of_the_flow<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     for (design, value) in subject.designs() {
-        let family = subject.family(design, TIGHT);
+        let family = subject.smooth(design, TIGHT);
         let at = |r: f64| family.at(r).expect("a value within bounds");
         let exact = derivatives(&at(value), subject.start(), TIME).design;
         let end = |by: f64| {
@@ -142,7 +142,7 @@ fn volumes_shrink_by_the_trace<M: Model<N>, const N: usize>(subject: &Subject<M,
 fn extrema_are_never_passed<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     let flow = subject.flow(TIGHT);
     let orbit = subject.orbit();
-    let from = orbit.place.state;
+    let from = std::array::from_fn(|j| orbit.place.state[j]);
     let (mut low, mut high) = (from, from);
     let (mut state, samples) = (from, 4000);
     for _ in 0..samples {

@@ -1,15 +1,16 @@
 //! Laws with internal state: what the papers say of them, closed forms, and their derivatives.
 
 use stickslip::field::{Design, SmoothField};
-use stickslip::flow::{ExactFamily, Family, Flow, SmoothFamily, Want};
+use stickslip::flow::{Family, Flow, SmoothFamily, Want};
 use stickslip::friction::{ContactRule, FrictionLaw};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::Model;
 use stickslip::scalar::Scalar;
-use stickslip::shooting::{Search, closest};
+use stickslip::shooting::closest;
 use stickslip_models::BristleOscillator;
 use stickslip_models::friction::{BoucWen, BoucWenPower, Coulomb, Dahl, ElastoPlastic, LuGre};
+use stickslip_tests::exact;
 use stickslip_tests::lanes::{linearised, tangents};
 use stickslip_tests::random::Random;
 
@@ -280,13 +281,8 @@ fn lugre_sticks_and_slips_as_published() {
         tolerance: Tolerance::for_accuracy(1e-9),
         magnitude: [1.0; 3],
     };
-    let search = Search {
-        start: [0.0; 3],
-        period: None,
-        accuracy: 1e-9,
-        segments: 1,
-    };
-    let orbit = closest(&family, 0.0, &search).expect("the limit cycle");
+    let search = exact::search(&[0.0; 3], 1e-9);
+    let orbit = closest(&family.into(), 0.0, &search).expect("the limit cycle");
     close(orbit.period, 6.362_719_821_065_5, 1e-7, "period");
     let (max, min) = (
         [0.753_993_916_647, 0.369_815_998_81, 1.476_427_969_26e-5],
@@ -306,13 +302,9 @@ fn lugre_sticks_and_slips_as_published() {
 /// Φ of an exact motion that sticks and slides above bristles, against differences.
 #[test]
 fn dry_friction_and_bristles_go_together() {
-    let family = ExactFamily {
-        model: Stacked::default(),
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-11),
-        magnitude: [1.0; 4],
-    };
-    let flow = family.at(0.0).expect("a flow");
+    let flow = exact::family(Stacked::default(), 1e-11)
+        .at(0.0)
+        .expect("a flow");
     let end = |state: [f64; 4]| {
         let want = Want {
             derivatives: true,

@@ -13,12 +13,9 @@ on_every_reference_system! {
     a_shifted_start_gives_the_same_orbit,
 }
 
-fn orbit_from<M: Model<N>, const N: usize>(
-    subject: &Subject<M, N>,
-    start: [f64; N],
-) -> Orbit<N, ()> {
+fn orbit_from<M: Model<N>, const N: usize>(subject: &Subject<M, N>, start: [f64; N]) -> Orbit {
     let search = Search {
-        start,
+        start: start.to_vec(),
         ..subject.search()
     };
     closest(&subject.family(Design::None, TIGHT), 0.0, &search).expect("an orbit")
@@ -29,7 +26,7 @@ fn near(a: f64, b: f64, scale: f64, what: &str) {
     assert!(error < 1e-8, "{what}: {a} against {b}");
 }
 
-fn same_multipliers<const N: usize>(a: &Orbit<N, ()>, b: &Orbit<N, ()>) {
+fn same_multipliers(a: &Orbit, b: &Orbit) {
     for (a, b) in a.floquet.multipliers.iter().zip(&b.floquet.multipliers) {
         assert!((a - b).norm() < 1e-6, "{a} against {b}");
     }

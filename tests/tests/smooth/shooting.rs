@@ -4,8 +4,9 @@ use nalgebra::DVector;
 use stickslip::bifurcation::Stability;
 use stickslip::continuation::{Corrected, correct};
 use stickslip::field::{Design, Field};
-use stickslip::flow::{Flow, Place, SmoothFamily, Want};
+use stickslip::flow::Want;
 use stickslip::model::Model;
+use stickslip::motion::{Flow, Place};
 use stickslip::shooting::{Guess, Orbit, OrbitError, OrbitProblem, Phase, Search, Shot, closest};
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{ACCURACY, Subject, TIGHT};
@@ -19,26 +20,30 @@ on_every_reference_system! {
     an_equilibrium_is_no_orbit,
 }
 
-type Problem<M, const N: usize> = OrbitProblem<SmoothFamily<M, N>, N>;
+/// The subject's flow, whatever moves.
+fn flow<M: Model<N>, const N: usize>(subject: &Subject<M, N>) -> Box<dyn Flow> {
+    let family = subject.family(Design::None, TIGHT);
+    family.at(0.0).expect("parameters within bounds")
+}
 
 /// Shoots from `guess` in `segments` segments, r held.
 fn shoot<M: Model<N>, const N: usize>(
     subject: &Subject<M, N>,
-    guess: &Guess<N, ()>,
-    phase: Phase<N>,
+    guess: &Guess,
+    phase: Phase,
     segments: usize,
-) -> Corrected<Shot<N, ()>> {
-    let flow = subject.flow(TIGHT);
+) -> Corrected<Shot> {
+    let flow = flow(subject);
     let share = guess.period / segments as f64;
-    let mut places = vec![guess.place];
+    let mut places = vec![guess.place.clone()];
     while places.len() < segments {
         let passage = flow.advance(&places[places.len() - 1], share, Want::default());
         places.push(passage.expect("a motion that can be followed").end);
     }
     let family = subject.family(Design::None, TIGHT);
-    let mut problem = Problem::new(family, phase, &places, guess.period, guess.magnitude);
-    let states: Vec<[f64; N]> = places.iter().map(|place| place.state).collect();
-    let z = Problem::<M, N>::unknowns(&states, guess.period);
+    let magnitude = guess.magnitude.clone();
+    let mut problem = OrbitProblem::new(family, phase, &places, guess.period, magnitude);
+    let z = OrbitProblem::unknowns(&places, guess.period);
     let mut normal = DVector::zeros(z.len() + 1);
     normal[z.len()] = 1.0;
     correct(&mut problem, z, 0.0, &normal, 1.0, ACCURACY).expect("Newton converges")
@@ -46,9 +51,7 @@ fn shoot<M: Model<N>, const N: usize>(
 
 fn orbits_close<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     let orbit = subject.orbit();
-    let end = subject
-        .flow(TIGHT)
-        .advance(&orbit.place, orbit.period, Want::default());
+    let end = flow(subject).advance(&orbit.place, orbit.period, Want::default());
     let end = end.expect("a motion that can be followed").end.state;
     for j in 0..N {
         let extent = orbit.max[j] - orbit.min[j];
@@ -96,22 +99,22 @@ fn newton_converges_quadratically_off_the_section<M: Model<N>, const N: usize>(
     subject: &Subject<M, N>,
 ) {
     let mut orbit = subject.orbit();
-    let flow = subject.flow(TIGHT);
-    orbit.place = middle(&flow, &orbit);
+    let flow = flow(subject);
+    orbit.place = middle(flow.as_ref(), &orbit);
     let guess = subject.beside(&orbit, [1e-4; N]);
     let velocity = flow.velocity(&guess.place).expect("a finite field").f;
-    let at = guess.place.state;
+    let at = guess.place.state.clone();
     assert_quadratic(&shoot(subject, &guess, Phase::Orthogonal { at, velocity }, 1).corrections);
 }
 
 /// A point of the orbit away from its section: where it slides fastest of a few.
-fn middle<F: Flow<N, Mode = ()>, const N: usize>(flow: &F, orbit: &Orbit<N, ()>) -> Place<N, ()> {
+fn middle(flow: &dyn Flow, orbit: &Orbit) -> Place {
     let later = |share: f64| {
         let passage = flow.advance(&orbit.place, share * orbit.period, Want::default());
         passage.expect("a motion that can be followed").end
     };
     let middle = (orbit.max[0] + orbit.min[0]) / 2.0;
-    let off = |place: &Place<N, ()>| (place.state[0] - middle).abs();
+    let off = |place: &Place| (place.state[0] - middle).abs();
     (1..20)
         .map(|k| later(f64::from(k) / 20.0))
         .min_by(|a, b| off(a).total_cmp(&off(b)))
@@ -149,7 +152,7 @@ fn the_period_is_minimal<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     let family = subject.family(Design::None, TIGHT);
     for times in [2.0, 3.0] {
         let search = Search {
-            start: orbit.place.state,
+            start: orbit.place.state.clone(),
             period: Some(times * orbit.period),
             ..subject.search()
         };
@@ -167,7 +170,7 @@ fn the_period_is_minimal<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
 /// Theory, section 9: Newton started on an equilibrium must not call it an orbit of a senseless period.
 fn an_equilibrium_is_no_orbit<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     let search = Search {
-        start: equilibrium(subject),
+        start: equilibrium(subject).to_vec(),
         period: Some(5.0),
         ..subject.search()
     };

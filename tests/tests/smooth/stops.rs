@@ -4,16 +4,19 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
+use nalgebra::DVector;
 use stickslip::continuation::correct;
 use stickslip::field::{Design, SmoothField, Smoothing};
-use stickslip::flow::{ExactFamily, Family, Flow, FlowError, SmoothFamily, SmoothFlow, Want};
+use stickslip::flow::{Family, Flow, FlowError, SmoothFamily, SmoothFlow, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::lyapunov::lyapunov;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
-use stickslip::shooting::{OrbitProblem, Phase, Search, closest};
+use stickslip::motion;
+use stickslip::shooting::{OrbitProblem, Phase, closest};
 use stickslip::study::{Case, Dynamics, StudyError, System};
 use stickslip_models::friction::{Coulomb, Jenkins};
+use stickslip_tests::exact;
 use stickslip_tests::range::range;
 
 use super::followed::{close, declared, designed, flow, followed};
@@ -466,16 +469,12 @@ fn family(model: Damped) -> SmoothFamily<Damped, 4> {
 /// The response has one exact zero, and Newton squares its corrections.
 #[test]
 fn the_response_is_shot_for_quadratically() {
-    let family = family(Damped {
+    let damped = Damped {
         c: 0.05,
         ..Damped::default()
-    });
-    let search = Search {
-        start: declared::<Damped, 4>(),
-        period: None,
-        accuracy: 1e-10,
-        segments: 1,
     };
+    let family = family(damped).into();
+    let search = exact::search(&declared::<Damped, 4>(), 1e-10);
     let orbit = closest(&family, 0.0, &search).expect("the response");
     close(orbit.period, TAU / 0.9, 1e-9, "period");
     close(orbit.max[2], 0.4, 1e-12, "largest z");
@@ -486,14 +485,14 @@ fn the_response_is_shot_for_quadratically() {
     assert_eq!(floquet.log_moduli[2], None);
     assert!(floquet.multipliers[0].norm() < 0.9, "{floquet:?}");
 
-    let mut start = orbit.place.state;
-    start[0] += 2e-3;
-    start[1] -= 3e-3;
-    let velocity = [0.0; 4];
-    let phase = Phase::floating(Some(3), orbit.place.state, velocity);
-    let mut problem = OrbitProblem::new(family, phase, &[orbit.place], orbit.period, [1.0; 4]);
-    let z = OrbitProblem::<SmoothFamily<Damped, 4>, 4>::unknowns(&[start], orbit.period);
-    let mut normal = nalgebra::DVector::zeros(6);
+    let mut start = orbit.place.clone();
+    start.state[0] += 2e-3;
+    start.state[1] -= 3e-3;
+    let phase = Phase::floating(Some(3), orbit.place.state.clone(), DVector::zeros(4));
+    let magnitude = vec![1.0; 4];
+    let mut problem = OrbitProblem::new(family, phase, &[orbit.place], orbit.period, magnitude);
+    let z = OrbitProblem::unknowns(&[start], orbit.period);
+    let mut normal = DVector::zeros(6);
     normal[5] = 1.0;
     let found = correct(&mut problem, z, 0.0, &normal, 1.0, 1e-12).expect("convergence");
     let sizes = &found.corrections;
@@ -512,8 +511,8 @@ fn case(model: &System, dynamics: Dynamics) -> Case {
 fn the_response_is_followed_through_resonance() {
     let model = System::of::<Damped, _>();
     let mut case = Case {
-        along: Some(range(&*model, "omega", 0.7, 1.4)),
-        ..case(&*model, Dynamics::Smooth)
+        along: Some(range(&model, "omega", 0.7, 1.4)),
+        ..case(&model, Dynamics::Smooth)
     };
     case.parameters[Damped::c.index] = 0.1;
     case.parameters[Damped::omega.index] = 0.7;
@@ -555,13 +554,10 @@ fn what_cannot_be_is_refused() {
         );
         assert_eq!(family(model).at(0.0).err(), Some(error));
     }
-    let both = ExactFamily {
-        model: Both::default(),
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-9),
-        magnitude: [1.0; 3],
-    };
-    let error = both.at(0.0).err().expect("a refusal");
+    let error = exact::family(Both::default(), 1e-9)
+        .at(0.0)
+        .err()
+        .expect("a refusal");
     assert!(
         matches!(error, FlowError::NoExactStops { law: "Jenkins" }),
         "{error}"
@@ -601,7 +597,7 @@ fn smooth_copies_go_with_stops() {
 fn a_self_excited_orbit_is_found_and_judged() {
     let model = System::of::<Excited, _>();
     let orbit = model
-        .orbit(&case(&*model, Dynamics::Smooth))
+        .orbit(&case(&model, Dynamics::Smooth))
         .expect("an orbit");
     let period = orbit.period;
     let amplitude = 0.5 * (orbit.max[0] - orbit.min[0]);
@@ -636,6 +632,7 @@ fn a_self_excited_orbit_is_found_and_judged() {
     );
     assert!(floquet.trivial_error < 1e-7, "{:e}", floquet.trivial_error);
     assert_eq!(floquet.stability.name(), "stable");
+    let from = motion::Flow::place(&flow, &start).expect("a place");
     let exponent = lyapunov(&flow, from, period, 20)
         .expect("an exponent")
         .exponent;
@@ -647,7 +644,7 @@ fn a_self_excited_orbit_is_found_and_judged() {
 #[test]
 fn rest_is_no_point() {
     let model = System::of::<Excited, _>();
-    let mut case = case(&*model, Dynamics::Smooth);
+    let mut case = case(&model, Dynamics::Smooth);
     let error = model.equilibria(&case).expect_err("no points");
     assert!(
         matches!(error, StudyError::NotIsolated { law: "Jenkins", .. }),

@@ -1,15 +1,17 @@
 //! Certificates of orbits: the truth lies within their radii, and what is no orbit gets none.
 
-use stickslip::flow::{ExactFamily, Family, Flow, SmoothFamily};
+use stickslip::flow::SmoothFamily;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
+use stickslip::motion::Family;
 use stickslip::shooting::{Certificate, Guess, Orbit, Search, Uncertified, certify, closest};
 use stickslip_models::closed_form::{CoulombBelt, Cycle, drill_string};
 use stickslip_models::friction::CoulombStatic;
 use stickslip_models::{DrillString, VanDerPol};
-use stickslip_tests::on_every_reference_system;
+use stickslip_tests::exact::search;
 use stickslip_tests::random::Random;
 use stickslip_tests::subject::Subject;
+use stickslip_tests::{exact, on_every_reference_system};
 
 stickslip::model! {
     /// One mass on a belt with Coulomb's law and a larger force at rest.
@@ -41,59 +43,37 @@ on_every_reference_system! {
     a_tighter_run_lies_within_the_radii,
 }
 
-type Mode<F, const N: usize> = <<F as Family<N>>::Flow as Flow<N>>::Mode;
-type Found<F, const N: usize> = (
-    Orbit<N, Mode<F, N>>,
-    Guess<N, Mode<F, N>>,
-    Result<Certificate, Uncertified>,
-);
+type Found = (Orbit, Guess, Result<Certificate, Uncertified>);
 
-fn search<const N: usize>(start: [f64; N], accuracy: f64) -> Search<N> {
-    Search {
-        start,
-        period: None,
-        accuracy,
-        segments: 1,
-    }
-}
-
-fn computed<const N: usize, Mode: Copy + PartialEq>(orbit: &Orbit<N, Mode>) -> Guess<N, Mode> {
+fn computed(orbit: &Orbit) -> Guess {
     Guess {
-        place: orbit.heading.start,
+        place: orbit.heading.start.clone(),
         period: orbit.period,
         magnitude: orbit.magnitude(),
     }
 }
 
 /// The orbit from `start` and what is known of it.
-fn found<F: Family<N> + Clone, const N: usize>(
-    family: &F,
-    start: [f64; N],
-    accuracy: f64,
-) -> Found<F, N> {
+fn found(family: &Family, start: &[f64], accuracy: f64) -> Found {
     let orbit = closest(family, 0.0, &search(start, accuracy)).expect("an orbit");
     let guess = computed(&orbit);
     let certificate = certify(family, 0.0, &guess, accuracy);
     (orbit, guess, certificate)
 }
 
-fn exact<M: Model<N>, const N: usize>(model: M) -> ExactFamily<M, N> {
-    ExactFamily {
-        model,
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-9),
-        magnitude: [1.0; N],
-    }
+fn exact<M: Model<N>, const N: usize>(model: M) -> Family {
+    exact::family(model, 1e-9).into()
 }
 
-fn smooth<M: Model<N>, const N: usize>(model: M) -> SmoothFamily<M, N> {
-    SmoothFamily {
+fn smooth<M: Model<N>, const N: usize>(model: M) -> Family {
+    let family = SmoothFamily {
         model,
         smoothing: None,
         design: Default::default(),
         tolerance: Tolerance::for_accuracy(1e-9),
         magnitude: [1.0; N],
-    }
+    };
+    family.into()
 }
 
 /// The true start and period lie within the radii, which are not larger than `most`, of the period relative to it.
@@ -130,7 +110,7 @@ fn the_drill_strings_closed_form_lies_within_the_radii() {
     for accuracy in [1e-6, 1e-9, 1e-11] {
         for eta in [0.3, 1.0, 2.0, 4.0, 4.6] {
             let truth = drill_string(&drill(eta)).expect("a cycle");
-            let (_, _, certificate) = found(&exact(drill(eta)), [truth.release, eta], accuracy);
+            let (_, _, certificate) = found(&exact(drill(eta)), &[truth.release, eta], accuracy);
             let certificate = certificate.expect("a certificate");
             holds(
                 &certificate,
@@ -158,7 +138,7 @@ fn the_closed_form_of_a_mass_on_a_belt_lies_within_the_radii() {
             v_dr,
             ..Default::default()
         };
-        let (_, _, certificate) = found(&exact(model), [truth.release, v_dr], 1e-9);
+        let (_, _, certificate) = found(&exact(model), &[truth.release, v_dr], 1e-9);
         let certificate = certificate.expect("a certificate");
         holds(&certificate, &[truth.min, 0.0], truth.period(), 1e-6);
     }
@@ -198,11 +178,11 @@ fn no_certificate_of_a_random_orbit_lies() {
             }
         };
         if let Some(truth) = drill_string(&model) {
-            let orbit = sought(&exact(model), [truth.release, model.eta], accuracy);
+            let orbit = sought(&exact(model), &[truth.release, model.eta], accuracy);
             judge(orbit, &truth);
         }
         if let Some(truth) = belt.cycle() {
-            let orbit = sought(&exact(slider), [truth.release, belt.belt], accuracy);
+            let orbit = sought(&exact(slider), &[truth.release, belt.belt], accuracy);
             judge(orbit, &truth);
         }
     }
@@ -214,9 +194,9 @@ fn no_certificate_of_a_random_orbit_lies() {
 }
 
 /// The certificate of the orbit from `start`, if there is one.
-fn sought<M: Model<N>, const N: usize>(
-    family: &ExactFamily<M, N>,
-    start: [f64; N],
+fn sought(
+    family: &Family,
+    start: &[f64],
     accuracy: f64,
 ) -> Option<Result<Certificate, Uncertified>> {
     let orbit = closest(family, 0.0, &search(start, accuracy)).ok()?;
@@ -227,7 +207,7 @@ fn sought<M: Model<N>, const N: usize>(
 #[test]
 fn van_der_pols_orbit_lies_within_the_radii() {
     for accuracy in [1e-6, 1e-9, 1e-11] {
-        let (_, _, certificate) = found(&smooth(VanDerPol::default()), [2.0, 0.0], accuracy);
+        let (_, _, certificate) = found(&smooth(VanDerPol::default()), &[2.0, 0.0], accuracy);
         let start = [-2.008_619_860_874_843, 0.0];
         let certificate = certificate.expect("a certificate");
         holds(&certificate, &start, 6.663_286_859_323_13, 1e4 * accuracy);
@@ -236,11 +216,11 @@ fn van_der_pols_orbit_lies_within_the_radii() {
 
 fn a_tighter_run_lies_within_the_radii<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
     let family = subject.family(Default::default(), Tolerance::for_accuracy(1e-9));
-    let (rough, _, certificate) = found(&family, subject.start(), 1e-7);
+    let (rough, _, certificate) = found(&family, &subject.start(), 1e-7);
     let certificate = certificate.expect("a certificate");
     let again = Search {
         period: Some(rough.period),
-        ..search(rough.place.state, 1e-11)
+        ..search(&rough.place.state, 1e-11)
     };
     let tight = closest(&family, 0.0, &again).expect("an orbit");
     let start = tight.heading.start.state;
@@ -271,7 +251,7 @@ fn next_to_grazing_a_start_that_is_off_is_refused() {
         let eta = limit - distance;
         let truth = drill_string(&drill(eta)).expect("a cycle");
         let family = exact(drill(eta));
-        let (_, right, certificate) = found(&family, [truth.release, eta], 1e-9);
+        let (_, right, certificate) = found(&family, &[truth.release, eta], 1e-9);
         let certificate = certificate.expect("a certificate");
         holds(&certificate, &[truth.min, 0.0], truth.period(), 1e-3);
         assert!(
@@ -295,10 +275,10 @@ fn next_to_grazing_a_start_that_is_off_is_refused() {
 fn what_is_no_orbit_has_no_small_certificate() {
     let truth = drill_string(&drill(4.0)).expect("a cycle");
     let family = exact(drill(4.0));
-    let (_, right, _) = found(&family, [truth.release, 4.0], 1e-9);
+    let (_, right, _) = found(&family, &[truth.release, 4.0], 1e-9);
     let mut refused = 0;
     for off in [1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 2.0] {
-        let mut wrong = right;
+        let mut wrong = right.clone();
         wrong.place.state[0] += off;
         wrong.period += 0.3 * off;
         match certify(&family, 0.0, &wrong, 1e-9) {
@@ -322,9 +302,9 @@ fn a_family_of_orbits_is_singular() {
     let family = smooth(Pendulum::default());
     let flow = family.at(0.0).expect("a flow");
     let guess = Guess {
-        place: flow.place([-1.0, 0.0]).expect("a place"),
+        place: flow.place(&[-1.0, 0.0]).expect("a place"),
         period: std::f64::consts::TAU,
-        magnitude: [1.0; 2],
+        magnitude: vec![1.0; 2],
     };
     let answer = certify(&family, 0.0, &guess, 1e-9);
     assert!(

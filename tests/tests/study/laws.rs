@@ -1,14 +1,11 @@
 //! Every law of the library: its curve, and its smooth copies in the limit.
 
-use stickslip::field::exact::Modes;
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::flow::ExactFamily;
 use stickslip::friction::{FrictionLaw, LawInfo, LawSlopes};
-use stickslip::integrate::Tolerance;
 use stickslip::scalar::Scalar;
-use stickslip::shooting::{Orbit, Search, closest};
-use stickslip::study::trade::{Curve, Point, Scope, trade};
+use stickslip::study::trade::{Curve, Point, Scope};
 use stickslip_models::friction::*;
+use stickslip_tests::exact;
 
 /// Relative error of the frequency of a copy, as its size tends to the exact law: thesis (3.8), e_f = b ε^a.
 fn order(kernel: Kernel) -> f64 {
@@ -18,22 +15,6 @@ fn order(kernel: Kernel) -> f64 {
         Kernel::Tanh | Kernel::Cubic | Kernel::Quintic => -1.0,
         Kernel::Quartic => 2.0 / 3.0,
     }
-}
-
-fn exact(law: &str, model: &Belt) -> Orbit<2, Modes<Belt, 2>> {
-    let family = ExactFamily {
-        model: *model,
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-11),
-        magnitude: [1.0; 2],
-    };
-    let search = Search {
-        start: [0.0, model.belt],
-        period: None,
-        accuracy: 1e-11,
-        segments: 1,
-    };
-    closest(&family, 0.0, &search).unwrap_or_else(|error| panic!("{law}: {error}"))
 }
 
 fn scope() -> Scope {
@@ -82,8 +63,8 @@ fn copies_converge(law: &str, place: u32) {
 }
 
 fn the_copies_converge(law: &str, model: Belt) {
-    let orbit = exact(law, &model);
-    let trade = trade(&model, &orbit, &scope()).unwrap();
+    let trade = exact::trade(model, [0.0, model.belt], &scope());
+    let trade = trade.unwrap_or_else(|error| panic!("{law}: {error}"));
     let (accepted, refused): (Vec<_>, Vec<_>) = trade
         .curves
         .iter()

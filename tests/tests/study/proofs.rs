@@ -5,11 +5,10 @@ use std::f64::consts::FRAC_2_PI;
 use stickslip::equilibrium::{Proof, Unproven, find, prove};
 use stickslip::field::exact::{Mode, Modes};
 use stickslip::field::{EnclosedField, Unenclosed};
-use stickslip::flow::ExactFamily;
-use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip_models::{BeltOscillator, BeltPair, BristleOscillator, DrillString, VanDerPol};
 use stickslip_tests::chain::Chain10;
+use stickslip_tests::exact;
 use stickslip_tests::random::Random;
 
 stickslip::model! {
@@ -143,16 +142,12 @@ fn other_models_are_proven_too() {
     holds(&prove(&field, &[all]).unwrap(), &[all], 1e-12);
 
     let chain = Chain10::default();
-    let family = ExactFamily {
-        model: chain,
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-9),
-        magnitude: [1.0; 20],
-    };
-    let slides = |_: &[f64; 20]| vec![Modes::from_fn(|_| Mode::SlideBackward)];
-    let state = find(&family, 0.0, &[[0.0; 20]], slides)[0].place.state;
-    let proof = prove(&sliding(&chain, Mode::SlideBackward), &state).unwrap();
-    holds(&proof, &state, 1e-11);
+    let family = exact::family(chain, 1e-9).into();
+    let slides = |_: &[f64]| vec![vec![Mode::SlideBackward; 10]];
+    let found = find(&family, 0.0, &[vec![0.0; 20]], slides);
+    let state = &found[0].place.state;
+    let proof = prove(&sliding(&chain, Mode::SlideBackward), state).unwrap();
+    holds(&proof, state, 1e-11);
 }
 
 /// What is refused, and why.

@@ -1,29 +1,15 @@
 //! The errors that smoothings make: fitted, predicted from the exact orbit alone, and bounded.
 
-use stickslip::field::exact::Modes;
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::flow::ExactFamily;
-use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
-use stickslip::shooting::{Orbit, Search, closest};
-use stickslip::study::predict::predict;
-use stickslip::study::trade::{Curve, Fit, Scope, Trade, trade};
+use stickslip::study::System;
+use stickslip::study::predict::{PredictError, Prediction};
+use stickslip::study::trade::{Curve, Fit, Scope, Trade};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString};
+use stickslip_tests::exact;
 
-fn exact<M: Model<N>, const N: usize>(model: &M, start: [f64; N]) -> Orbit<N, Modes<M, N>> {
-    let family = ExactFamily {
-        model: *model,
-        design: None,
-        tolerance: Tolerance::for_accuracy(1e-11),
-        magnitude: [1.0; N],
-    };
-    let search = Search {
-        start,
-        period: None,
-        accuracy: 1e-11,
-        segments: 1,
-    };
-    closest(&family, 0.0, &search).unwrap()
+fn trade<M: Model<N>, const N: usize>((model, start): (M, [f64; N]), scope: &Scope) -> Trade {
+    exact::trade(model, start, scope).unwrap()
 }
 
 fn belt(v_dr: f64) -> (BeltOscillator, [f64; 2]) {
@@ -51,8 +37,8 @@ fn only(kernels: &[Kernel]) -> Scope {
     }
 }
 
-fn curve<M: Model<N>, const N: usize>((model, start): (M, [f64; N]), kernel: Kernel) -> Curve {
-    let trade = trade(&model, &exact(&model, start), &only(&[kernel])).unwrap();
+fn curve<M: Model<N>, const N: usize>(asked: (M, [f64; N]), kernel: Kernel) -> Curve {
+    let trade = trade(asked, &only(&[kernel]));
     trade.curves.into_iter().next().unwrap()
 }
 
@@ -145,13 +131,11 @@ fn frequencies_are_predicted(trade: &Trade, within: f64, states: &[usize]) {
 #[test]
 fn errors_of_one_contact_are_predicted() {
     for v_dr in [0.1, 0.2, 0.5] {
-        let (model, start) = belt(v_dr);
-        let all = trade(&model, &exact(&model, start), &only(&Kernel::ALL)).unwrap();
+        let all = trade(belt(v_dr), &only(&Kernel::ALL));
         frequencies_are_predicted(&all, 0.05, &[0, 1]);
     }
     for eta in [2.0, 3.0, 4.0] {
-        let (model, start) = drill(eta);
-        let all = trade(&model, &exact(&model, start), &only(&Kernel::ALL)).unwrap();
+        let all = trade(drill(eta), &only(&Kernel::ALL));
         frequencies_are_predicted(&all, 0.05, &[0]);
     }
 }
@@ -168,16 +152,24 @@ fn errors_of_two_contacts_are_predicted() {
             v_dr,
             ..Default::default()
         };
-        let all = trade(&model, &exact(&model, start), &only(&Kernel::ALL)).unwrap();
+        let all = trade((model, start), &only(&Kernel::ALL));
         frequencies_are_predicted(&all, 0.15, &[0, 1, 2, 3][..states]);
     }
+}
+
+/// The errors of copies of an exact orbit, predicted.
+fn predictor<M: Model<N>, const N: usize>(
+    (model, start): (M, [f64; N]),
+) -> impl Fn(Smoothing) -> Result<Prediction, PredictError> {
+    let orbit = exact::orbit(model, start, 1e-11).unwrap();
+    let (system, case) = (System::of::<M, N>(), exact::case(&model, start));
+    move |smoothing| system.predict(&case, &orbit, smoothing)
 }
 
 /// The table "Worked check" of theory 7.2, both columns.
 #[test]
 fn predictions_are_those_of_the_worked_check() {
-    let (model, start) = belt(0.2);
-    let orbit = exact(&model, start);
+    let predict = predictor(belt(0.2));
     let rows = [
         (Kernel::Arctan, 1e5, 5.41e-3, 4.11e-3),
         (Kernel::Arctan, 1e6, 1.17e-3, 9.87e-4),
@@ -190,37 +182,33 @@ fn predictions_are_those_of_the_worked_check() {
         (Kernel::Cubic, 1e7, 3.13e-7, 2.556e-7),
     ];
     for (kernel, size, leading, refined) in rows {
-        let found = predict(&model, &orbit, Smoothing { kernel, size }).unwrap();
+        let found = predict(Smoothing { kernel, size }).unwrap();
         assert!(
             (found.leading.unwrap() / leading - 1.0).abs() < 0.005,
             "{found:?}"
         );
         assert!((found.frequency / refined - 1.0).abs() < 0.01, "{found:?}");
     }
-    let loss = predict(&model, &orbit, "arctan:1e7".parse().unwrap())
-        .unwrap()
-        .releases[0];
+    let loss = predict("arctan:1e7".parse().unwrap()).unwrap().releases[0];
     assert!((loss.acceleration - 0.2).abs() < 1e-9 && (loss.compliance - 1.0).abs() < 1e-12);
 }
 
 #[test]
 fn outside_the_asymptotic_range_predictions_say_so() {
-    let (model, start) = belt(0.2);
-    let orbit = exact(&model, start);
+    let predict = predictor(belt(0.2));
     for text in ["arctan:1e2", "arctan:1e3", "tanh:1e2"] {
-        let doubts = predict(&model, &orbit, text.parse().unwrap()).map(|found| found.doubts);
+        let doubts = predict(text.parse().unwrap()).map(|found| found.doubts);
         assert!(doubts.is_err() || !doubts.unwrap().is_empty(), "{text}");
     }
 }
 
 #[test]
 fn an_accuracy_is_met_at_the_least_size() {
-    let (model, start) = belt(0.2);
     let scope = Scope {
         accuracy: Some(1e-3),
         ..only(&[Kernel::Arctan, Kernel::Tanh, Kernel::Cubic])
     };
-    let trade = trade(&model, &exact(&model, start), &scope).unwrap();
+    let trade = trade(belt(0.2), &scope);
     let exact = trade.need.unwrap().unwrap();
     for (curve, size) in trade.curves.iter().zip([1e6, 1e4, 2.5e3]) {
         let need = curve.need.as_ref().unwrap().as_ref().unwrap();
@@ -239,13 +227,12 @@ fn an_accuracy_is_met_at_the_least_size() {
 
 #[test]
 fn work_buys_precision() {
-    let (model, start) = belt(0.2);
     let scope = Scope {
         kernels: vec![Kernel::Tanh],
         sign_sizes: vec![1e4, 1e5],
         ..Scope::default()
     };
-    let trade = trade(&model, &exact(&model, start), &scope).unwrap();
+    let trade = trade(belt(0.2), &scope);
     assert_eq!(trade.precision.len(), 3);
     for precision in &trade.precision {
         assert!(precision.points.len() >= 8, "{:?}", precision.failed);
