@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use stickslip::continuation::{Ending, Settings};
+use stickslip::continuation::{Followed, Settings, Stop};
 use stickslip::field::{Design, Smoothing, Work};
 use stickslip::flow::SmoothFamily;
 use stickslip::integrate::Tolerance;
@@ -89,7 +89,7 @@ impl Route {
             let branch = OrbitBranch::start(&self.family, &last, &self.search, settings);
             let mut branch = branch.expect("a branch");
             orbits.extend(branch.by_ref());
-            reached &= matches!(branch.ending(), Some(Ending::ReachedEnd));
+            reached &= matches!(branch.stop(), Some(Stop::ReachedEnd));
         }
         (orbits, reached)
     }

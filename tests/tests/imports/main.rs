@@ -37,7 +37,7 @@ const ORDER: [&str; 22] = [
 type Need = (&'static str, &'static str);
 
 /// What files need against the order or in a circle, and why.
-const EXCEPTIONS: [(&str, &[Need]); 7] = [
+const EXCEPTIONS: [(&str, &[Need]); 5] = [
     (
         "a contact as data names the data of its law, whose parameters have units and bounds",
         &[
@@ -79,46 +79,6 @@ const EXCEPTIONS: [(&str, &[Need]); 7] = [
     (
         "what is searched for converges, and convergence reads what was asked",
         &[("shooting/converge", "shooting/search")],
-    ),
-    (
-        "`study`, as long as its rooms are being rebuilt",
-        &[
-            ("study/diagram/slice", "study/diagram"),
-            ("study/error", "study/branch"),
-            ("study/error", "study/trade"),
-            ("study/predict/doubt", "study/predict/collect"),
-            ("study/trade/accuracy", "study/trade"),
-            ("study/trade/copy", "study/trade"),
-            ("study/trade/record", "study/trade"),
-            ("study/trade/record", "study/trade/accuracy"),
-            ("study/trade/record", "study/trade/precision"),
-        ],
-    ),
-    (
-        "`app`, as long as its commands are being rebuilt",
-        &[
-            ("app/arguments", "app"),
-            ("app/branch", "app"),
-            ("app/curve", "app"),
-            ("app/curve", "app/branch"),
-            ("app/diagram", "app"),
-            ("app/equilibria", "app"),
-            ("app/interrupt", "app/resume"),
-            ("app/json/certificate", "app/json"),
-            ("app/json/trade/copy", "app/json/trade"),
-            ("app/json/trade/precision", "app/json/trade"),
-            ("app/laws", "app"),
-            ("app/laws/describe", "app/laws"),
-            ("app/laws/exhibit", "app/laws"),
-            ("app/laws/swing", "app/laws"),
-            ("app/models", "app"),
-            ("app/options", "app"),
-            ("app/orbit", "app"),
-            ("app/reproduce", "app"),
-            ("app/simulate", "app"),
-            ("app/trade", "app"),
-            ("app/trade/sheets", "app/trade"),
-        ],
     ),
 ];
 
