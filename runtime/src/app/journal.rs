@@ -6,7 +6,6 @@ use std::path::PathBuf;
 
 use super::interrupt::growing;
 use super::spreadsheet::{Row, csv};
-use crate::report::whole;
 
 /// A table that is there as far as it has come, whatever ends the program.
 pub(super) struct Journal {
@@ -53,29 +52,33 @@ pub(super) struct Growing {
 }
 
 impl Growing {
-    /// A new file with this beginning: before it is there whole, it is not there at all.
+    /// A new file with this beginning, between which and nothing at all the program does not end.
     pub(super) fn begin(path: PathBuf, text: &str) -> Result<Self> {
         let mut files = growing();
-        whole::write(&path, text)?;
-        Self::open(path, text.len() as u64, &mut files)
+        let mut new = Self::new(File::create(&path)?, path, 0, &mut files);
+        new.write(text, &mut files)?;
+        Ok(new)
     }
 
     /// A file that is there, of which only this many bytes are good.
     pub(super) fn carry_on(path: PathBuf, length: u64) -> Result<Self> {
-        Self::open(path, length, &mut growing())
-    }
-
-    fn open(path: PathBuf, length: u64, files: &mut Vec<PathBuf>) -> Result<Self> {
         let mut file = File::options().write(true).open(&path)?;
         file.set_len(length)?;
         file.seek(SeekFrom::End(0))?;
+        Ok(Self::new(file, path, length, &mut growing()))
+    }
+
+    fn new(file: File, path: PathBuf, length: u64, files: &mut Vec<PathBuf>) -> Self {
         files.push(path.clone());
-        Ok(Self { path, file, length })
+        Self { path, file, length }
     }
 
     /// Adds whole lines, or nothing at all.
     pub(super) fn add(&mut self, text: &str) -> Result<()> {
-        let mut files = growing();
+        self.write(text, &mut growing())
+    }
+
+    fn write(&mut self, text: &str, files: &mut Vec<PathBuf>) -> Result<()> {
         let added = self.file.write_all(text.as_bytes());
         match &added {
             Ok(()) => self.length += text.len() as u64,
