@@ -5,11 +5,12 @@ use std::path::Path;
 
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
-use super::App;
 use super::commands::{
-    branch, diagram, equilibria, laws, models, orbit, reproduce, simulate, trade,
+    branch, curve, diagram, equilibria, laws, models, orbit, reproduce, simulate, trade,
 };
 use super::failure::Failure;
+use super::offer::App;
+use super::usage;
 
 /// A command that every program has.
 #[derive(Debug, Subcommand)]
@@ -57,7 +58,9 @@ pub(super) fn perform(app: &App, matches: &ArgMatches) -> Result<(), Failure> {
     match matches.subcommand() {
         Some((reproduce::NAME, options)) => reproduce::perform(app, &read(options)?),
         Some(_) => study(app, read(matches)?),
-        None if app.reproduction.is_none() => Err(reproduce::missing(app)),
+        None if app.reproduction.is_none() => {
+            Err(Failure::usage(usage::which_command(&command(app, None))))
+        }
         None => reproduce::perform(app, &read::<reproduce::Report>(matches)?.into()),
     }
 }
@@ -72,7 +75,13 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
         Study::Laws(arguments) => laws::perform(app, &arguments),
         Study::Simulate(arguments) => simulate::perform(app, &arguments),
         Study::Orbit(arguments) => orbit::perform(app, &arguments),
-        Study::Branch(arguments) => branch::perform(app, &arguments),
+        Study::Branch(arguments) => {
+            arguments.range()?;
+            match curve::wanted(&arguments)? {
+                Some(and) => curve::perform(app, &arguments, and),
+                None => branch::perform(app, &arguments),
+            }
+        }
         Study::Trade(arguments) => trade::perform(app, &arguments),
         Study::Equilibria(arguments) => equilibria::perform(app, &arguments),
         Study::Diagram(arguments) => diagram::perform(app, &arguments),

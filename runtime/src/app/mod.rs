@@ -8,6 +8,7 @@ mod document;
 mod failure;
 mod interrupt;
 mod journal;
+mod offer;
 mod output;
 mod passages;
 mod progress;
@@ -24,9 +25,8 @@ mod words;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use crate::study::{Shown, System};
-pub use commands::reproduce::Reproduction;
 use failure::Failure;
+pub use offer::{App, Reproduction};
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
 ///
@@ -51,59 +51,10 @@ macro_rules! app {
     };
 }
 
-/// A program that studies models from the command line.
-pub struct App {
-    version: &'static str,
-    entries: Vec<System>,
-    laws: Vec<Shown>,
-    reproduction: Option<Reproduction>,
-    parts: Vec<(&'static str, Reproduction)>,
-}
-
 /// Bytes of stack; what is not used is never touched.
 const STACK: usize = 256 << 20;
 
 impl App {
-    /// A program of this version, still without models.
-    #[must_use]
-    pub fn new(version: &'static str) -> Self {
-        Self {
-            version,
-            entries: Vec::new(),
-            laws: Vec::new(),
-            reproduction: None,
-            parts: Vec::new(),
-        }
-    }
-
-    /// Offers one more model.
-    #[must_use]
-    pub fn offer(mut self, entry: System) -> Self {
-        self.entries.push(entry);
-        self
-    }
-
-    /// Lists more friction laws.
-    #[must_use]
-    pub fn laws<L: Into<Shown>>(mut self, laws: impl IntoIterator<Item = L>) -> Self {
-        self.laws.extend(laws.into_iter().map(Into::into));
-        self
-    }
-
-    /// Adds the command `reproduce`, which is also what happens without a command.
-    #[must_use]
-    pub fn reproduce(mut self, reproduction: Reproduction) -> Self {
-        self.reproduction = Some(reproduction);
-        self
-    }
-
-    /// Lets `reproduce` make one part of all alone, by this name.
-    #[must_use]
-    pub fn reproduce_part(mut self, name: &'static str, reproduction: Reproduction) -> Self {
-        self.parts.push((name, reproduction));
-        self
-    }
-
     /// Does what the arguments of the process say; 0 if all went well, 2 if they make no sense, 130 if a long command was
     /// interrupted, 1 otherwise.
     #[must_use]
@@ -135,18 +86,5 @@ impl App {
             Ok(matches) => command::perform(self, &matches),
             Err(error) => usage::explain(&error, &command, &words),
         }
-    }
-
-    /// The model of this name on the command line.
-    fn entry(&self, name: &str) -> Result<&System, Failure> {
-        let place = words::place("there is no model", name, &self.names())?;
-        Ok(&self.entries[place])
-    }
-
-    fn names(&self) -> Vec<&'static str> {
-        self.entries
-            .iter()
-            .map(|entry| entry.info().command)
-            .collect()
     }
 }

@@ -1,8 +1,8 @@
 //! What is asked of which model, and where the answer goes: the arguments that commands share, as a case.
 
-use super::App;
 use super::arguments::Subject;
 use super::failure::{Failure, refuse};
+use super::offer::App;
 use super::output::Output;
 use super::values::{Assignment, Range, SMOOTH, Start};
 use super::words::place;

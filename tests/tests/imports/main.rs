@@ -8,10 +8,11 @@ use std::path::Path;
 use files::{Files, Graph, beside, circle};
 
 /// Modules from the ground up.
-const ORDER: [&str; 22] = [
+const ORDER: [&str; 23] = [
     "scalar",
     "math",
     "linear",
+    "serial",
     "suggest",
     "model",
     "memory",

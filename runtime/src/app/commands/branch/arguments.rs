@@ -3,9 +3,8 @@
 use clap::Args;
 
 use crate::app::arguments::{Period, Resume, Subject, Way};
-use crate::app::commands::curve;
 use crate::app::failure::{Failure, refuse};
-use crate::app::values::{Reading, one_of};
+use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
 use crate::study::{Beginning, Case, Switch};
 
@@ -29,9 +28,34 @@ pub(in crate::app) struct Arguments {
     #[arg(long, value_name = "N", value_parser = Reading(depth))]
     depth: Option<usize>,
     #[command(flatten)]
-    pub(in crate::app) curve: curve::Arguments,
+    pub(in crate::app) curve: Curve,
     #[command(flatten)]
     pub(in crate::app) resume: Resume,
+}
+
+/// Whether a special point of the branch is followed in a second parameter.
+#[derive(Debug, Clone, Args)]
+#[group(skip)]
+pub(in crate::app) struct Curve {
+    /// Follow a fold, flip, torus or grazing point of the branch in this parameter too, from C to D
+    #[arg(long, value_name = "NAME=C..D", value_parser = Reading(Range::read))]
+    pub(in crate::app) and: Option<Range>,
+    /// Which one, for instance PD1; the first without --of
+    #[arg(long, value_name = "LABEL")]
+    pub(in crate::app) of: Option<String>,
+}
+
+impl Arguments {
+    /// What is followed.
+    ///
+    /// # Errors
+    /// Nothing is.
+    pub(in crate::app) fn range(&self) -> Result<&Range, Failure> {
+        self.way.along.as_ref().ok_or_else(|| {
+            let message = "`branch` needs `--along NAME=A..B`: what to follow, from where to where";
+            Failure::usage(message)
+        })
+    }
 }
 
 /// Where the branch begins.

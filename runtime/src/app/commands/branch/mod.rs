@@ -8,9 +8,8 @@ mod text;
 
 use std::ops::ControlFlow;
 
-use super::curve;
-use crate::app::App;
 use crate::app::failure::Failure;
+use crate::app::offer::App;
 use crate::app::passages::Passages;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
@@ -20,15 +19,8 @@ use crate::study::{BranchRecord, Ended, OrbitRecord};
 pub(in crate::app) use arguments::Arguments;
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
-    let Some(range) = &arguments.way.along else {
-        let message = "`branch` needs `--along NAME=A..B`: what to follow, from where to where";
-        return Err(Failure::usage(message));
-    };
-    let curve = curve::wanted(arguments)?;
+    let range = arguments.range()?;
     let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
-    if let Some(and) = curve {
-        return curve::perform(app, asked, and, arguments);
-    }
     asked.case = arguments.of(asked.case)?;
     let progress = Progress::along(&asked.output);
     let question = Question::new(app.version, asked.info, &asked.case);

@@ -1,17 +1,16 @@
 //! `branch --and`: a special point followed in two parameters.
 
-mod arguments;
 mod document;
 mod picture;
 mod sheet;
 mod text;
 
 use super::branch;
-use crate::app::App;
 use crate::app::failure::{Failure, refuse};
+use crate::app::offer::App;
 use crate::app::passages::Passages;
 use crate::app::progress::Progress;
-use crate::app::request::{Request, agrees, along, kernel_missing};
+use crate::app::request::{Request, agrees, along, kernel_missing, request};
 use crate::app::resume::Question;
 use crate::app::spreadsheet::{Row, Spreadsheet};
 use crate::app::trail::Trail;
@@ -19,10 +18,9 @@ use crate::app::values::{Assignment, Range};
 use crate::field::Design;
 use crate::model::ModelInfo;
 use crate::study::{Case, CurveFinding, CurveRecord, CurveScope, StudyError};
-pub(in crate::app) use arguments::Arguments;
 
 /// The second range, if a curve is asked for; options that make sense only with one, or without, are refused.
-pub(super) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failure> {
+pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failure> {
     let Some(and) = &asked.curve.and else {
         return match &asked.curve.of {
             Some(of) => refuse!(
@@ -42,12 +40,13 @@ pub(super) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failur
 }
 
 /// Follows the curve and answers.
-pub(super) fn perform(
+pub(in crate::app) fn perform(
     app: &App,
-    mut asked: Request<'_>,
-    and: &Range,
     arguments: &branch::Arguments,
+    and: &Range,
 ) -> Result<(), Failure> {
+    let range = arguments.range()?;
+    let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
     let info = asked.info;
     let (case, scope) = plane(info, and, arguments, asked.case)?;
     asked.case = case;

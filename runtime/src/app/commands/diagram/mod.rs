@@ -8,9 +8,9 @@ mod text;
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::app::App;
 use crate::app::failure::Failure;
 use crate::app::journal::Journal;
+use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
 use crate::app::resume::{Notes, Question};

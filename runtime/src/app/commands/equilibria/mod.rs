@@ -9,8 +9,8 @@ mod text;
 
 use std::ops::ControlFlow;
 
-use crate::app::App;
 use crate::app::failure::Failure;
+use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
 use crate::app::spreadsheet::Spreadsheet;

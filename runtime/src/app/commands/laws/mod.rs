@@ -9,8 +9,8 @@ mod swing;
 
 use serde_json::{Value, json};
 
-use crate::app::App;
 use crate::app::failure::{Failure, refuse};
+use crate::app::offer::App;
 use crate::app::output::Output;
 pub(in crate::app) use arguments::Arguments;
 use arguments::Wish;

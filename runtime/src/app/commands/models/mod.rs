@@ -6,8 +6,8 @@ mod text;
 
 use serde_json::{Value, json};
 
-use crate::app::App;
 use crate::app::failure::Failure;
+use crate::app::offer::App;
 use crate::app::output::Output;
 use crate::app::spreadsheet::Spreadsheet;
 use crate::model::{Memory, ModelInfo};

@@ -5,8 +5,8 @@ mod certificate;
 mod document;
 mod text;
 
-use crate::app::App;
 use crate::app::failure::Failure;
+use crate::app::offer::App;
 use crate::app::output::Output;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};

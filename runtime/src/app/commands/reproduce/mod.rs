@@ -2,37 +2,28 @@
 
 mod arguments;
 
-use std::error::Error;
-use std::path::Path;
-
 use crate::app::failure::Failure;
 use crate::app::interrupt::{Work, growing};
+use crate::app::offer::{App, Reproduction};
 use crate::app::output::prepare;
 use crate::app::words::place;
-use crate::app::{App, command, usage};
 pub(in crate::app) use arguments::{Arguments, Report};
 
 /// Its name on the command line.
 pub(in crate::app) const NAME: &str = "reproduce";
 
-/// Writes a report to a folder; quietly if the flag says so.
-pub type Reproduction = fn(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>>;
-
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let reproduction = match &arguments.part {
         Some(name) => part(app, name)?,
-        None => app.reproduction.ok_or_else(|| missing(app))?,
+        None => app.reproduction.ok_or_else(|| {
+            Failure::usage("there is no report that this program could reproduce".to_owned())
+        })?,
     };
     let folder = &arguments.report.out;
     prepare(folder)?;
     growing().push(folder.join("index.html"));
     let _work = Work::begin();
     reproduction(folder, arguments.report.quiet).map_err(|error| Failure::failed(error.to_string()))
-}
-
-/// That there is nothing to be done without a command.
-pub(in crate::app) fn missing(app: &App) -> Failure {
-    Failure::usage(usage::which_command(&command::command(app, None)))
 }
 
 /// The part of this name.
@@ -44,6 +35,9 @@ fn part(app: &App, name: &str) -> Result<Reproduction, Failure> {
 
 #[cfg(test)]
 mod tests {
+    use std::error::Error;
+    use std::path::Path;
+
     use super::*;
 
     fn leave_a_mark(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {

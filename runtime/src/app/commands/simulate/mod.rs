@@ -6,8 +6,8 @@ mod picture;
 mod sheet;
 mod text;
 
-use crate::app::App;
 use crate::app::failure::Failure;
+use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::request;
 use crate::app::section;

@@ -5,9 +5,9 @@ mod document;
 mod sheet;
 mod text;
 
-use crate::app::App;
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
+use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::request;
 use crate::app::spreadsheet::Spreadsheet;
