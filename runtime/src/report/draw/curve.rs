@@ -1,0 +1,135 @@
+//! Curves as they are drawn, in panels and in the legend.
+
+use super::frame::Frame;
+use super::path;
+use crate::report::figure::{Curve, Marker, Shape};
+use crate::report::text::number;
+
+/// Black and three colours of Okabe and Ito, then such as stand out on white paper and differ from them and from each
+/// other to every kind of colour blindness.
+const COLOURS: [&str; 7] = [
+    "#000000", "#0072B2", "#D55E00", "#009E73", "#771C64", "#564F00", "#3902D4",
+];
+/// Dash patterns that go with them.
+const DASHES: [&str; 7] = [
+    "none",
+    "7 3",
+    "7 3 1.5 3",
+    "2.5 2.5",
+    "12 3",
+    "12 3 2 3 2 3",
+    "4 2 1 2",
+];
+/// Half the size of a marker, px.
+const MARKER: f64 = 4.2;
+/// The size of a dot, px.
+const DOT: f64 = 2.2;
+
+/// A curve in a frame, which cuts its lines off but not its markers.
+pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
+    let places = curve.points.iter().map(|point| frame.place(*point));
+    match curve.shape {
+        Shape::Line => {
+            let clip = format!(r#"{} clip-path="url(#{clip})""#, style(curve));
+            path(&line(places), &clip)
+        }
+        Shape::Points(marker) => {
+            let seen = places.filter(|place| frame.holds(*place));
+            let outlines: String = seen.map(|place| outline(marker, place)).collect();
+            path(&outlines, &style(curve))
+        }
+    }
+}
+
+/// A curve in the legend, from here on for `length` px.
+pub(super) fn sample(curve: &Curve, [x, y]: [f64; 2], length: f64) -> String {
+    let outline = match curve.shape {
+        Shape::Line => line([[x, y], [x + length, y]].into_iter()),
+        Shape::Points(marker) => outline(marker, [x + 0.5 * length, y]),
+    };
+    path(&outline, &style(curve))
+}
+
+fn style(curve: &Curve) -> String {
+    let (colour, dashes) = look(curve.series);
+    match curve.shape {
+        Shape::Line => format!(
+            r#"stroke="{colour}" stroke-width="1.5" stroke-linejoin="round" stroke-dasharray="{dashes}""#
+        ),
+        Shape::Points(Marker::Dot) => {
+            format!(r#"stroke="{colour}" stroke-width="{DOT}" stroke-linecap="round""#)
+        }
+        Shape::Points(_) => format!(r#"stroke="{colour}" stroke-width="1.5""#),
+    }
+}
+
+/// The colour and the dashes of a series; as many differ as there are pairs of both.
+const fn look(series: usize) -> (&'static str, &'static str) {
+    let round = series / COLOURS.len();
+    (
+        COLOURS[series % COLOURS.len()],
+        DASHES[(series + round) % DASHES.len()],
+    )
+}
+
+/// A line through places, with gaps where there is none.
+fn line(places: impl Iterator<Item = [f64; 2]>) -> String {
+    let (mut line, mut pen) = (String::new(), 'M');
+    for place in places {
+        if place.iter().all(|at| at.is_finite()) {
+            let [x, y] = place.map(number);
+            line += &format!("{pen}{x} {y}");
+            pen = 'L';
+        } else {
+            pen = 'M';
+        }
+    }
+    line
+}
+
+/// A marker; a dot is a stroke without length, of which its round ends are seen.
+fn outline(marker: Marker, [x, y]: [f64; 2]) -> String {
+    let [left, top, x, y] = [x - MARKER, y - MARKER, x, y].map(number);
+    let (half, whole) = (MARKER, 2.0 * MARKER);
+    match marker {
+        Marker::Circle => {
+            format!("M{left} {y}a{half} {half} 0 1 0 {whole} 0a{half} {half} 0 1 0 -{whole} 0z")
+        }
+        Marker::Cross => format!("M{left} {top}l{whole} {whole}m0 -{whole}l-{whole} {whole}"),
+        Marker::Diamond => format!("M{left} {y}l{half} -{half}l{half} {half}l-{half} {half}z"),
+        Marker::Dot => format!("M{x} {y}h0"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Luminance of a colour as the eye weighs it, by the formula of WCAG.
+    fn luminance(colour: &str) -> f64 {
+        let channel = |i: usize| {
+            let value = u8::from_str_radix(&colour[i..i + 2], 16).unwrap();
+            ((f64::from(value) / 255.0 + 0.055) / 1.055).powf(2.4)
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    #[test]
+    fn every_colour_stands_out_on_white() {
+        for colour in COLOURS {
+            assert!(1.05 / (luminance(colour) + 0.05) >= 3.0, "{colour}");
+        }
+    }
+
+    #[test]
+    fn no_two_series_look_the_same() {
+        let looks: std::collections::HashSet<_> = (0..49).map(look).collect();
+        assert_eq!(looks.len(), 49);
+    }
+
+    #[test]
+    fn a_line_has_gaps_where_there_are_no_values() {
+        let places = [[0.0, 1.0], [2.0, 3.5], [f64::NAN, 0.0], [4.0, 5.0]];
+        assert_eq!(line(places.into_iter()), "M0 1L2 3.5M4 5");
+    }
+}
