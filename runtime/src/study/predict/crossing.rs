@@ -3,9 +3,8 @@
 use std::ops::ControlFlow;
 
 use super::layer::edge;
-use super::rubbing::Rubbing;
 use super::scalar::{Local, Scalar};
-use crate::field::{Field, Linear, Smoothing, Work};
+use crate::field::{Field, Linear, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{IntegrationError, Tolerance};
 
@@ -41,24 +40,19 @@ pub(super) struct Passing {
 
 impl Crossing {
     /// ∫ (1/u̇ − 1/u̇_exact) du across the layer, at the load that the crossing has.
-    pub(super) fn solve(
-        &self,
-        model: &dyn Rubbing,
-        state: &[f64],
-        smoothing: &Smoothing,
-    ) -> Result<Passing, IntegrationError> {
-        let sharpness = smoothing.sharpness();
+    pub(super) fn solve(&self, exact: Scalar) -> Result<Passing, IntegrationError> {
+        let (kernel, sharpness) = (exact.smoothing.kernel, exact.smoothing.sharpness());
         let layers = self.rates.map(|rate| 1.0 / (sharpness * rate));
         let mut window = [0.0; 2];
         let mut delay = 0.0;
         for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
-            window[i] = match edge(smoothing.kernel) {
+            window[i] = match edge(kernel) {
                 Some(edge) => edge * layers[i],
                 None => (layers[i] * self.room[i]).sqrt().min(self.room[i]),
             };
             let half = HalfLayer {
-                copy: Scalar::copy(model, state, self.local, smoothing),
-                exact: Scalar::exact(model, state, self.local, smoothing),
+                copy: exact.copied(),
+                exact,
                 side,
                 unit: layers[i],
             };

@@ -4,7 +4,7 @@ use super::PredictError;
 use super::crossing::{Crossing, Passing};
 use super::release::{Loss, Release};
 use super::rubbing::Rubbing;
-use super::scalar::Local;
+use super::scalar::{Local, Scalar};
 use crate::field::Smoothing;
 use crate::field::exact::Mode;
 use crate::flow::{EventKind, Want};
@@ -105,12 +105,18 @@ impl History {
         leading: bool,
     ) -> Result<(), PredictError> {
         for switch in &mut self.switches {
+            let exact = |local: Local| Scalar {
+                model,
+                state: &switch.event.state,
+                local,
+                smoothing,
+                copied: false,
+            };
             // A bump is made for one direction of sliding: its copy does not cross.
             let crossing = switch
                 .crossing
                 .filter(|_| !leading && !smoothing.kernel.is_bump());
-            let passing =
-                crossing.map(|crossing| crossing.solve(model, &switch.event.state, smoothing));
+            let passing = crossing.map(|crossing| crossing.solve(exact(crossing.local)));
             switch.passing = passing.transpose()?;
             let Some(release) = &switch.release else {
                 continue;
@@ -118,7 +124,7 @@ impl History {
             let loss = if leading {
                 release.leading(smoothing)
             } else {
-                release.solve(model, &switch.event.state, smoothing)?
+                release.solve(exact(release.local))?
             };
             switch.loss = Some(loss.ok_or(PredictError::NeverReleased {
                 contact: release.local.contact,

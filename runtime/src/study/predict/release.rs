@@ -1,7 +1,6 @@
 //! What a release costs a smooth copy: an offset in speed, or a delay where a static peak is smoothed.
 
 use super::layer::{edge, inverse};
-use super::rubbing::Rubbing;
 use super::scalar::{Local, Scalar};
 use crate::field::{Kernel, Smoothing};
 use crate::integrate::IntegrationError;
@@ -83,15 +82,9 @@ impl Release {
 
     /// The loss of the scalar problem with weakening, integrated numerically; `None` if the copy has not let go when the exact
     /// contact sticks again.
-    pub(super) fn solve(
-        &self,
-        model: &dyn Rubbing,
-        state: &[f64],
-        smoothing: &Smoothing,
-    ) -> Result<Option<Loss>, IntegrationError> {
-        let copy = Scalar::copy(model, state, self.local, smoothing);
-        let exact = Scalar::exact(model, state, self.local, smoothing);
-        let (kernel, sharpness) = (smoothing.kernel, smoothing.sharpness());
+    pub(super) fn solve(&self, exact: Scalar) -> Result<Option<Loss>, IntegrationError> {
+        let (kernel, sharpness) = (exact.smoothing.kernel, exact.smoothing.sharpness());
+        let copy = exact.copied();
         let range = if kernel.is_bump() {
             self.local.stick - self.slip
         } else {

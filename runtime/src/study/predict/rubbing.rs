@@ -32,7 +32,7 @@ pub(crate) trait Rubbing {
         state: &[f64],
         contact: usize,
         speed: Dual64,
-        copy: Option<Smoothed<Dual64>>,
+        copy: Option<&Smoothing>,
     ) -> Dual64;
 
     /// The response at `times` (in order, the last is the period) to the losses in `history`.
@@ -106,12 +106,15 @@ impl<M: Model<N>, const N: usize> Rubbing for Rubbed<M, N> {
         state: &[f64],
         contact: usize,
         speed: Dual64,
-        copy: Option<Smoothed<Dual64>>,
+        copy: Option<&Smoothing>,
     ) -> Dual64 {
         let mut asked = Asked {
             contact,
             speed,
-            copy,
+            copy: copy.map(|smoothing| Smoothed {
+                kernel: smoothing.kernel,
+                sharpness: Dual64::from(smoothing.sharpness()),
+            }),
             force: Dual64::from(0.0),
         };
         let values = self.system.values().as_ref();

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use num_dual::Dual64;
 
 use super::rubbing::Rubbing;
-use crate::field::{Field, Linear, Smoothed, Smoothing, Work};
+use crate::field::{Field, Linear, Smoothing, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{IntegrationError, Motion, RADAU_5, Radau, Tolerance};
 
@@ -20,15 +20,15 @@ const TIGHT: Tolerance = Tolerance {
 /// ż = κ (A s + G (stick − F(z/κ))) with z = κ w: the unknowns are s, the time from the exact release, and z.
 ///
 /// F is the magnitude of the force that resists sliding; w is counted in the direction of sliding.
+#[derive(Clone, Copy)]
 pub(super) struct Scalar<'a> {
-    model: &'a dyn Rubbing,
-    state: &'a [f64],
-    local: Local,
-    /// κ: the sharpness of the smoothing.
-    sharpness: f64,
+    pub(super) model: &'a dyn Rubbing,
+    pub(super) state: &'a [f64],
+    pub(super) local: Local,
+    /// Its sharpness is κ.
+    pub(super) smoothing: &'a Smoothing,
     /// The copy's law instead of the exact one.
-    copy: Option<Smoothed<Dual64>>,
-    kinks: &'static [f64],
+    pub(super) copied: bool,
 }
 
 /// One release of the exact orbit, or one crossing.
@@ -44,51 +44,26 @@ pub(super) struct Local {
     pub(super) stick: f64,
 }
 
-impl<'a> Scalar<'a> {
-    /// The problem with the exact law, in the units of `smoothing`.
-    pub(super) fn exact(
-        model: &'a dyn Rubbing,
-        state: &'a [f64],
-        local: Local,
-        smoothing: &Smoothing,
-    ) -> Self {
-        Self {
-            model,
-            state,
-            local,
-            sharpness: smoothing.sharpness(),
-            copy: None,
-            kinks: &[],
-        }
-    }
-
+impl Scalar<'_> {
     /// The problem with the copy's law.
-    pub(super) fn copy(
-        model: &'a dyn Rubbing,
-        state: &'a [f64],
-        local: Local,
-        smoothing: &Smoothing,
-    ) -> Self {
+    pub(super) fn copied(self) -> Self {
         Self {
-            copy: Some(Smoothed {
-                kernel: smoothing.kernel,
-                sharpness: Dual64::from(smoothing.sharpness()),
-            }),
-            kinks: smoothing.kinks(),
-            ..Self::exact(model, state, local, smoothing)
+            copied: true,
+            ..self
         }
     }
 
     /// F and its derivative by w.
     fn resistance(&self, z: f64) -> Dual64 {
         let Local { contact, way, .. } = self.local;
-        let speed = Dual64::new(z / self.sharpness, 1.0) * way;
-        self.model.force(self.state, contact, speed, self.copy) * -way
+        let speed = Dual64::new(z / self.smoothing.sharpness(), 1.0) * way;
+        let copy = self.copied.then_some(self.smoothing);
+        self.model.force(self.state, contact, speed, copy) * -way
     }
 
     fn rate(&self, s: f64, force: f64) -> f64 {
         let at = &self.local;
-        self.sharpness * (at.acceleration * s + at.compliance * (at.stick - force))
+        self.smoothing.sharpness() * (at.acceleration * s + at.compliance * (at.stick - force))
     }
 
     /// ż at s = 0, and its derivative by z.
@@ -140,7 +115,7 @@ impl Field<2> for Scalar<'_> {
             jacobian: [
                 [0.0, 0.0],
                 [
-                    self.sharpness * self.local.acceleration,
+                    self.smoothing.sharpness() * self.local.acceleration,
                     -self.local.compliance * force.eps,
                 ],
             ],
@@ -149,10 +124,14 @@ impl Field<2> for Scalar<'_> {
     }
 
     fn kinks(&self) -> usize {
-        self.kinks.len()
+        if self.copied {
+            self.smoothing.kinks().len()
+        } else {
+            0
+        }
     }
 
     fn kink(&self, index: usize, y: &[f64; 2]) -> f64 {
-        y[1] - self.kinks[index]
+        y[1] - self.smoothing.kinks()[index]
     }
 }
