@@ -28,8 +28,8 @@ const THIN: f64 = 0.02;
 pub struct ExactField<'s, M: Model<N>, const N: usize> {
     system: &'s ExactSystem<M, N>,
     modes: Modes<M, N>,
-    /// Numbers of the contacts that stick, then of the others.
-    order: M::PerContact<usize>,
+    /// Numbers of the contacts that stick, in front.
+    stuck: M::PerContact<usize>,
     sticking: usize,
     /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
     levers: Option<M::PerContact<[f64; N]>>,
@@ -48,9 +48,10 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         state: &[f64; N],
     ) -> Result<Self, ContactError> {
         system.snapshot(state, &modes)?;
-        let mut order: M::PerContact<usize> = Inline::from_fn(|i| i);
-        let sticks = |i: &usize| modes.as_slice()[*i] == Mode::Stick;
-        order.as_mut().sort_by_key(|i| !sticks(i));
+        let mut stuck: M::PerContact<usize> = Inline::from_fn(|_| 0);
+        for (place, contact) in stuck.as_mut().iter_mut().zip(modes.sticking()) {
+            *place = contact;
+        }
         let levers = match &system.constants {
             Some(constants) => Some(constants.levers(&modes).ok_or_else(|| singular(&modes))?),
             None => None,
@@ -63,7 +64,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             system,
             sticking: modes.sticking().count(),
             modes,
-            order,
+            stuck,
             levers,
         })
     }
@@ -105,7 +106,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     }
 
     fn stuck(&self) -> impl Iterator<Item = usize> {
-        self.order.as_ref().iter().copied().take(self.sticking)
+        self.stuck.as_ref().iter().copied().take(self.sticking)
     }
 
     /// The field without the sticking forces, over any scalar.

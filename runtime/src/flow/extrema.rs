@@ -38,7 +38,17 @@ pub(crate) fn extrema<const N: usize>(
             last = Some((look, sign));
         }
     }
-    found[already..].sort_by(|a, b| a.time.total_cmp(&b.time));
+    in_time(&mut found[already..]);
+}
+
+/// Puts extrema in the order of time. They nearly are: a sort for any list would be compiled for each order N.
+pub(crate) fn in_time<const N: usize>(found: &mut [Extremum<N>]) {
+    for next in 1..found.len() {
+        let earlier = found[..next].iter().rev();
+        let later = earlier.take_while(|e| e.time.total_cmp(&found[next].time).is_gt());
+        let steps = later.count();
+        found[next - steps..=next].rotate_right(1);
+    }
 }
 
 /// Safeguarded Newton for fⱼ = 0 between two looks of opposite sign.

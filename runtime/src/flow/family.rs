@@ -17,18 +17,6 @@ pub trait Family<const N: usize> {
     /// # Errors
     /// r is outside what the model declares, or its smoothing would falsify a law there.
     fn at(&self, r: f64) -> Result<Self::Flow, FlowError>;
-
-    /// The same family, its states measured against these magnitudes where they pass through zero.
-    #[must_use]
-    fn with_magnitude(&self, magnitude: [f64; N]) -> Self
-    where
-        Self: Sized;
-
-    /// The same family, integrated to another tolerance.
-    #[must_use]
-    fn with_tolerance(&self, tolerance: Tolerance) -> Self
-    where
-        Self: Sized;
 }
 
 /// A model without friction, or with one smoothing, along one design variable.
@@ -70,14 +58,6 @@ impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
             self.tolerance,
         ))
     }
-
-    fn with_magnitude(&self, magnitude: [f64; N]) -> Self {
-        Self { magnitude, ..*self }
-    }
-
-    fn with_tolerance(&self, tolerance: Tolerance) -> Self {
-        Self { tolerance, ..*self }
-    }
 }
 
 /// A model with its declared friction, along one design variable.
@@ -106,13 +86,5 @@ impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
         let design = self.design.map(ParamId::new);
         let flow = ExactFlow::new(&M::from_values(values), design, self.tolerance.explicit())?;
         Ok(flow.with_magnitude(self.magnitude))
-    }
-
-    fn with_magnitude(&self, magnitude: [f64; N]) -> Self {
-        Self { magnitude, ..*self }
-    }
-
-    fn with_tolerance(&self, tolerance: Tolerance) -> Self {
-        Self { tolerance, ..*self }
     }
 }

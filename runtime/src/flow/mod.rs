@@ -7,13 +7,11 @@ mod extrema;
 mod family;
 pub(crate) mod saltation;
 mod smooth;
-mod steered;
 
 pub(crate) use drive::{standing, strobes};
 pub use event::{Event, EventKind};
 pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
-pub use steered::Steered;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 

@@ -10,11 +10,15 @@ use crate::flow::{self, FlowError, Want};
 use crate::model::Model;
 use crate::scalar::Lanes;
 
-fn place<M: Model<N>, const N: usize>(at: &Place) -> flow::Place<N, Modes<M, N>> {
+pub(crate) fn place<M: Model<N>, const N: usize>(at: &Place) -> flow::Place<N, Modes<M, N>> {
     flow::Place {
         state: fixed(&at.state),
-        mode: Modes::from_fn(|i| at.modes.get(i).copied().unwrap_or(Mode::Stick)),
+        mode: fixed_modes(&at.modes),
     }
+}
+
+pub(crate) fn fixed_modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<M, N> {
+    Modes::from_fn(|i| modes.get(i).copied().unwrap_or(Mode::Stick))
 }
 
 fn modes<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> super::Modes {

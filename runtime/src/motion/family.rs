@@ -120,7 +120,13 @@ impl<M: Model<N>, const N: usize> Flows for SmoothFamily<M, N> {
     }
 
     fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
-        flow::Steered::steered(self, design, fixed, value).into()
+        let mut family = Self { design, ..*self };
+        match (fixed, &mut family.smoothing) {
+            (Design::Parameter(index), _) => family.model = with(&self.model, index, value),
+            (Design::Smoothing, Some(smoothing)) => smoothing.size = value.exp(),
+            _ => {}
+        }
+        family.into()
     }
 }
 
@@ -147,6 +153,25 @@ impl<M: Model<N>, const N: usize> Flows for ExactFamily<M, N> {
     }
 
     fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
-        flow::Steered::steered(self, design, fixed, value).into()
+        let index = |design| match design {
+            Design::Parameter(index) => Some(index),
+            Design::Smoothing | Design::None => None,
+        };
+        let model = index(fixed).map_or(self.model, |i| with(&self.model, i, value));
+        let design = index(design);
+        Self {
+            model,
+            design,
+            ..*self
+        }
+        .into()
     }
+}
+
+fn with<M: Model<N>, const N: usize>(model: &M, index: usize, value: f64) -> M {
+    let mut values = model.values();
+    if let Some(place) = values.as_mut().get_mut(index) {
+        *place = value;
+    }
+    M::from_values(values)
 }

@@ -6,7 +6,7 @@
 
 mod contacts;
 mod enclosure;
-mod exact;
+pub(crate) mod exact;
 mod extent;
 mod family;
 mod modes;
@@ -20,6 +20,7 @@ pub use enclosure::{Enclosed, Enclosure};
 pub use extent::half_extents;
 pub use family::{Family, Flows};
 pub use modes::{Modes, sticking, word};
+pub(crate) use passage::fixed;
 pub use passage::{
     Calm, Derivatives, Event, Extremum, Factor, Passage, Place, Sample, Segment, Velocity,
 };

@@ -273,6 +273,6 @@ pub(super) fn matrix<const N: usize>(rows: &[[f64; N]; N]) -> DMatrix<f64> {
 }
 
 /// A state of the static floors; NaN where a number is missing, which no integrator takes.
-pub(super) fn fixed<const N: usize>(state: &[f64]) -> [f64; N] {
+pub(crate) fn fixed<const N: usize>(state: &[f64]) -> [f64; N] {
     std::array::from_fn(|j| state.get(j).copied().unwrap_or(f64::NAN))
 }

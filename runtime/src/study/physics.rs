@@ -7,11 +7,12 @@ use crate::field::{Design, EnclosedField, Smoothing};
 use crate::flow::{ExactFamily, SmoothFamily};
 use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
-use crate::motion::{Enclosure, Family};
+use crate::motion::exact::fixed_modes;
+use crate::motion::{Enclosure, Family, fixed};
 use crate::scalar::Inline;
 use crate::shooting::Orbit;
 use crate::study::law::{Characteristic, Laws};
-use crate::study::predict::{PredictError, Prediction, predict};
+use crate::study::predict::{PredictError, Prediction, Rubbed, predict};
 
 /// A declared model, whatever its type and its number of states.
 pub(super) trait Physics: Send + Sync {
@@ -72,14 +73,6 @@ fn model<M: Model<N>, const N: usize>(values: &[f64]) -> M {
     }))
 }
 
-fn state<const N: usize>(state: &[f64]) -> [f64; N] {
-    std::array::from_fn(|j| state.get(j).copied().unwrap_or(f64::NAN))
-}
-
-fn modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<M, N> {
-    Modes::from_fn(|i| modes.get(i).copied().unwrap_or(Mode::Stick))
-}
-
 impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
     fn info(&self) -> &'static ModelInfo {
         M::INFO
@@ -122,7 +115,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
 
     fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(usize, &dyn Characteristic)) {
         let values = model::<M, N>(values).values();
-        let _ = M::rhs(&values, state(start), &mut Laws(see));
+        let _ = M::rhs(&values, fixed(start), &mut Laws(see));
     }
 
     fn enclosure(
@@ -133,14 +126,14 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
     ) -> Box<dyn Enclosure> {
         let model: M = model(values);
         Box::new(match sliding {
-            Some(sliding) => EnclosedField::sliding(&model, modes(sliding)),
+            Some(sliding) => EnclosedField::sliding(&model, fixed_modes(sliding)),
             None => EnclosedField::smooth(&model, smoothing),
         })
     }
 
     fn stiffness(&self, values: &[f64], at: &[f64]) -> f64 {
         let system = ExactSystem::<M, N>::new(&model(values), None);
-        let affine = system.affine(&state(at), &Modes::from_fn(|_| Mode::Stick));
+        let affine = system.affine(&fixed(at), &Modes::from_fn(|_| Mode::Stick));
         let of = |i: usize| affine.compliance.as_ref()[i].as_ref()[i] * affine.stick.as_ref()[i];
         (0..M::INFO.contacts.len()).map(of).fold(0.0, f64::max)
     }
@@ -152,7 +145,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         smoothing: Smoothing,
     ) -> Result<Prediction, PredictError> {
         if const { Self::RUBS } {
-            predict::<M, N>(&model(values), orbit, smoothing)
+            predict(&Rubbed::<M, N>::new(model(values)), orbit, smoothing)
         } else {
             Err(PredictError::NeverSticks)
         }

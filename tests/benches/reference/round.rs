@@ -187,8 +187,10 @@ impl<M: Model<N>, const N: usize> Round<M, N> {
     }
 
     pub(crate) fn try_go(&self, tolerance: f64) -> Option<Passage<N, ()>> {
-        let family =
-            family(self.model, self.smoothing, self.design).with_tolerance(both(tolerance));
+        let family = SmoothFamily {
+            tolerance: both(tolerance),
+            ..family(self.model, self.smoothing, self.design)
+        };
         let from = Place {
             state: self.start,
             mode: (),

@@ -1,6 +1,7 @@
 //! Local extrema of every state: located like events, not read off stored samples.
 
 use crate::field::Field;
+use crate::flow::extrema::in_time;
 use crate::flow::{Extremum, strobes};
 use crate::integrate::event::Bernstein;
 use crate::integrate::explicit::Stepper;
@@ -77,7 +78,7 @@ impl<const N: usize> Extrema<N> {
                 self.record(index, self.sign[index] > 0.0, time, state);
             }
         }
-        self.found.sort_by(|a, b| a.time.total_cmp(&b.time));
+        in_time(&mut self.found);
         self.found
     }
 

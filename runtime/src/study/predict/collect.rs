@@ -5,9 +5,9 @@ use nalgebra::{DMatrix, DVector};
 use super::PredictError;
 use super::doubt::doubts;
 use super::history::History;
-use super::response::{Response, response};
+use super::response::Response;
+use super::rubbing::Rubbing;
 use crate::field::Smoothing;
-use crate::model::Model;
 use crate::shooting::Orbit;
 
 /// Rate of a state at its extremum, in units of its magnitude per period, above which it has a corner there.
@@ -55,12 +55,12 @@ pub struct ReleaseLoss {
     pub room: f64,
 }
 
-/// Predicts the errors of the copy of `model` with this smoothing from its exact orbit.
+/// Predicts the errors of the copy of a model with this smoothing from its exact orbit.
 ///
 /// # Errors
 /// See [`PredictError`].
-pub fn predict<M: Model<N>, const N: usize>(
-    model: &M,
+pub(in super::super) fn predict(
+    model: &dyn Rubbing,
     orbit: &Orbit,
     smoothing: Smoothing,
 ) -> Result<Prediction, PredictError> {
@@ -72,13 +72,13 @@ pub fn predict<M: Model<N>, const N: usize>(
     let times: Vec<f64> = times(&history, &peaks);
     let leading = match history.lose(model, &smoothing, true) {
         Ok(()) => {
-            let readings = response(model, &history, smoothing, &times, true)?;
+            let readings = model.response(&history, smoothing, &times, true)?;
             Some(-Shift::of(&history, &readings)?.period / history.period)
         }
         Err(_) => None,
     };
     history.lose(model, &smoothing, false)?;
-    let readings = response(model, &history, smoothing, &times, false)?;
+    let readings = model.response(&history, smoothing, &times, false)?;
     let shift = Shift::of(&history, &readings)?;
     let frequency = -shift.period / history.period;
     let max_abs = peaks
@@ -91,7 +91,7 @@ pub fn predict<M: Model<N>, const N: usize>(
         frequency,
         leading,
         max_abs,
-        start: shift.start.to_vec(),
+        start: shift.start,
         releases: releases(&history),
         doubts: Vec::new(),
     };
@@ -100,16 +100,17 @@ pub fn predict<M: Model<N>, const N: usize>(
 }
 
 /// The time at which each state has its largest magnitude.
-fn peaks<M: Model<N>, const N: usize>(history: &History<M, N>, orbit: &Orbit) -> [f64; N] {
-    std::array::from_fn(|j| {
+fn peaks(history: &History, orbit: &Orbit) -> Vec<f64> {
+    let peak = |j: usize| {
         let start = (orbit.place.state[j].abs(), 0.0);
         let extrema = history.passage.extrema.iter().filter(|e| e.index == j);
         let all = extrema.map(|e| (e.state[j].abs(), e.time));
         all.fold(start, |a, b| if b.0 > a.0 { b } else { a }).1
-    })
+    };
+    (0..orbit.place.state.len()).map(peak).collect()
 }
 
-fn times<M: Model<N>, const N: usize>(history: &History<M, N>, peaks: &[f64; N]) -> Vec<f64> {
+fn times(history: &History, peaks: &[f64]) -> Vec<f64> {
     let mut times = peaks.to_vec();
     times.push(history.period);
     times.retain(|&t| t > 0.0);
@@ -119,41 +120,38 @@ fn times<M: Model<N>, const N: usize>(history: &History<M, N>, peaks: &[f64; N])
 }
 
 /// How far the copy's orbit lies from the exact one.
-struct Shift<const N: usize> {
-    start: [f64; N],
+struct Shift {
+    start: Vec<f64>,
     period: f64,
 }
 
-impl<const N: usize> Shift<N> {
+impl Shift {
     /// The fixed point moves by (I − DP)⁻¹ q_P; bordered by the field, which gives the period as well.
-    fn of<M: Model<N>>(
-        history: &History<M, N>,
-        readings: &[Response<N>],
-    ) -> Result<Self, PredictError> {
+    fn of(history: &History, readings: &[Response]) -> Result<Self, PredictError> {
         let last = readings.last().ok_or(PredictError::Singular)?;
-        let f = last.velocity;
-        let matrix = DMatrix::from_fn(N + 1, N + 1, |i, j| match (i == N, j == N) {
+        let (f, n) = (&last.velocity, last.velocity.len());
+        let matrix = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i == n, j == n) {
             (true, true) => 0.0,
             (true, false) => f[j],
             (false, true) => f[i] * history.period,
             (false, false) => last.tangent[i][j] - f64::from(i == j),
         });
-        let mut right = DVector::zeros(N + 1);
+        let mut right = DVector::zeros(n + 1);
         for (i, value) in last.deviation.iter().enumerate() {
             right[i] = -value;
         }
         let solution = matrix.lu().solve(&right).ok_or(PredictError::Singular)?;
         Ok(Self {
-            start: std::array::from_fn(|j| solution[j]),
-            period: solution[N] * history.period,
+            start: solution.rows(0, n).iter().copied().collect(),
+            period: solution[n] * history.period,
         })
     }
 
     /// Relative error of the largest magnitude of state j, reached at `time`.
-    fn peak<M: Model<N>>(
+    fn peak(
         &self,
-        history: &History<M, N>,
-        readings: &[Response<N>],
+        history: &History,
+        readings: &[Response],
         j: usize,
         time: f64,
         orbit: &Orbit,
@@ -177,7 +175,7 @@ impl<const N: usize> Shift<N> {
     }
 }
 
-fn releases<M: Model<N>, const N: usize>(history: &History<M, N>) -> Vec<ReleaseLoss> {
+fn releases(history: &History) -> Vec<ReleaseLoss> {
     let found = history.switches.iter().filter_map(|switch| {
         let (release, loss) = switch.release.zip(switch.loss)?;
         Some(ReleaseLoss {

@@ -4,10 +4,9 @@ use std::ops::ControlFlow;
 
 use super::layer::edge;
 use super::scalar::{Local, Scalar};
-use crate::field::{Field, Linear, Smoothing, Work};
+use crate::field::{Field, Linear, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{IntegrationError, Tolerance};
-use crate::model::Model;
 
 /// Local tolerance of the integral over the layer, in units of the time that it takes.
 const TIGHT: Tolerance = Tolerance {
@@ -17,9 +16,9 @@ const TIGHT: Tolerance = Tolerance {
 
 /// A crossing of the exact orbit: a contact that slides the other way at once.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Crossing<const N: usize> {
+pub(super) struct Crossing {
     /// u̇ = G (stick − F(u)) with u counted in the direction after it and `stick` the force of the rest of the system.
-    pub(super) local: Local<N>,
+    pub(super) local: Local,
     /// When, from the start of the orbit.
     pub(super) time: f64,
     /// u̇ before and after it.
@@ -39,25 +38,21 @@ pub(super) struct Passing {
     pub(super) layer: f64,
 }
 
-impl<const N: usize> Crossing<N> {
+impl Crossing {
     /// ∫ (1/u̇ − 1/u̇_exact) du across the layer, at the load that the crossing has.
-    pub(super) fn solve<M: Model<N>>(
-        &self,
-        model: &M,
-        smoothing: &Smoothing,
-    ) -> Result<Passing, IntegrationError> {
-        let sharpness = smoothing.sharpness();
+    pub(super) fn solve(&self, exact: Scalar) -> Result<Passing, IntegrationError> {
+        let (kernel, sharpness) = (exact.smoothing.kernel, exact.smoothing.sharpness());
         let layers = self.rates.map(|rate| 1.0 / (sharpness * rate));
         let mut window = [0.0; 2];
         let mut delay = 0.0;
         for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
-            window[i] = match edge(smoothing.kernel) {
+            window[i] = match edge(kernel) {
                 Some(edge) => edge * layers[i],
                 None => (layers[i] * self.room[i]).sqrt().min(self.room[i]),
             };
-            let half = HalfLayer::<M, N> {
-                copy: Scalar::copy(model, &self.local, smoothing),
-                exact: Scalar::exact(model, &self.local, smoothing),
+            let half = HalfLayer {
+                copy: exact.copied(),
+                exact,
                 side,
                 unit: layers[i],
             };
@@ -72,15 +67,15 @@ impl<const N: usize> Crossing<N> {
 }
 
 /// One side of the layer; its unknowns are |z| = κ |u| and the delay so far, in units of the time that the layer takes.
-struct HalfLayer<M: Model<N>, const N: usize> {
-    copy: Scalar<M, N>,
-    exact: Scalar<M, N>,
+struct HalfLayer<'a> {
+    copy: Scalar<'a>,
+    exact: Scalar<'a>,
     /// −1 before the crossing, 1 after it.
     side: f64,
     unit: f64,
 }
 
-impl<M: Model<N>, const N: usize> HalfLayer<M, N> {
+impl HalfLayer<'_> {
     fn delay(&self, until: f64) -> Result<f64, IntegrationError> {
         let mut work = Work::default();
         let settings = Settings {
@@ -99,7 +94,7 @@ impl<M: Model<N>, const N: usize> HalfLayer<M, N> {
     }
 }
 
-impl<M: Model<N>, const N: usize> Field<2> for HalfLayer<M, N> {
+impl Field<2> for HalfLayer<'_> {
     fn f(&self, y: &[f64; 2]) -> [f64; 2] {
         let z = self.scaled(y[0]);
         let [copy, exact] = [&self.copy, &self.exact].map(|law| 1.0 / law.speeding(z).0);
@@ -108,7 +103,7 @@ impl<M: Model<N>, const N: usize> Field<2> for HalfLayer<M, N> {
 
     fn linearise(&self, y: &[f64; 2]) -> Linear<2> {
         let z = self.scaled(y[0]);
-        let slope = |law: &Scalar<M, N>| {
+        let slope = |law: &Scalar| {
             let (rate, by_z) = law.speeding(z);
             -by_z / (rate * rate)
         };

@@ -4,7 +4,6 @@ use super::collect::{Prediction, ReleaseLoss};
 use super::history::History;
 use super::layer::edge;
 use crate::field::Kernel;
-use crate::model::Model;
 
 /// A layer that takes more than this share of the shorter of stick and slip is not small.
 const SLOW_LAYER: f64 = 0.1;
@@ -19,10 +18,7 @@ fn leads(kernel: Kernel) -> bool {
 }
 
 /// Every reason why `prediction` is outside its asymptotic range.
-pub(super) fn doubts<M: Model<N>, const N: usize>(
-    history: &History<M, N>,
-    prediction: &Prediction,
-) -> Vec<String> {
+pub(super) fn doubts(history: &History, prediction: &Prediction) -> Vec<String> {
     let slow = |r: &&ReleaseLoss| r.layer > SLOW_LAYER * r.room;
     let layers = prediction.releases.iter().filter(slow).map(layer);
     crossings(history)
@@ -42,7 +38,7 @@ fn layer(release: &ReleaseLoss) -> String {
 }
 
 /// Crossings that no copy makes, and those of which the layer is not small.
-fn crossings<M: Model<N>, const N: usize>(history: &History<M, N>) -> Vec<String> {
+fn crossings(history: &History) -> Vec<String> {
     let crossings = history
         .switches
         .iter()

@@ -12,10 +12,13 @@ mod history;
 mod layer;
 mod release;
 mod response;
+mod rubbing;
 mod scalar;
 mod virtual_field;
 
-pub use collect::{Prediction, ReleaseLoss, predict};
+pub(super) use collect::predict;
+pub use collect::{Prediction, ReleaseLoss};
+pub(super) use rubbing::Rubbed;
 
 use crate::field::Smoothing;
 use crate::field::exact::ContactError;

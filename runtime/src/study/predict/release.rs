@@ -4,7 +4,6 @@ use super::layer::{edge, inverse};
 use super::scalar::{Local, Scalar};
 use crate::field::{Kernel, Smoothing};
 use crate::integrate::IntegrationError;
-use crate::model::Model;
 
 /// |a₁|, the first zero of Airy's function Ai.
 const AIRY: f64 = 2.338_107_410_459_767;
@@ -15,8 +14,8 @@ const HALVINGS: usize = 50;
 
 /// A release of the exact orbit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Release<const N: usize> {
-    pub(super) local: Local<N>,
+pub(super) struct Release {
+    pub(super) local: Local,
     pub(super) time: f64,
     /// |λ̇| before it.
     pub(super) load_rate: f64,
@@ -44,7 +43,7 @@ pub(super) struct Loss {
     pub(super) accounted: Option<f64>,
 }
 
-impl<const N: usize> Release<N> {
+impl Release {
     /// The leading term in closed form (table in 7.1); `None` where there is none.
     pub(super) fn leading(&self, smoothing: &Smoothing) -> Option<Loss> {
         let Local {
@@ -83,14 +82,9 @@ impl<const N: usize> Release<N> {
 
     /// The loss of the scalar problem with weakening, integrated numerically; `None` if the copy has not let go when the exact
     /// contact sticks again.
-    pub(super) fn solve<M: Model<N>>(
-        &self,
-        model: &M,
-        smoothing: &Smoothing,
-    ) -> Result<Option<Loss>, IntegrationError> {
-        let copy = Scalar::copy(model, &self.local, smoothing);
-        let exact = Scalar::exact(model, &self.local, smoothing);
-        let (kernel, sharpness) = (smoothing.kernel, smoothing.sharpness());
+    pub(super) fn solve(&self, exact: Scalar) -> Result<Option<Loss>, IntegrationError> {
+        let (kernel, sharpness) = (exact.smoothing.kernel, exact.smoothing.sharpness());
+        let copy = exact.copied();
         let range = if kernel.is_bump() {
             self.local.stick - self.slip
         } else {
@@ -132,11 +126,7 @@ impl<const N: usize> Release<N> {
     }
 
     /// How much later an exact release would lead to the same speed at the same time.
-    fn delay<M: Model<N>>(
-        &self,
-        exact: &Scalar<M, N>,
-        (s, z): (f64, f64),
-    ) -> Result<f64, IntegrationError> {
+    fn delay(&self, exact: &Scalar, (s, z): (f64, f64)) -> Result<f64, IntegrationError> {
         let (mut low, mut high) = (0.0, s);
         let mut delay = 0.5 * s;
         for _ in 0..HALVINGS {

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::PredictError;
 use super::history::{History, Switch, TIGHT};
+use super::rubbing::Rubbed;
 use super::virtual_field::VirtualField;
 use crate::field::exact::{Mode, Modes};
 use crate::field::{Smoothing, Work};
@@ -11,26 +12,28 @@ use crate::flow::saltation::Saltation;
 use crate::integrate::Motion;
 use crate::integrate::explicit::{Settings, integrate};
 use crate::model::Model;
+use crate::motion::exact::place;
+use crate::motion::fixed;
 use crate::scalar::{Inline, Lanes};
 
 /// Halvings by which the end of a stretch of sticking is approached, where creep grows fastest.
 const HALVINGS: i32 = 24;
 
 /// Φ and the copy's deviation p at one time of the period.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Response<const N: usize> {
+#[derive(Debug)]
+pub(crate) struct Response {
     pub(super) time: f64,
-    pub(super) state: [f64; N],
-    pub(super) tangent: [[f64; N]; N],
-    pub(super) deviation: [f64; N],
+    pub(super) state: Vec<f64>,
+    pub(super) tangent: Vec<Vec<f64>>,
+    pub(super) deviation: Vec<f64>,
     /// f there.
-    pub(super) velocity: [f64; N],
+    pub(super) velocity: Vec<f64>,
 }
 
 /// A walk through the period.
 struct Walk<'a, M: Model<N>, const N: usize> {
-    model: &'a M,
-    history: &'a History<M, N>,
+    rubbed: &'a Rubbed<M, N>,
+    history: &'a History,
     smoothing: Smoothing,
     /// Only the releases count: neither creep nor tails.
     leading: bool,
@@ -41,20 +44,21 @@ struct Walk<'a, M: Model<N>, const N: usize> {
 
 /// The response at `times` (in order, the last is the period) to the losses in `history`.
 pub(super) fn response<M: Model<N>, const N: usize>(
-    model: &M,
-    history: &History<M, N>,
+    rubbed: &Rubbed<M, N>,
+    history: &History,
     smoothing: Smoothing,
     times: &[f64],
     leading: bool,
-) -> Result<Vec<Response<N>>, PredictError> {
+) -> Result<Vec<Response>, PredictError> {
+    let start = place(&history.start);
     let mut walk = Walk {
-        model,
+        rubbed,
         history,
         smoothing,
         leading,
         time: 0.0,
-        modes: history.modes,
-        motion: Motion::from(history.start),
+        modes: start.mode,
+        motion: Motion::from(start.state),
     };
     walk.settle([0.0; N])?;
     let mut tangent = walk.motion.tangent;
@@ -79,14 +83,17 @@ pub(super) fn response<M: Model<N>, const N: usize>(
 
 impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
     fn field(&self) -> Result<VirtualField<'a, M, N>, PredictError> {
-        let (system, state) = (&self.history.system, &self.motion.state);
-        let field = VirtualField::new(system, self.model, self.smoothing, self.modes, state)?;
+        let (system, state) = (&self.rubbed.system, &self.motion.state);
+        let field = VirtualField::new(system, self.smoothing, self.modes, state)?;
         Ok(if self.leading {
             field
         } else {
             // Asked for in the middle of a stretch, so that no end of one decides by rounding.
             let inside = self.time + 1e-9 * self.history.period;
-            field.with(self.history.caps(inside), self.history.tails(inside))
+            field.with(
+                Inline::from_fn(|i| self.history.cap(i, inside)),
+                Inline::from_fn(|i| self.history.has_tail(i, inside)),
+            )
         })
     }
 
@@ -120,15 +127,15 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         Ok(std::array::from_fn(|j| self.motion.design[j] + lifted[j]))
     }
 
-    fn reading(&self) -> Result<Response<N>, PredictError> {
-        let state = self.motion.state;
-        let velocity = self.history.system.snapshot(&state, &self.modes)?.field;
+    fn reading(&self) -> Result<Response, PredictError> {
+        let state = &self.motion.state;
+        let velocity = self.rubbed.system.snapshot(state, &self.modes)?.field;
         Ok(Response {
             time: self.time,
-            state,
-            tangent: self.motion.tangent,
-            deviation: self.deviation()?,
-            velocity,
+            state: state.to_vec(),
+            tangent: self.motion.tangent.map(|row| row.to_vec()).to_vec(),
+            deviation: self.deviation()?.to_vec(),
+            velocity: velocity.to_vec(),
         })
     }
 
@@ -155,14 +162,14 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
     }
 
     /// Passes a switch: its saltation, and what a release loses.
-    fn pass(&mut self, switch: &Switch<M, N>) -> Result<(), PredictError> {
-        self.motion.state = switch.event.state;
-        let (i, state) = (switch.event.contact, switch.event.state);
+    fn pass(&mut self, switch: &Switch) -> Result<(), PredictError> {
+        let (i, state) = (switch.event.contact, fixed(&switch.event.state));
+        self.motion.state = state;
         let mut deviation = self.deviation()?;
         if let Some(loss) = &switch.loss {
             let field = self.field()?;
             let mut shift: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
-            let way = switch.after.as_slice()[i].sign();
+            let way = switch.after.modes[i].sign();
             shift.as_mut()[i] = way * loss.offset - field.rates(&state, &deviation).as_ref()[i];
             let jump = field.lift(&state, &shift);
             deviation = std::array::from_fn(|j| deviation[j] + jump[j]);
@@ -177,7 +184,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
                 rate,
             })?;
         let late = self.late(switch, &saltation);
-        self.modes = switch.after;
+        self.modes = place(&switch.after).mode;
         let deviation = std::array::from_fn(|j| self.motion.design[j] + late[j]);
         self.settle(deviation)?;
         let mut tangent = self.motion.tangent;
@@ -188,7 +195,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
 
     /// What a copy lags behind that takes longer to cross: it moves on with the later field where the exact one had begun to.
     /// With q = −b ∫ (F_copy − F) dt, ∇w b ∫ (F_copy − F) dt = u̇⁺ Δt and f⁺ − f⁻ = −2 slip b, that is (f⁺ − f⁻) u̇⁺ Δt / (u̇⁻ − u̇⁺).
-    fn late(&self, switch: &Switch<M, N>, saltation: &Saltation<N>) -> [f64; N] {
+    fn late(&self, switch: &Switch, saltation: &Saltation<N>) -> [f64; N] {
         let share = switch.crossing.zip(switch.passing);
         let share = share.map_or(0.0, |(crossing, passing)| {
             let [before, after] = crossing.rates;
@@ -197,16 +204,12 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         std::array::from_fn(|j| share * (saltation.after[j] - saltation.before[j]))
     }
 
-    fn saltation(&self, switch: &Switch<M, N>) -> Result<Saltation<N>, PredictError> {
-        let (i, state, system) = (
-            switch.event.contact,
-            &switch.event.state,
-            &self.history.system,
-        );
-        let linear = system.linear(state, &switch.before)?;
-        let before = switch.before.as_slice()[i];
-        let (gradient, design) = if before == Mode::Stick {
-            let side = -switch.after.as_slice()[i].sign();
+    fn saltation(&self, switch: &Switch) -> Result<Saltation<N>, PredictError> {
+        let (i, system) = (switch.event.contact, &self.rubbed.system);
+        let [before, after] = [&switch.before, &switch.after].map(place);
+        let linear = system.linear(&before.state, &before.mode)?;
+        let (gradient, design) = if switch.before.modes[i] == Mode::Stick {
+            let side = -switch.after.modes[i].sign();
             let guard = linear.stick.as_ref()[i] - linear.force.as_ref()[i] * side;
             // A delay of the release raises the limit by what the force grows meanwhile.
             let raised = switch
@@ -218,8 +221,8 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
             (linear.speed.as_ref()[i].slopes().0, 0.0)
         };
         Ok(Saltation {
-            before: system.snapshot(state, &switch.before)?.field,
-            after: system.snapshot(state, &switch.after)?.field,
+            before: system.snapshot(&before.state, &before.mode)?.field,
+            after: system.snapshot(&after.state, &after.mode)?.field,
             gradient,
             design,
         })

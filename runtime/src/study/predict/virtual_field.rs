@@ -16,7 +16,6 @@ pub(super) struct VirtualField<'s, M: Model<N>, const N: usize> {
     system: &'s ExactSystem<M, N>,
     field: ExactField<'s, M, N>,
     modes: Modes<M, N>,
-    values: M::Params<f64>,
     smoothing: Smoothing,
     /// Where creep ends, for each contact, in units of the layer; 0 leaves creep out.
     caps: M::PerContact<f64>,
@@ -27,7 +26,6 @@ pub(super) struct VirtualField<'s, M: Model<N>, const N: usize> {
 impl<'s, M: Model<N>, const N: usize> VirtualField<'s, M, N> {
     pub(super) fn new(
         system: &'s ExactSystem<M, N>,
-        model: &M,
         smoothing: Smoothing,
         modes: Modes<M, N>,
         state: &[f64; N],
@@ -36,7 +34,6 @@ impl<'s, M: Model<N>, const N: usize> VirtualField<'s, M, N> {
             system,
             field: ExactField::new(system, modes, state)?,
             modes,
-            values: model.values(),
             smoothing,
             caps: Inline::from_fn(|_| 0.0),
             tails: Inline::from_fn(|_| false),
@@ -84,8 +81,9 @@ impl<'s, M: Model<N>, const N: usize> VirtualField<'s, M, N> {
         if !self.tails.as_ref().contains(&true) {
             return [0.0; N];
         }
-        let with = M::rhs(&self.values, *y, &mut self.lack(self.tails));
-        let without = M::rhs(&self.values, *y, &mut self.lack(Inline::from_fn(|_| false)));
+        let values = self.system.values();
+        let with = M::rhs(values, *y, &mut self.lack(self.tails));
+        let without = M::rhs(values, *y, &mut self.lack(Inline::from_fn(|_| false)));
         let push: [f64; N] = std::array::from_fn(|j| with[j] - without[j]);
         let held = self.lift(y, &self.rates(y, &push));
         std::array::from_fn(|j| push[j] - held[j])
