@@ -7,10 +7,13 @@ mod curve;
 mod diagram;
 mod equilibria;
 mod hostile;
+#[cfg(unix)]
 mod interrupted;
 mod laws;
 mod losses;
 mod refusals;
+#[cfg(unix)]
+mod resumed;
 mod trade;
 
 use std::process::Command;

@@ -220,6 +220,7 @@ fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
 
 /// Friction: the flips of the belt pair against branches in v_dr alone, at other values of gamma.
 #[test]
+#[ignore = "long"]
 fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
     let model = System::of::<BeltPair, _>();
     let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());

@@ -54,6 +54,7 @@ fn belt_pair(from: f64, to: f64) -> (System, Case) {
 
 /// The flips of the in-phase orbit lie at 0.0840914 and 0.1442519.
 #[test]
+#[ignore = "long"]
 fn points_double_where_the_orbit_flips() {
     let (model, case) = belt_pair(0.142, 0.1465);
     let record = draw(
@@ -81,39 +82,46 @@ fn points_double_where_the_orbit_flips() {
 }
 
 /// What is seen at a value is the orbit that shooting finds there, and contracts as its multipliers say.
+fn a_slice_is_the_orbit(dynamics: Dynamics) {
+    let (model, mut case) = belt_pair(0.12, 0.125);
+    case.dynamics = dynamics;
+    let diagram = Diagram {
+        settle: 600,
+        lyapunov: Some(40),
+        ..USUAL
+    };
+    let record = draw(&model, &case, diagram);
+    for slice in slices(&record, 0) {
+        let orbit = model
+            .orbit(&Case {
+                along: None,
+                ..case.at(slice.r)
+            })
+            .unwrap();
+        assert_eq!(slice.motion, Motion::Periodic(orbit.period_count));
+        for (found, shot) in slice.points[31].iter().zip(&orbit.state) {
+            assert!((found - shot).abs() < 1e-7, "{found} {shot}");
+        }
+        for j in 0..4 {
+            assert!((slice.max[j] - orbit.max[j]).abs() < 1e-7);
+            assert!((slice.min[j] - orbit.min[j]).abs() < 1e-7);
+        }
+        let exponent = slice.lyapunov.as_ref().unwrap().as_ref().unwrap();
+        let expected = orbit.floquet.log_moduli[0].unwrap() / orbit.period;
+        let value = exponent.exponent.unwrap();
+        assert!((value / expected - 1.0).abs() < 1e-5, "{value} {expected}");
+    }
+}
+
 #[test]
 fn a_slice_is_the_orbit_that_shooting_finds() {
-    let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());
-    for dynamics in [Dynamics::Exact, copy] {
-        let (model, mut case) = belt_pair(0.12, 0.125);
-        case.dynamics = dynamics;
-        let diagram = Diagram {
-            settle: 600,
-            lyapunov: Some(40),
-            ..USUAL
-        };
-        let record = draw(&model, &case, diagram);
-        for slice in slices(&record, 0) {
-            let orbit = model
-                .orbit(&Case {
-                    along: None,
-                    ..case.at(slice.r)
-                })
-                .unwrap();
-            assert_eq!(slice.motion, Motion::Periodic(orbit.period_count));
-            for (found, shot) in slice.points[31].iter().zip(&orbit.state) {
-                assert!((found - shot).abs() < 1e-7, "{found} {shot}");
-            }
-            for j in 0..4 {
-                assert!((slice.max[j] - orbit.max[j]).abs() < 1e-7);
-                assert!((slice.min[j] - orbit.min[j]).abs() < 1e-7);
-            }
-            let exponent = slice.lyapunov.as_ref().unwrap().as_ref().unwrap();
-            let expected = orbit.floquet.log_moduli[0].unwrap() / orbit.period;
-            let value = exponent.exponent.unwrap();
-            assert!((value / expected - 1.0).abs() < 1e-5, "{value} {expected}");
-        }
-    }
+    a_slice_is_the_orbit(Dynamics::Exact);
+}
+
+#[test]
+#[ignore = "long"]
+fn a_slice_of_a_copy_is_the_orbit_that_shooting_finds() {
+    a_slice_is_the_orbit(Dynamics::Smoothed("tanh:1e4".parse().unwrap()));
 }
 
 /// The largest exponent of a mass that sticks is −∞; of its smooth copy, Liouville tells it.
@@ -147,6 +155,7 @@ fn one_mass_is_superstable_and_its_copy_nearly() {
 
 /// Down from the large circle, the motion stays on it to the fold at p = −1; up from the origin, it rests to p = 0.
 #[test]
+#[ignore = "long"]
 fn sweeps_stay_with_their_attractor() {
     let model = System::of::<TwoCircles, _>();
     let case = case(&model, Dynamics::Smooth, range(&model, "p", -1.505, 0.495));
@@ -208,14 +217,13 @@ fn sections_of_an_orbit_agree_with_its_count() {
     }
 }
 
-#[test]
-fn the_number_of_threads_changes_no_bit() {
+fn threads_change_no_bit(values: usize, others: &[Option<usize>]) {
     let (model, case) = belt_pair(0.2, 0.3);
     for sweep in [Sweep::Fresh, Sweep::Both] {
         let with = |threads| {
             let diagram = Diagram {
                 sweep,
-                values: 9,
+                values,
                 settle: 20,
                 points: 12,
                 lyapunov: Some(20),
@@ -225,10 +233,21 @@ fn the_number_of_threads_changes_no_bit() {
             draw(&model, &case, diagram).sweeps
         };
         let one = with(Some(1));
-        for threads in [Some(2), Some(8), None] {
+        for &threads in others {
             assert_eq!(one, with(threads), "{threads:?}");
         }
     }
+}
+
+#[test]
+fn two_threads_change_no_bit() {
+    threads_change_no_bit(2, &[Some(2)]);
+}
+
+#[test]
+#[ignore = "long"]
+fn the_number_of_threads_changes_no_bit() {
+    threads_change_no_bit(9, &[Some(2), Some(8), None]);
 }
 
 #[test]

@@ -6,5 +6,6 @@ mod chains;
 mod declared;
 mod declared_data;
 mod derivatives;
+mod hand_written;
 mod slopes;
 mod tangents;

@@ -104,6 +104,7 @@ fn one_mass_on_a_belt() {
 }
 
 #[test]
+#[ignore = "long"]
 fn two_masses_on_a_belt() {
     let pair = BeltPair::default();
     let (start, times) = ([-0.5976, 0.0, -0.4604, -0.1607], (300.0, 100.0));

@@ -144,53 +144,78 @@ fn the_closed_form_of_a_mass_on_a_belt_lies_within_the_radii() {
     }
 }
 
-/// Over random drill strings and masses on belts, at random accuracies: no certificate lies, and few are refused.
-#[test]
-fn no_certificate_of_a_random_orbit_lies() {
+/// A certificate, if there is an orbit, and the true cycle.
+type Asked = (Option<Result<Certificate, Uncertified>>, Cycle);
+
+fn random_drill(dice: &mut Random, accuracy: f64) -> Option<Asked> {
+    let model = DrillString {
+        eta: dice.positive(0.1, 10.0),
+        theta: dice.positive(0.3, 10.0),
+        zeta: dice.positive(1e-3, 0.5),
+        ..Default::default()
+    };
+    let truth = drill_string(&model)?;
+    let answer = sought(&exact(model), &[truth.release, model.eta], accuracy);
+    Some((answer, truth))
+}
+
+fn random_slider(dice: &mut Random, accuracy: f64) -> Option<Asked> {
+    let belt = CoulombBelt {
+        mass: 1.0,
+        stiffness: dice.positive(0.1, 10.0),
+        belt: dice.positive(0.01, 3.0),
+        static_force: 1.0 + dice.positive(0.01, 3.0),
+        kinetic_force: 1.0,
+    };
+    let model = Slider {
+        k: belt.stiffness,
+        v_dr: belt.belt,
+        F_s: belt.static_force,
+        ..Default::default()
+    };
+    let truth = belt.cycle()?;
+    let answer = sought(&exact(model), &[truth.release, belt.belt], accuracy);
+    Some((answer, truth))
+}
+
+/// Over random systems at random accuracies: no certificate lies, and few are refused.
+fn none_lies(systems: usize, random: impl Fn(&mut Random, f64) -> Option<Asked>) {
     let mut dice = Random::new(11);
     let (mut asked, mut given) = (0, 0);
-    for _ in 0..150 {
+    for _ in 0..systems {
         let accuracy = dice.positive(1e-12, 1e-4);
-        let model = DrillString {
-            eta: dice.positive(0.1, 10.0),
-            theta: dice.positive(0.3, 10.0),
-            zeta: dice.positive(1e-3, 0.5),
-            ..Default::default()
+        let Some((Some(answer), truth)) = random(&mut dice, accuracy) else {
+            continue;
         };
-        let belt = CoulombBelt {
-            mass: 1.0,
-            stiffness: dice.positive(0.1, 10.0),
-            belt: dice.positive(0.01, 3.0),
-            static_force: 1.0 + dice.positive(0.01, 3.0),
-            kinetic_force: 1.0,
-        };
-        let slider = Slider {
-            k: belt.stiffness,
-            v_dr: belt.belt,
-            F_s: belt.static_force,
-            ..Default::default()
-        };
-        let mut judge = |orbit: Option<Result<Certificate, Uncertified>>, truth: &Cycle| {
-            asked += usize::from(orbit.is_some());
-            if let Some(Ok(certificate)) = orbit {
-                holds(&certificate, &[truth.min, 0.0], truth.period(), 1e-2);
-                given += 1;
-            }
-        };
-        if let Some(truth) = drill_string(&model) {
-            let orbit = sought(&exact(model), &[truth.release, model.eta], accuracy);
-            judge(orbit, &truth);
-        }
-        if let Some(truth) = belt.cycle() {
-            let orbit = sought(&exact(slider), &[truth.release, belt.belt], accuracy);
-            judge(orbit, &truth);
+        asked += 1;
+        if let Ok(certificate) = answer {
+            holds(&certificate, &[truth.min, 0.0], truth.period(), 1e-2);
+            given += 1;
         }
     }
-    println!("{given} of {asked}");
+    println!("{given} of {asked} of {systems}");
     assert!(
-        asked > 200 && 100 * given > 95 * asked,
+        2 * asked > systems && 100 * given > 95 * asked,
         "{given} of {asked}"
     );
+}
+
+#[test]
+fn no_certificate_of_some_random_orbits_lies() {
+    none_lies(12, random_drill);
+    none_lies(12, random_slider);
+}
+
+#[test]
+#[ignore = "long"]
+fn no_certificate_of_a_random_drill_string_lies() {
+    none_lies(150, random_drill);
+}
+
+#[test]
+#[ignore = "long"]
+fn no_certificate_of_a_random_mass_on_a_belt_lies() {
+    none_lies(150, random_slider);
 }
 
 /// The certificate of the orbit from `start`, if there is one.

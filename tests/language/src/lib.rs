@@ -1,0 +1,1 @@
+//! Holds the macros to what they say of mistakes: see `tests/`.
