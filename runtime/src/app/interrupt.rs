@@ -14,7 +14,9 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use super::failure::{Failure, INTERRUPTED};
-use super::resume::ENDING;
+
+/// How the names of notes end.
+pub(super) const ENDING: &str = "resume";
 
 /// How long a computation has to come to an end by itself.
 const GRACE: Duration = Duration::from_secs(2);

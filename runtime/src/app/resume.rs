@@ -11,13 +11,11 @@ use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
 
 use super::arguments::Resume;
 use super::failure::{Failure, refuse};
+use super::interrupt::ENDING;
 use super::journal::Growing;
 use super::output::Output;
 use crate::model::ModelInfo;
 use crate::study::Case;
-
-/// How the names of notes end.
-pub(super) const ENDING: &str = "resume";
 
 /// What is asked, as far as an answer depends on it: pairs of words.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::draw::draw;
 use super::figure::Panel;
 use super::page::{page, section};
 use super::table::Table;
@@ -84,7 +83,7 @@ impl Edition {
         let (figures, data) = (self.out.join("figures"), self.out.join("data"));
         match block {
             Block::Figure(figure) => {
-                save(&figures.join(figure.name() + ".svg"), &draw(figure))?;
+                save(&figures.join(figure.name() + ".svg"), &figure.svg())?;
                 for (i, panel) in figure.panels.iter().enumerate() {
                     save_panel(&data.join(figure.panel_name(i) + ".csv"), panel)?;
                     self.written.data += 1;

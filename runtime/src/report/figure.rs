@@ -101,12 +101,6 @@ impl Figure {
         self
     }
 
-    /// The figure as a standalone SVG document.
-    #[must_use]
-    pub fn svg(&self) -> String {
-        super::draw::draw(self)
-    }
-
     /// Its name in files and links: `figure-3-2`.
     #[must_use]
     pub fn name(&self) -> String {

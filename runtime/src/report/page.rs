@@ -1,6 +1,5 @@
 //! A report as one HTML page that needs nothing but itself.
 
-use super::draw::draw;
 use super::figure::Figure;
 use super::table::Table;
 use super::text::html;
@@ -95,7 +94,9 @@ fn block(block: &Block) -> String {
 
 fn figure(figure: &Figure) -> String {
     // Inside HTML the namespace is known, and the page must name no address at all.
-    let svg = draw(figure).replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
+    let svg = figure
+        .svg()
+        .replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     let data: Vec<String> = (0..figure.panels.len())
         .map(|i| {
             let name = figure.panel_name(i);

@@ -3,8 +3,6 @@
 use crate::continuation::Failure;
 use crate::flow::FlowError;
 use crate::shooting::{OrbitError, SwitchError};
-use crate::study::branch::BranchRecord;
-use crate::study::trade::TradeError;
 
 /// Why a case has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -58,9 +56,6 @@ pub enum StudyError {
         /// The labels that there are.
         labels: Vec<String>,
     },
-    /// The branch of the special point was interrupted; as far as it came.
-    #[error("the branch was interrupted before the curve began")]
-    Interrupted(Box<BranchRecord>),
     /// A special point that has no curve here.
     #[error(
         "{label} is a {kind} point, and only folds, flips, torus and grazing points can be followed in two parameters"
@@ -101,4 +96,29 @@ fn no_special(wanted: Option<&str>, labels: &[String]) -> String {
             "there is no fold, flip, torus or grazing point to be followed in two parameters: {there}"
         ),
     }
+}
+
+/// Why there is no trade.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TradeError {
+    /// The model has no contact.
+    #[error("`{model}` has no friction: there is nothing to trade")]
+    NoFriction {
+        /// The model.
+        model: &'static str,
+    },
+    /// All friction of the model has internal state.
+    #[error("`{model}` has nothing to trade: {reason}")]
+    OnlyForm {
+        /// The model.
+        model: &'static str,
+        /// Why there are no other forms.
+        reason: String,
+    },
+    /// The exact orbit cannot be shot again.
+    #[error("the exact orbit cannot be reproduced: {0}")]
+    Orbit(#[from] OrbitError),
+    /// The exact motion cannot be followed.
+    #[error(transparent)]
+    Flow(#[from] FlowError),
 }

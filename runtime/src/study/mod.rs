@@ -35,7 +35,9 @@ mod system;
 pub mod trade;
 
 pub use branch::{BranchRecord, Special};
-pub use curve::{CurveFinding, CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
+pub use curve::{
+    CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
+};
 pub use diagram::{
     Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher, parallel,
     parallel_on,

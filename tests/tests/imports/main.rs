@@ -38,7 +38,7 @@ const ORDER: [&str; 23] = [
 type Need = (&'static str, &'static str);
 
 /// What files need against the order or in a circle, and why.
-const EXCEPTIONS: [(&str, &[Need]); 5] = [
+const EXCEPTIONS: [(&str, &[Need]); 6] = [
     (
         "a contact as data names the data of its law, whose parameters have units and bounds",
         &[
@@ -80,6 +80,13 @@ const EXCEPTIONS: [(&str, &[Need]); 5] = [
     (
         "what is searched for converges, and convergence reads what was asked",
         &[("shooting/converge", "shooting/search")],
+    ),
+    (
+        "what a prediction asks of a model is put in terms of what is known of its orbit already",
+        &[
+            ("study/predict/rubbing", "study/predict/history"),
+            ("study/predict/rubbing", "study/predict/response"),
+        ],
     ),
 ];
 

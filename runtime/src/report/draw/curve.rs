@@ -1,7 +1,6 @@
 //! Curves as they are drawn, in panels and in the legend.
 
-use super::frame::Frame;
-use super::path;
+use super::element::path;
 use crate::report::figure::{Curve, Marker, Shape};
 use crate::report::text::number;
 
@@ -25,16 +24,21 @@ const MARKER: f64 = 4.2;
 /// The size of a dot, px.
 const DOT: f64 = 2.2;
 
-/// A curve in a frame, which cuts its lines off but not its markers.
-pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
-    let places = curve.points.iter().map(|point| frame.place(*point));
+/// A curve at the places of its points, cut off by `clip`; markers are drawn whole, where the frame `holds` their places.
+pub(super) fn draw(
+    curve: &Curve,
+    place: impl Fn([f64; 2]) -> [f64; 2],
+    holds: impl Fn([f64; 2]) -> bool,
+    clip: &str,
+) -> String {
+    let places = curve.points.iter().map(|point| place(*point));
     match curve.shape {
         Shape::Line => {
             let clip = format!(r#"{} clip-path="url(#{clip})""#, style(curve));
             path(&line(places), &clip)
         }
         Shape::Points(marker) => {
-            let seen = places.filter(|place| frame.holds(*place));
+            let seen = places.filter(|place| holds(*place));
             let outlines: String = seen.map(|place| outline(marker, place)).collect();
             path(&outlines, &style(curve))
         }

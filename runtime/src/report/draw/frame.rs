@@ -1,9 +1,9 @@
 //! A pair of axes: its frame, ticks and labels, and the curves in it.
 
 use super::curve;
+use super::element::{path, words};
 use super::scale::Scale;
 use super::ticks::Tick;
-use super::{path, words};
 use crate::report::figure::Panel;
 use crate::report::text::{number, width};
 
@@ -93,7 +93,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Where a point is drawn, px; not finite if nowhere.
-    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.across(x), self.up(y)]
     }
 
@@ -106,7 +106,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Whether a place is inside, or less than a pixel outside.
-    pub(super) fn holds(&self, [x, y]: [f64; 2]) -> bool {
+    fn holds(&self, [x, y]: [f64; 2]) -> bool {
         (self.left - 1.0..self.right + 1.0).contains(&x)
             && (self.top - 1.0..self.bottom + 1.0).contains(&y)
     }
@@ -115,7 +115,11 @@ impl<'a> Frame<'a> {
     pub(super) fn draw(&self, name: &str) -> String {
         let clip = format!("{name}-clip");
         let curves = self.panel.curves.iter();
-        let curves: String = curves.map(|one| curve::draw(one, self, &clip)).collect();
+        let place = |point| self.place(point);
+        let holds = |place| self.holds(place);
+        let curves: String = curves
+            .map(|one| curve::draw(one, place, holds, &clip))
+            .collect();
         let [left, top] = [self.left, self.top].map(number);
         let [width, height] = [self.right - self.left, self.bottom - self.top].map(number);
         format!(

@@ -1,6 +1,7 @@
 //! The legend: one for all panels, above them where it covers no data.
 
-use super::{WIDTH, curve, words};
+use super::curve;
+use super::element::{WIDTH, words};
 use crate::report::figure::{Curve, Figure};
 use crate::report::text::width;
 

@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::record::{CurveFinding, CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
+use super::record::{
+    CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
+};
 use crate::continuation::{Kind, Settings};
 use crate::curve::{self, CurvePoint, GrazingPoint, Plane, follow, follow_graze};
 use crate::field::Work;
@@ -29,13 +31,13 @@ impl System {
     /// `watch` sees each orbit of the branch and each point of the curve as it is found, and may end either there.
     ///
     /// # Errors
-    /// There is no orbit to begin with, or no such point on its branch, or the branch was ended before the curve began.
+    /// There is no orbit to begin with, or no such point on its branch, or no such point can be followed.
     pub fn curve(
         &self,
         case: &Case,
         scope: &CurveScope,
         watch: Watch<'_>,
-    ) -> Result<CurveRecord, StudyError> {
+    ) -> Result<Curved, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         for value in [scope.and.from, scope.and.to] {
@@ -56,7 +58,7 @@ impl Sought<'_> {
         along: Along,
         scope: &CurveScope,
         watch: Watch<'_>,
-    ) -> Result<CurveRecord, StudyError> {
+    ) -> Result<Curved, StudyError> {
         let (from, to) = along.span();
         let accuracy = self.search.accuracy;
         let first = self.orbit(from)?;
@@ -77,7 +79,7 @@ impl Sought<'_> {
             branches: Vec::new(),
         };
         if branch.is_interrupted() {
-            return Err(StudyError::Interrupted(Box::new(branch)));
+            return Ok(Curved::Interrupted(branch));
         }
         let labels = branch.special.iter().map(|special| special.label.clone());
         let all: Vec<(String, Kind)> = labels.zip(located.iter().map(|one| one.kind)).collect();
@@ -112,7 +114,7 @@ impl Sought<'_> {
         };
         let curve = curve.map_err(StudyError::Curve)?;
         let (points, special, ended, work) = curve.ok_or_else(|| not_followed(label, kind))?;
-        Ok(CurveRecord {
+        Ok(Curved::Followed(Box::new(CurveRecord {
             branch,
             along,
             and: scope.and,
@@ -122,7 +124,7 @@ impl Sought<'_> {
             special,
             ended,
             work,
-        })
+        })))
     }
 }
 

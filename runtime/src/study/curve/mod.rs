@@ -3,4 +3,6 @@
 mod found;
 mod record;
 
-pub use record::{CurveFinding, CurvePointRecord, CurveRecord, CurveScope, SpecialCurvePoint};
+pub use record::{
+    CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
+};

@@ -17,6 +17,15 @@ pub struct CurveScope {
     pub of: Option<String>,
 }
 
+/// What came of a curve.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Curved {
+    /// It was followed.
+    Followed(Box<CurveRecord>),
+    /// The branch of the special point was interrupted before the curve began; as far as it came.
+    Interrupted(BranchRecord),
+}
+
 /// A curve as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveRecord {

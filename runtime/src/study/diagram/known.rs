@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::Slice;
+use super::slice::Slice;
 
 /// What an interrupted diagram has left: its values, from which it goes on as if it had never ended.
 #[derive(Debug, Clone, Default)]

@@ -2,7 +2,7 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 
-use super::Diagram;
+use super::setting::Diagram;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
 use crate::flow::FlowError;

@@ -1,8 +1,8 @@
 //! Whether a prediction is to be trusted: whether what is taken as small is small.
 
-use super::collect::{Prediction, ReleaseLoss};
 use super::history::History;
 use super::layer::edge;
+use super::prediction::{Prediction, ReleaseLoss};
 use crate::field::Kernel;
 
 /// A layer that takes more than this share of the shorter of stick and slip is not small.

@@ -10,6 +10,7 @@ mod crossing;
 mod doubt;
 mod history;
 mod layer;
+mod prediction;
 mod release;
 mod response;
 mod rubbing;
@@ -17,7 +18,7 @@ mod scalar;
 mod virtual_field;
 
 pub(super) use collect::predict;
-pub use collect::{Prediction, ReleaseLoss};
+pub use prediction::{Prediction, ReleaseLoss};
 pub(super) use rubbing::Rubbed;
 
 use crate::field::Smoothing;

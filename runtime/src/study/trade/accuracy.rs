@@ -2,9 +2,8 @@
 
 use super::copy::{Copies, Found};
 use super::precision::at;
+use super::record::{Curve, Need, Point, Setting};
 use super::shoot::{Effort, Shooting};
-use super::{Cost, Curve, Point, smoothing};
-use crate::field::Smoothing;
 use crate::motion::Family;
 
 /// Share of the accuracy that the smoothing alone may use.
@@ -13,31 +12,6 @@ const SHARE: f64 = 0.9;
 const TRIES: usize = 8;
 /// How near to that share the smoothing's error must come.
 const NEAR: f64 = 0.98;
-
-/// The smoothing that meets an accuracy at least cost.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Need {
-    /// The copy whose frequency and extrema meet it, verified by a run.
-    pub smoothing: Smoothing,
-    /// The size at which its frequency alone would meet it, on the curve of the measured copies.
-    pub frequency_size: f64,
-    /// Its largest error by smoothing alone.
-    pub error: f64,
-    /// How it is integrated.
-    pub setting: Setting,
-}
-
-/// How a system is integrated to meet an accuracy.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
-pub struct Setting {
-    /// The loosest tolerance, by half decades, that does.
-    pub tolerance: f64,
-    /// Smoothing and integration together.
-    pub error: f64,
-    /// What one period costs.
-    pub cost: Cost,
-}
 
 /// The loosest tolerance at which an orbit meets `accuracy` against `truth`.
 pub(super) fn cheapest(
@@ -94,22 +68,22 @@ impl Copies<'_> {
         let mut best = None;
         for _ in 0..TRIES {
             let size = size(&points, goal * NEAR.sqrt(), largest).ok_or_else(none)?;
-            let (point, shooting) = self.point(smoothing(curve.kernel, size), finer.as_ref())?;
+            let (point, shooting) = self.point(curve.at(size), finer.as_ref())?;
             let error = largest(&point);
-            finer = Some((smoothing(curve.kernel, size), shooting.clone()));
+            finer = Some((curve.at(size), shooting.clone()));
             if error <= goal {
                 best = Some((size, error, shooting));
                 if error >= NEAR * NEAR * goal || size == points[0].size {
                     break;
                 }
             }
-            let towards = |p: &Point| smoothing(curve.kernel, p.size).sharpness();
+            let towards = |p: &Point| curve.at(p.size).sharpness();
             let place = points.partition_point(|p| towards(p) < towards(&point));
             points.insert(place, point);
         }
         let (size, error, shooting) =
             best.ok_or_else(|| format!("no size was found at which the errors fall to {goal:e}"))?;
-        let smoothing = smoothing(curve.kernel, size);
+        let smoothing = curve.at(size);
         let family = self.family(smoothing, Effort::TIGHT.tolerance);
         Ok(Need {
             smoothing,

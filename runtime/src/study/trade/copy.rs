@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use super::fit::Fit;
+use super::precision;
+use super::record::{Curve, Finding, Point, Scope, Trade, Watch};
 use super::shoot::{Effort, Shooting, cost, follow, shoot};
-use super::{Curve, Finding, Fit, Point, Scope, Trade, Watch, precision, smoothing};
 use crate::field::{Design, Kernel, Smoothing, SmoothingError, Work};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
@@ -96,7 +98,7 @@ impl Copies<'_> {
             if verdict.is_break() {
                 break;
             }
-            let smoothing = smoothing(kernel, size);
+            let smoothing = curve.at(size);
             match self.point(smoothing, found.last()) {
                 Ok((point, shooting)) => {
                     verdict = watch(Finding::Copy(kernel, &point));
@@ -120,7 +122,7 @@ impl Copies<'_> {
     }
 
     fn refusal(&self, kernel: Kernel) -> Option<SmoothingError> {
-        let family = self.family(smoothing(kernel, 1.0), Effort::TIGHT.tolerance);
+        let family = self.family(Smoothing { kernel, size: 1.0 }, Effort::TIGHT.tolerance);
         match family.at(0.0).err()? {
             FlowError::Smoothing(refusal) => Some(refusal),
             _ => None,

@@ -2,9 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use super::{Finding, Need, Scope, Trade, tradable, trade, worst};
+use super::measure::trade;
+use super::record::{Finding, Need, Scope, Trade, worst};
 use crate::field::{Design, Kernel};
-use crate::study::error::StudyError;
+use crate::model::ModelInfo;
+use crate::study::error::{StudyError, TradeError};
 use crate::study::question::{Along, Case, Dynamics};
 use crate::study::system::System;
 
@@ -94,5 +96,18 @@ impl System {
                 trade,
             })
         })
+    }
+}
+
+/// Whether a model has friction that can be smoothed.
+///
+/// # Errors
+/// It has none, or only laws with internal state.
+fn tradable(info: &ModelInfo) -> Result<(), TradeError> {
+    let model = info.command;
+    match info.only_form() {
+        Some(reason) => Err(TradeError::OnlyForm { model, reason }),
+        None if info.contacts.is_empty() => Err(TradeError::NoFriction { model }),
+        None => Ok(()),
     }
 }

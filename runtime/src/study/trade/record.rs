@@ -1,6 +1,8 @@
 //! What a trade covers, and what it finds.
 
-use super::{Fit, Need, Precision, Setting, smoothing};
+use std::ops::ControlFlow;
+
+use super::fit::Fit;
 use crate::field::{Kernel, Smoothing, SmoothingError, Work};
 use crate::study::predict::Prediction;
 
@@ -110,6 +112,67 @@ pub struct Trade {
     pub interrupted: bool,
 }
 
+/// The smoothing that meets an accuracy at least cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Need {
+    /// The copy whose frequency and extrema meet it, verified by a run.
+    pub smoothing: Smoothing,
+    /// The size at which its frequency alone would meet it, on the curve of the measured copies.
+    pub frequency_size: f64,
+    /// Its largest error by smoothing alone.
+    pub error: f64,
+    /// How it is integrated.
+    pub setting: Setting,
+}
+
+/// How a system is integrated to meet an accuracy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
+pub struct Setting {
+    /// The loosest tolerance, by half decades, that does.
+    pub tolerance: f64,
+    /// Smoothing and integration together.
+    pub error: f64,
+    /// What one period costs.
+    pub cost: Cost,
+}
+
+/// The work-precision curve of one system.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Precision {
+    /// The copy; `None` for the exact system.
+    pub smoothing: Option<Smoothing>,
+    /// One point for each tolerance at which the orbit is found.
+    pub points: Vec<PrecisionPoint>,
+    /// Tolerances at which it is not, and why.
+    pub failed: Vec<(f64, String)>,
+}
+
+impl Precision {
+    /// The system's name: `exact`, or its smoothing.
+    #[must_use]
+    pub fn dynamics(&self) -> String {
+        self.smoothing
+            .map_or_else(|| "exact".to_owned(), |smoothing| smoothing.to_string())
+    }
+}
+
+/// One orbit at one tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
+pub struct PrecisionPoint {
+    /// The local tolerance.
+    pub tolerance: f64,
+    /// Largest relative error of period and extrema against the same system at a tight tolerance.
+    #[cfg_attr(feature = "app", serde(rename = "integration_error"))]
+    pub integration: f64,
+    /// The same against the exact system: smoothing and integration together.
+    #[cfg_attr(feature = "app", serde(rename = "total_error"))]
+    pub total: f64,
+    /// What one period costs.
+    pub cost: Cost,
+}
+
 /// What is found on the way of a trade.
 #[derive(Debug, Clone, Copy)]
 pub enum Finding<'a> {
@@ -119,11 +182,17 @@ pub enum Finding<'a> {
     Precision(&'a Precision),
 }
 
+/// Told of each finding of a trade; a break ends it there.
+pub type Watch<'a> = &'a mut dyn FnMut(Finding<'_>) -> ControlFlow<()>;
+
 impl Curve {
     /// The smoothing of this curve at one size.
     #[must_use]
     pub fn at(&self, size: f64) -> Smoothing {
-        smoothing(self.kernel, size)
+        Smoothing {
+            kernel: self.kernel,
+            size,
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::integrate::Tolerance;
 use crate::motion::{Family, Place, half_extents};
 use crate::shooting::{Guess, Orbit, OrbitError, problem};
 
-use super::Cost;
+use super::record::Cost;
 
 /// Repetitions of which the fastest counts.
 const REPEATS: usize = 3;
@@ -63,6 +63,25 @@ impl Shooting {
 
     pub(super) fn magnitude(&self) -> Vec<f64> {
         half_extents(&self.min, &self.max, &vec![1.0; self.min.len()])
+    }
+}
+
+impl Shooting {
+    /// Relative, signed errors of frequency and largest magnitudes against `truth`.
+    pub(super) fn errors(&self, truth: &Self) -> (f64, Vec<f64>) {
+        let pairs = self.max_abs().into_iter().zip(truth.max_abs());
+        (
+            truth.period / self.period - 1.0,
+            pairs.map(|(a, b)| a / b - 1.0).collect(),
+        )
+    }
+
+    /// The largest of them.
+    pub(super) fn error(&self, truth: &Self) -> f64 {
+        let (frequency, max_abs) = self.errors(truth);
+        max_abs
+            .iter()
+            .fold(frequency.abs(), |most, e| most.max(e.abs()))
     }
 }
 

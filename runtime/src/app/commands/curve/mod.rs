@@ -17,7 +17,7 @@ use crate::app::trail::Trail;
 use crate::app::values::{Assignment, Range};
 use crate::field::Design;
 use crate::model::ModelInfo;
-use crate::study::{Case, CurveFinding, CurveRecord, CurveScope, StudyError};
+use crate::study::{Case, CurveFinding, CurveRecord, CurveScope, Curved};
 
 /// The second range, if a curve is asked for; options that make sense only with one, or without, are refused.
 pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failure> {
@@ -67,8 +67,8 @@ pub(in crate::app) fn perform(
         .curve(&asked.case, &scope, &mut watch);
     drop(progress);
     let curve = match curve {
-        Ok(curve) => curve,
-        Err(StudyError::Interrupted(branch)) => return branch::deliver(&asked, &branch),
+        Ok(Curved::Followed(curve)) => curve,
+        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch),
         Err(error) => return Err(asked.failed(error)),
     };
     deliver(&asked, &curve, head)?;

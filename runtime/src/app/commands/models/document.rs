@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::carriers;
 use crate::app::document::unit;
-use crate::model::{Bound, ModelInfo};
+use crate::model::{Bound, Memory, ModelInfo};
 
 pub(super) fn document(info: &ModelInfo) -> Value {
     let end = |bound: Option<Bound>| {
@@ -44,4 +43,16 @@ pub(super) fn document(info: &ModelInfo) -> Value {
         "observables": observables.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
         "memories": memories.collect::<Vec<_>>(),
     })
+}
+
+/// The states that carry the internal states of a law.
+pub(super) fn carriers<'a>(
+    info: &'a ModelInfo,
+    memory: &'a Memory,
+) -> impl Iterator<Item = &'a str> {
+    let states = memory
+        .states
+        .iter()
+        .filter_map(|&state| info.states.get(state));
+    states.map(|state| state.name)
 }

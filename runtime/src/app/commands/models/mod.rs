@@ -10,7 +10,6 @@ use crate::app::failure::Failure;
 use crate::app::offer::App;
 use crate::app::output::Output;
 use crate::app::spreadsheet::Spreadsheet;
-use crate::model::{Memory, ModelInfo};
 pub(in crate::app) use arguments::Arguments;
 use document::document;
 use text::{brief, describe};
@@ -32,13 +31,4 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
             output.deliver("models", &text, &json!({ "models": documents }), &NO_SHEETS)
         }
     }
-}
-
-/// The states that carry the internal states of a law.
-fn carriers<'a>(info: &'a ModelInfo, memory: &'a Memory) -> impl Iterator<Item = &'a str> {
-    let states = memory
-        .states
-        .iter()
-        .filter_map(|&state| info.states.get(state));
-    states.map(|state| state.name)
 }

@@ -1,6 +1,6 @@
 //! Models as text.
 
-use super::carriers;
+use super::document::carriers;
 use crate::app::text::{assigned, indented, label, summary, table};
 use crate::model::{Contact, Memory, ModelInfo};
 
