@@ -83,7 +83,7 @@ fn the_doubled_orbit_leaves_subcritically_and_turns() {
 #[ignore = "long"]
 fn a_closed_branch_is_recognised() {
     let first = follow(CLOSED, [0.2, 0.4], 0);
-    assert_eq!(first.ended.word, "closed", "{}", first.ended.reason);
+    assert_eq!(first.ended.word(), "closed", "{}", first.ended.reason);
     assert!(first.points.iter().all(|point| point.period_count == 8));
     assert_eq!(of_kind(&first, "fold").len(), 2);
     assert_eq!(of_kind(&first, "flip").len() % 2, 0);

@@ -1,7 +1,7 @@
 //! Branches of orbits of the reference systems.
 
 use stickslip::bifurcation::Stability;
-use stickslip::continuation::{Ending, Settings};
+use stickslip::continuation::{Followed, Settings, Stop};
 use stickslip::field::Design;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
@@ -37,9 +37,9 @@ fn follow<M: Model<N>, const N: usize>(
     let settings = Settings::new(from, to, ACCURACY);
     let mut branch = OrbitBranch::start(&family, first, &search, settings).expect("a branch");
     let orbits: Vec<_> = branch.by_ref().take(60).collect();
-    let ending = match branch.ending() {
-        Some(Ending::ReachedEnd) => "end".to_owned(),
-        Some(Ending::ReachedStart) => "start".to_owned(),
+    let ending = match branch.stop() {
+        Some(Stop::ReachedEnd) => "end".to_owned(),
+        Some(Stop::ReachedStart) => "start".to_owned(),
         other => format!("{other:?}"),
     };
     (orbits, ending)

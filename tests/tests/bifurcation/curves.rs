@@ -103,7 +103,8 @@ fn circle(
     }
     let start = model.info().states.iter().map(|state| state.start);
     (case.start, case.period) = (Some(start.collect()), Some(TAU));
-    model.curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
+    let curved = model.curve(&case, &scope, &mut |_| ControlFlow::Continue(()))?;
+    Ok(curved.followed().expect("nobody interrupts it"))
 }
 
 fn lies_on(curve: &CurveRecord, expected: impl Fn(f64) -> f64, tolerance: f64) {
@@ -130,7 +131,7 @@ fn folds_of_bautins_form_lie_on_a_parabola() {
     )
     .unwrap();
     assert_eq!((curve.kind, curve.of.as_str()), ("fold", "LP1"));
-    assert_eq!(curve.ended.word, "reached-end");
+    assert_eq!(curve.ended.word(), "reached-end");
     lies_on(&curve, |q| -0.25 * q * q, 1e-8);
 }
 
@@ -143,7 +144,7 @@ fn a_cusp_is_passed_and_located() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.ended.word), ("fold", "reached-start"));
+    assert_eq!((curve.kind, curve.ended.word()), ("fold", "reached-start"));
     for point in &curve.points {
         let expected = 2.0 * (point.q.max(0.0) / 3.0).powf(1.5);
         assert!(
@@ -168,7 +169,7 @@ fn flips_lie_on_their_line_and_meet_in_a_resonance() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.ended.word), ("flip", "reached-end"));
+    assert_eq!((curve.kind, curve.ended.word()), ("flip", "reached-end"));
     lies_on(&curve, |d| -d, 1e-8);
     let found: Vec<_> = curve.special.iter().map(|s| s.label.as_str()).collect();
     assert_eq!(found, ["R2-1"]);
@@ -184,7 +185,7 @@ fn torus_points_lie_on_a_parabola_with_their_resonances() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.ended.word), ("torus", "reached-end"));
+    assert_eq!((curve.kind, curve.ended.word()), ("torus", "reached-end"));
     lies_on(&curve, |q| q * q, 1e-8);
     let found: Vec<_> = curve
         .special
@@ -205,8 +206,8 @@ fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
     let more = [("d", 0.2)];
     let model = System::of::<Halves, _>();
     let curve = circle(&model, ("p", -0.1, 0.1), ("q", 0.3, 0.1), &more).unwrap();
-    assert_eq!((curve.kind, curve.ended.word), ("torus", "resonance-1-2"));
-    assert!(curve.ended.located);
+    assert_eq!((curve.kind, curve.ended.word()), ("torus", "resonance-1-2"));
+    assert!(curve.ended.is_located());
     lies_on(&curve, |_| 0.0, 1e-8);
     let last = curve.points.last().unwrap();
     assert!((last.q - 0.2).abs() < 1e-6, "{}", last.q);
@@ -230,9 +231,11 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
         case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
         let curve = model
             .curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
+            .unwrap()
+            .followed()
             .unwrap();
         assert_eq!(
-            (curve.kind, curve.ended.word),
+            (curve.kind, curve.ended.word()),
             ("flip", "reached-end"),
             "{}",
             curve.ended.reason
@@ -294,9 +297,11 @@ fn the_drill_strings_graze_follows_its_closed_form() {
         };
         let curve = model
             .curve(&question, &scope, &mut |_| ControlFlow::Continue(()))
+            .unwrap()
+            .followed()
             .unwrap();
         assert_eq!((curve.kind, curve.of.as_str()), ("grazing-sliding", "GS1"));
-        assert!(curve.ended.located, "{}", curve.ended.reason);
+        assert!(curve.ended.is_located(), "{}", curve.ended.reason);
         let first = curve.points[0].p;
         assert!(
             (first / 4.611_989_021_286_665 - 1.0).abs() < 1e-9,

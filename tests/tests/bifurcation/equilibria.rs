@@ -4,10 +4,11 @@ use std::ops::ControlFlow;
 
 use nalgebra::Complex;
 use stickslip::bifurcation::Stability;
-use stickslip::equilibrium::{Branch, End, Kind, find, follow, settings, starts, sticking_sets};
+use stickslip::continuation::{Ending, Kind, Walked};
+use stickslip::equilibrium::{EquilibriumPoint, find, follow, settings, starts, sticking_sets};
 use stickslip::field::Design;
 use stickslip::field::exact::Mode;
-use stickslip::flow::{ExactFamily, SmoothFamily};
+use stickslip::flow::{ExactFamily, FlowError, SmoothFamily};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
@@ -83,7 +84,7 @@ fn branch<M: Model<N>, const N: usize>(
     smoothing: Option<&str>,
     along: ParamId<M>,
     (from, to): (f64, f64),
-) -> Branch {
+) -> Walked<EquilibriumPoint, FlowError> {
     let family = Family::from(smooth(model, smoothing, Design::Parameter(along.index)));
     let found = find(&family, from, &starts(&declared::<M, N>()), |_| {
         vec![vec![]]
@@ -93,12 +94,13 @@ fn branch<M: Model<N>, const N: usize>(
         ControlFlow::Continue(())
     })
     .expect("a branch")
+    .0
 }
 
-fn only(branch: &Branch, kind: Kind) -> (f64, f64) {
-    let found: Vec<_> = branch.special.iter().map(|found| found.kind).collect();
+fn only(branch: &Walked<EquilibriumPoint, FlowError>, kind: Kind) -> (f64, f64) {
+    let found: Vec<_> = branch.located.iter().map(|found| found.kind).collect();
     assert_eq!(found, [kind]);
-    let spot = &branch.special[0].spot;
+    let spot = &branch.located[0].point;
     let frequency = spot.spectrum.critical_frequency().unwrap_or(0.0);
     (spot.r, frequency)
 }
@@ -128,8 +130,8 @@ fn the_brusselator_oscillates_from_one_plus_a_squared() {
 #[test]
 fn folds_are_located_and_passed() {
     let branch = branch(Folds { r: -0.1 }, None, Folds::r, (-0.1, 2.0));
-    let spots: Vec<_> = branch.special.iter().map(|found| &found.spot).collect();
-    assert!(branch.special.iter().all(|found| found.kind == Kind::Fold));
+    let spots: Vec<_> = branch.located.iter().map(|found| &found.point).collect();
+    assert!(branch.located.iter().all(|found| found.kind == Kind::Fold));
     let [upper, lower] = spots.as_slice() else {
         panic!("{} folds", spots.len());
     };
@@ -146,7 +148,7 @@ fn a_neutral_saddle_is_no_hopf_point() {
         NeutralSaddle::p,
         (1.0, -0.5),
     );
-    assert!(branch.special.is_empty(), "{:?}", branch.special);
+    assert!(branch.located.is_empty(), "{:?}", branch.located);
     assert!(branch.points.iter().all(|spot| spot.spectrum.unstable == 1));
 }
 
@@ -201,7 +203,7 @@ fn the_copy_of_the_drill_string_rests_where_the_thesis_says() {
             "{spot:?}"
         );
     }
-    let hopf: Vec<f64> = branch.special.iter().map(|found| found.spot.r).collect();
+    let hopf: Vec<f64> = branch.located.iter().map(|found| found.r).collect();
     close(hopf[0], 3.758_631_613_778_235, 1e-12);
     close(hopf[1], 1.018_074_273_032_957, 1e-12);
     assert_eq!(hopf.len(), 2);
@@ -224,11 +226,16 @@ fn the_exact_belt_oscillator_slides_unstably_until_its_boundary() {
         state: vec![0.6, 0.0],
         modes,
     };
-    let branch = follow(&family, &start, settings(0.2, -0.1), &mut |_| {
+    let (branch, _) = follow(&family, &start, settings(0.2, -0.1), &mut |_| {
         ControlFlow::Continue(())
     })
     .expect("a branch");
-    assert_eq!(branch.end, End::Boundary(0));
+    assert!(matches!(
+        branch.ending,
+        Ending::At(Kind::BoundaryEquilibrium, _)
+    ));
+    let last = branch.points.last().expect("a last point");
+    assert_eq!(last.margin().map(|(contact, _)| contact), Some(0));
     let (r, _) = only(&branch, Kind::BoundaryEquilibrium);
     assert!(r.abs() < 1e-15, "{r}");
     for spot in &branch.points {
@@ -245,11 +252,11 @@ fn the_exact_drill_string_slides_stably() {
         state: vec![1.0, 0.0],
         modes,
     };
-    let branch = follow(&family, &start, settings(6.0, 0.01), &mut |_| {
+    let (branch, _) = follow(&family, &start, settings(6.0, 0.01), &mut |_| {
         ControlFlow::Continue(())
     })
     .expect("a branch");
-    assert!(branch.special.is_empty());
+    assert!(branch.located.is_empty());
     let expected = Complex::new(-0.05, (1.0_f64 - 0.05 * 0.05).sqrt());
     for spot in &branch.points {
         assert!(spot.state[0].abs() < 1e-12);

@@ -183,14 +183,14 @@ fn shows(branch: &BranchRecord, expected: &[(&str, f64)]) {
         "found {found:?}, not {expected:?}: {}",
         branch.ended.reason
     );
-    assert!(branch.ended.located, "{}", branch.ended.reason);
+    assert!(branch.ended.is_located(), "{}", branch.ended.reason);
 }
 
 #[test]
 fn a_fold_is_located_and_turned() {
     let branch = branch!(TwoCircles, 0, 0.5, -2.0, TAU);
     shows(&branch, &[("LP1", -1.0)]);
-    assert_eq!(branch.ended.word, "equilibrium");
+    assert_eq!(branch.ended.word(), "equilibrium");
 }
 
 #[test]
@@ -324,7 +324,7 @@ fn orbits_begin_at_the_brusselators_hopf_point() {
     let branch = model
         .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
-    assert_eq!(branch.ended.word, "reached-end");
+    assert_eq!(branch.ended.word(), "reached-end");
     let extent = |i: usize| branch.points[i].max[0] - branch.points[i].min[0];
     let above = |i: usize| branch.points[i].r.expect("r") - 2.0;
     assert!(above(0) > 0.0 && above(0) < 1e-3, "{}", above(0));

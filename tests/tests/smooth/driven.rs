@@ -107,7 +107,7 @@ fn the_response_is_followed_through_resonance() {
     let branch = model
         .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
-    assert_eq!(branch.ended.word, "reached-end");
+    assert_eq!(branch.ended.word(), "reached-end");
     assert!(branch.points.len() > 5);
     for point in &branch.points {
         check_response(point, point.r.expect("a followed parameter"), 0.1);
@@ -225,7 +225,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
     let branch = model
         .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
-    assert_eq!(branch.ended.word, "reached-end");
+    assert_eq!(branch.ended.word(), "reached-end");
     for point in &branch.points {
         let omega = point.r.expect("a followed parameter");
         close(point.period, TAU / omega, 1e-9, "period");

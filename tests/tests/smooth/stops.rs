@@ -519,7 +519,7 @@ fn the_response_is_followed_through_resonance() {
     let branch = model
         .branch(&case, &mut |_| ControlFlow::Continue(()))
         .expect("a branch");
-    assert_eq!(branch.ended.word, "reached-end");
+    assert_eq!(branch.ended.word(), "reached-end");
     let last = branch.points.last().expect("points");
     case.along = None;
     case.parameters[Damped::omega.index] = 1.4;

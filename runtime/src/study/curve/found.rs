@@ -79,7 +79,7 @@ impl Sought<'_> {
             branches: Vec::new(),
         };
         if branch.is_interrupted() {
-            return Ok(Curved::Interrupted(branch));
+            return Ok(Curved::Interrupted(Box::new(branch)));
         }
         let labels = branch.special.iter().map(|special| special.label.clone());
         let all: Vec<(String, Kind)> = labels.zip(located.iter().map(|one| one.kind)).collect();

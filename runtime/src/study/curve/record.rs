@@ -23,7 +23,18 @@ pub enum Curved {
     /// It was followed.
     Followed(Box<CurveRecord>),
     /// The branch of the special point was interrupted before the curve began; as far as it came.
-    Interrupted(BranchRecord),
+    Interrupted(Box<BranchRecord>),
+}
+
+impl Curved {
+    /// The curve, if there is one.
+    #[must_use]
+    pub fn followed(self) -> Option<CurveRecord> {
+        match self {
+            Self::Followed(curve) => Some(*curve),
+            Self::Interrupted(_) => None,
+        }
+    }
 }
 
 /// A curve as it is reported, whatever model it belongs to.

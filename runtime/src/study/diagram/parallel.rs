@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn order_is_kept() {
         let items: Vec<u64> = (0..100).collect();
-        let squares = parallel(&items, |x| x * x);
+        let squares = super::parallel(&items, |x| x * x);
         assert!(squares.iter().zip(&items).all(|(s, x)| *s == x * x));
     }
 }
