@@ -149,10 +149,10 @@ impl<'a> Frame<'a> {
             let place = [self.left - MARK, at + 0.36 * TICK];
             texts += &words(&tick.label, place, TICK, "end");
         }
-        for x in self.x.between() {
+        for x in self.x.unlabelled() {
             lines += &format!("M{} {bottom}v-2.5", number(self.across(x)));
         }
-        for y in self.y.between() {
+        for y in self.y.unlabelled() {
             lines += &format!("M{left} {}h2.5", number(self.up(y)));
         }
         path(&grid, GRID) + &path(&lines, LINES) + &texts

@@ -37,13 +37,18 @@ impl Scale {
         self.even(self.ends.map(|end| 10_f64.powf(end)), fits)
     }
 
-    /// Values between labelled decades.
-    pub(super) fn between(&self) -> Vec<f64> {
-        if !self.logarithmic || !(2..10).contains(&self.decades(&[1]).len()) {
+    /// Values on a logarithmic axis that deserve a tick but no label.
+    pub(super) fn unlabelled(&self) -> Vec<f64> {
+        if !self.logarithmic {
             return Vec::new();
         }
-        let between = self.decades(&[2, 3, 4, 5, 6, 7, 8, 9]).into_iter();
-        between.map(|(digit, power)| value(digit, power)).collect()
+        let digits: &[i64] = match self.decades(&[1]).len() {
+            2..10 => &[2, 3, 4, 5, 6, 7, 8, 9],
+            10..40 => &[1],
+            _ => &[],
+        };
+        let values = self.decades(digits).into_iter();
+        values.map(|(digit, power)| value(digit, power)).collect()
     }
 
     /// Multiples of 1, 2 or 5 of a power of ten from `low` to `high`.
@@ -181,8 +186,9 @@ mod tests {
         let four = ["10^{−2}", "10^{−1}", "10^{0}", "10^{1}"];
         check(logarithmic(0.01, 10.0), &four);
         check(logarithmic(1e-7, 1.0), &["10^{−6}", "10^{−3}", "10^{0}"]);
-        assert_eq!(logarithmic(0.9, 11.0).between().len(), 9);
-        assert!(scale(0.9, 11.0).between().is_empty());
+        assert_eq!(logarithmic(0.9, 11.0).unlabelled().len(), 9);
+        assert_eq!(logarithmic(1e-20, 1.0).unlabelled().len(), 21);
+        assert!(scale(0.9, 11.0).unlabelled().is_empty());
     }
 
     #[test]
