@@ -153,18 +153,15 @@ impl<M: Model<N>, const N: usize> Flows for ExactFamily<M, N> {
     }
 
     fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
-        let index = |design| match design {
+        let mut family = *self;
+        if let Design::Parameter(index) = fixed {
+            family.model = with(&self.model, index, value);
+        }
+        family.design = match design {
             Design::Parameter(index) => Some(index),
             Design::Smoothing | Design::None => None,
         };
-        let model = index(fixed).map_or(self.model, |i| with(&self.model, i, value));
-        let design = index(design);
-        Self {
-            model,
-            design,
-            ..*self
-        }
-        .into()
+        family.into()
     }
 }
 

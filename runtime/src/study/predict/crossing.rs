@@ -42,6 +42,10 @@ impl Crossing {
     /// ∫ (1/u̇ − 1/u̇_exact) du across the layer, at the load that the crossing has.
     pub(super) fn solve(&self, exact: Scalar) -> Result<Passing, IntegrationError> {
         let (kernel, sharpness) = (exact.smoothing.kernel, exact.smoothing.sharpness());
+        let copy = Scalar {
+            copied: true,
+            ..exact
+        };
         let layers = self.rates.map(|rate| 1.0 / (sharpness * rate));
         let mut window = [0.0; 2];
         let mut delay = 0.0;
@@ -51,7 +55,7 @@ impl Crossing {
                 None => (layers[i] * self.room[i]).sqrt().min(self.room[i]),
             };
             let half = HalfLayer {
-                copy: exact.copied(),
+                copy,
                 exact,
                 side,
                 unit: layers[i],

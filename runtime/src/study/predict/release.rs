@@ -84,7 +84,10 @@ impl Release {
     /// contact sticks again.
     pub(super) fn solve(&self, exact: Scalar) -> Result<Option<Loss>, IntegrationError> {
         let (kernel, sharpness) = (exact.smoothing.kernel, exact.smoothing.sharpness());
-        let copy = exact.copied();
+        let copy = Scalar {
+            copied: true,
+            ..exact
+        };
         let range = if kernel.is_bump() {
             self.local.stick - self.slip
         } else {

@@ -61,9 +61,6 @@ pub(super) fn response<M: Model<N>, const N: usize>(
         motion: Motion::from(start.state),
     };
     walk.settle([0.0; N])?;
-    let mut tangent = walk.motion.tangent;
-    walk.project_columns(&mut tangent)?;
-    walk.motion.tangent = tangent;
     let mut readings = Vec::new();
     let mut next = 0;
     for instant in history.instants(times) {
@@ -139,22 +136,16 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         })
     }
 
-    /// Goes on from the deviation p: takes out of it what contacts that stick determine by their creep.
+    /// Goes on from the deviation p: takes out of it, and of Φ, what contacts that stick determine.
     fn settle(&mut self, deviation: [f64; N]) -> Result<(), PredictError> {
         let field = self.field()?;
         let state = self.motion.state;
         let off = field.lift(&state, &field.rates(&state, &deviation));
         self.motion.design = std::array::from_fn(|j| deviation[j] - off[j]);
-        Ok(())
-    }
-
-    fn project_columns(&self, tangent: &mut [[f64; N]; N]) -> Result<(), PredictError> {
-        let field = self.field()?;
-        let state = self.motion.state;
         for column in 0..N {
-            let along = std::array::from_fn(|row| tangent[row][column]);
+            let along = std::array::from_fn(|row| self.motion.tangent[row][column]);
             let off = field.lift(&state, &field.rates(&state, &along));
-            for (row, change) in tangent.iter_mut().zip(off) {
+            for (row, change) in self.motion.tangent.iter_mut().zip(off) {
                 row[column] -= change;
             }
         }
@@ -186,11 +177,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         let late = self.late(switch, &saltation);
         self.modes = place(&switch.after).mode;
         let deviation = std::array::from_fn(|j| self.motion.design[j] + late[j]);
-        self.settle(deviation)?;
-        let mut tangent = self.motion.tangent;
-        self.project_columns(&mut tangent)?;
-        self.motion.tangent = tangent;
-        Ok(())
+        self.settle(deviation)
     }
 
     /// What a copy lags behind that takes longer to cross: it moves on with the later field where the exact one had begun to.

@@ -45,14 +45,6 @@ pub(super) struct Local {
 }
 
 impl Scalar<'_> {
-    /// The problem with the copy's law.
-    pub(super) fn copied(self) -> Self {
-        Self {
-            copied: true,
-            ..self
-        }
-    }
-
     /// F and its derivative by w.
     fn resistance(&self, z: f64) -> Dual64 {
         let Local { contact, way, .. } = self.local;
