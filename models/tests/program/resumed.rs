@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::interrupted::{TRIALS, end, files, folder, interrupted, start, wait_for};
 use crate::{stickslip, words};
 
-const DIAGRAM: &str = "diagram belt-oscillator --along v_dr=0.1..0.3 --values 5 --settle 1000 --points 12 --lyapunov 4";
+const DIAGRAM: &str = "diagram belt-oscillator --along v_dr=0.1..0.3 --values 5 --settle 200 --points 12 --lyapunov 4";
 
 const BRANCH: &str = "branch belt-oscillator --along v_dr=0.2..0.05 --accuracy 1e-11";
 
