@@ -5,7 +5,7 @@
 //! | modules | what lives there |
 //! |---|---|
 //! | [`scalar`], [`math`], [`suggest`] | numbers that carry derivatives, intervals, nearest names |
-//! | [`model`], [`friction`], [`memory`] | what [`model!`] and [`friction_law!`] make of a declaration |
+//! | [`mod@model`], [`friction`], [`memory`] | what [`model!`] and [`friction_law!`] make of a declaration |
 //! | [`field`] | the vector field: smoothed, or exact with its sticking forces; its derivatives, its work |
 //! | [`integrate`] | steps: explicit, implicit, with events |
 //! | [`flow`] | where a motion is after a time, how that depends on where it began; saltation |

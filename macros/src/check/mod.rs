@@ -9,6 +9,7 @@ mod known;
 mod memory;
 mod names;
 mod reserved;
+mod resolve;
 mod stops;
 mod units;
 
@@ -55,7 +56,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
         names::check_used(written, &names, errors);
     }
     if errors.is_empty() {
-        known::model(written, &units)
+        resolve::model(written, &units)
     } else {
         None
     }
@@ -95,7 +96,7 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
     }
     let law = errors
         .is_empty()
-        .then(|| known::law(written, &units))
+        .then(|| resolve::law(written, &units))
         .flatten()?;
     memory::check_continuous(&law, errors);
     errors.is_empty().then_some(law)

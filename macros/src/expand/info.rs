@@ -4,8 +4,8 @@ use heck::ToKebabCase;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
-use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 
+use super::doc::doc;
 use crate::check::{
     Bounds, Contact, LawState, Let, Memory, MemoryLaw, Model, Parameter, State, StaticLaw, Stop,
     Unit,
@@ -274,30 +274,4 @@ fn text(name: &Ident) -> String {
 /// The name on the command line: `BeltOscillator` is `belt-oscillator`.
 pub(super) fn command(name: &Ident) -> String {
     text(name).to_kebab_case()
-}
-
-/// Doc comments as one text, without the space after the slashes.
-pub(super) fn doc(docs: &[Attribute]) -> String {
-    let lines: Vec<String> = docs.iter().filter_map(doc_line).collect();
-    lines.join("\n").trim().to_owned()
-}
-
-fn doc_line(attribute: &Attribute) -> Option<String> {
-    let Meta::NameValue(doc) = &attribute.meta else {
-        return None;
-    };
-    let Expr::Lit(ExprLit {
-        lit: Lit::Str(line),
-        ..
-    }) = &doc.value
-    else {
-        return None;
-    };
-    let line = line.value();
-    Some(
-        line.strip_prefix(' ')
-            .unwrap_or(&line)
-            .trim_end()
-            .to_owned(),
-    )
 }

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod builder;
+mod doc;
 mod info;
 mod items;
 mod law;

@@ -5,6 +5,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::doc::doc;
 use super::{info, typeset};
 use crate::check::{Contact, Memory, MemoryLaw, Model, State, StaticLaw, Step};
 
@@ -131,7 +132,7 @@ fn states(model: &Model) -> String {
 
 fn row(state: &State) -> String {
     let unit = state.unit.as_ref().map(|unit| format!("`{}`", unit.text));
-    let doc = info::doc(state.docs).replace('|', "\\|");
+    let doc = doc(state.docs).replace('|', "\\|");
     let first = doc
         .split("\n\n")
         .next()

@@ -4,7 +4,8 @@ use proc_macro2::Ident;
 use syn::parse::ParseStream;
 use syn::{Expr, Token, bracketed, parenthesized, token};
 
-use super::line::{Reader, name};
+use super::docs::name;
+use super::line::Reader;
 use crate::arithmetic;
 use crate::syntax::word;
 

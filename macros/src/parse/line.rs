@@ -5,6 +5,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Attribute, Path, Token, braced};
 
+use super::docs::{docs, name, undocumented};
 use super::shape::{self, no_keyword, shaped, unknown_keyword};
 use super::{Grammar, value};
 use crate::arithmetic;
@@ -293,34 +294,4 @@ fn law_param(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Line> {
         default: None,
         bounds,
     }))
-}
-
-pub(super) fn name(input: ParseStream) -> syn::Result<Ident> {
-    let found = input.call(Ident::parse_any);
-    found.map_err(|error| syn::Error::new(error.span(), "expected a name"))
-}
-
-/// Doc comments; no other attribute has a meaning here.
-pub(super) fn docs(input: ParseStream) -> syn::Result<Vec<Attribute>> {
-    let attributes = input.call(Attribute::parse_outer)?;
-    match attributes
-        .iter()
-        .find(|attribute| !attribute.path().is_ident("doc"))
-    {
-        None => Ok(attributes),
-        Some(other) => Err(syn::Error::new_spanned(
-            other,
-            "only doc comments (`///`) may stand here",
-        )),
-    }
-}
-
-fn undocumented(docs: &[Attribute]) -> syn::Result<()> {
-    match docs.first() {
-        None => Ok(()),
-        Some(doc) => Err(syn::Error::new_spanned(
-            doc,
-            "a doc comment describes what a line declares, and this line declares nothing: use `//`",
-        )),
-    }
 }

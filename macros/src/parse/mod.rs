@@ -1,5 +1,6 @@
 //! From tokens to a declaration as written.
 
+mod docs;
 mod element;
 mod line;
 mod measure;
@@ -49,7 +50,7 @@ pub(crate) fn declaration(
 
 fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
     let declaration = Declaration {
-        docs: line::docs(input)?,
+        docs: docs::docs(input)?,
         visibility: input.parse()?,
         keyword: input.parse()?,
         name: input.parse()?,

@@ -2,8 +2,8 @@
 
 use nalgebra::DVector;
 
-use super::branch::Point;
 use super::corrector::{Failure, correct};
+use super::point::Point;
 use super::predictor::tangent;
 use super::{Corrected, ZeroProblem};
 

@@ -2,15 +2,18 @@
 //!
 //! Knows a zero problem and nothing of orbits.
 
+mod attempt;
 mod branch;
 mod change;
 mod corrector;
 mod detect;
+mod ending;
 mod kind;
 mod link;
 mod located;
 mod monitor;
 mod path;
+mod point;
 mod predictor;
 mod range;
 mod reading;
@@ -19,20 +22,22 @@ mod step;
 mod switch;
 mod walk;
 
-pub use branch::{Branch, Point, Started};
+pub use branch::{Branch, Started};
 pub use corrector::{Corrected, Failure, correct};
 pub use detect::{Monitors, RegimeChange, detect};
+pub use ending::Ending;
 pub use kind::Kind;
 pub use link::Link;
 pub use located::{Findings, Located, Unexplained};
 pub use monitor::{Monitor, Verdict, changes};
 pub use path::{Path, Spot, Watched};
+pub use point::Point;
 pub(crate) use predictor::tangent;
 pub use range::{Settings, Stop};
 pub use reading::{Between, Reader, Reading};
 pub use root::reach;
 pub use switch::across;
-pub use walk::{Counted, Ending, Followed, Walked, walk};
+pub use walk::{Counted, Followed, Walked, walk};
 
 use nalgebra::{DMatrix, DVector};
 

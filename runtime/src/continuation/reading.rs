@@ -1,11 +1,12 @@
 //! Branches whose points are read off the unknowns one by one.
 
 use super::ZeroProblem;
-use super::branch::{Branch, Point, Started};
+use super::branch::{Branch, Started};
 use super::corrector::Failure;
 use super::detect::Monitors;
 use super::link::Link;
 use super::path::{Path, Watched};
+use super::point::Point;
 use super::range::{Settings, Stop};
 use super::walk::{Counted, Followed};
 use crate::field::Work;

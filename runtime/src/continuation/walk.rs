@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::detect::{Monitors, detect};
-use super::kind::Kind;
+use super::ending::Ending;
 use super::located::{Findings, Located, Unexplained};
 use super::path::{Path, Watched};
 use super::range::Stop;
@@ -80,39 +80,6 @@ pub trait Followed {
 pub trait Counted {
     /// Work of all points found on it.
     fn work(&self) -> Work;
-}
-
-/// Why a branch ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Ending<E> {
-    /// There are no more steps.
-    Stopped(Stop<E>),
-    /// At a special point beyond which nothing continues it, or nothing that can be reached.
-    At(Kind, f64),
-    /// It has become another branch there, along which it would only run back.
-    Meets(f64),
-    /// It cannot be told any more from another branch, however short the step.
-    FallsBack(f64),
-    /// It came round to where it began.
-    Closed(f64),
-    /// It leaves what was asked for.
-    Left,
-    /// Its period has grown this many times.
-    Endless(f64),
-    /// It is not any more what was followed: off by this.
-    Lost(f64),
-    /// Whoever watched wanted no more.
-    Interrupted,
-    /// A change that no special point explains.
-    Unexplained(Unexplained),
-}
-
-impl<E> Ending<E> {
-    /// Whether whoever watched wanted no more.
-    #[must_use]
-    pub fn is_interrupted(&self) -> bool {
-        matches!(self, Self::Interrupted)
-    }
 }
 
 /// A branch that has been walked along.

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 
 use super::codimension::window;
 use super::follow::Curve;
-use super::grazing::{Graze, GrazingProblem, GrazingShot};
+use super::graze::Graze;
+use super::grazing::{GrazingProblem, GrazingShot};
 use super::plane::Plane;
 use super::point::moved;
 use crate::continuation::{

@@ -3,14 +3,15 @@
 mod dip;
 mod readout;
 mod rest;
+mod rules;
 
 use super::smoothing::{Sloped, Smoothed, Smoothing, SmoothingError};
 use super::{Field, Linear, Stops, memory};
-use crate::friction::{ContactRule, FrictionLaw};
 use crate::integrate::Tolerance;
 use crate::model::{Model, Rates};
-use crate::scalar::{Inline, Lanes, Scalar};
+use crate::scalar::{Inline, Lanes};
 use num_dual::DualStruct;
+use rules::{Layer, LayerScale, Levels, Speeds, Terms};
 
 /// What a derivative with respect to "the design variable" means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -293,74 +294,4 @@ fn accept<M: Model<N>, const N: usize>(
     let start = std::array::from_fn(|i| M::INFO.states[i].start);
     let _ = M::rhs(values, start, &mut levels);
     levels.verdict
-}
-
-/// Compares each law's limit at rest with the force at which sliding starts.
-struct Levels<'a> {
-    verdict: Result<(), SmoothingError>,
-    smoothing: &'a Smoothing,
-    contacts: &'static [crate::model::Contact],
-}
-
-impl ContactRule<f64> for Levels<'_> {
-    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
-        if self.verdict.is_ok() {
-            let name = self.contacts[contact].name;
-            self.verdict = self.smoothing.kernel.suits(law, Some(name));
-        }
-        0.0
-    }
-}
-
-/// Visits the relative speeds; the forces are zero, so nothing else is computed.
-struct Speeds<V>(V);
-
-impl<V: FnMut(usize, f64)> ContactRule<f64> for Speeds<V> {
-    #[inline]
-    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, speed: f64) -> f64 {
-        self.0(contact, speed);
-        0.0
-    }
-}
-
-/// Visits the relative speeds with their derivatives.
-struct Terms<V>(V);
-
-impl<D: Scalar, V: FnMut(usize, D)> ContactRule<D> for Terms<V> {
-    fn force<L: FrictionLaw<D>>(&mut self, contact: usize, _law: &L, speed: D) -> D {
-        (self.0)(contact, speed);
-        D::from(0.0)
-    }
-}
-
-/// Forces as steep as they are inside a layer, wherever the motion is.
-struct Layer {
-    steepness: f64,
-}
-
-impl<D: Scalar> ContactRule<D> for Layer {
-    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, law: &L, speed: D) -> D {
-        (speed - speed.re()) * (-self.steepness * law.stick().re())
-    }
-}
-
-/// Tightens the scale of each state that enters a sliding speed to what the friction layer resolves.
-struct LayerScale<'a, const N: usize> {
-    scale: [f64; N],
-    width: f64,
-    tolerance: &'a Tolerance,
-}
-
-impl<const N: usize, D: Lanes<N>> ContactRule<D> for LayerScale<'_, N> {
-    #[inline]
-    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, _law: &L, speed: D) -> D {
-        let allowed =
-            self.tolerance.absolute * self.width + self.tolerance.relative * speed.re().abs();
-        for (scale, slope) in self.scale.iter_mut().zip(speed.slopes().0) {
-            if slope != 0.0 {
-                *scale = scale.min(allowed / slope.abs());
-            }
-        }
-        D::from(0.0)
-    }
 }

@@ -2,6 +2,7 @@
 
 mod approach;
 mod box_qp;
+mod chatter;
 mod depart;
 mod departure;
 mod extrema;

@@ -6,11 +6,13 @@
 mod crossings;
 mod recurrence;
 mod section;
+mod span;
 mod turns;
 
-pub use crossings::{Crossing, Crossings, once_around, until};
+pub use crossings::{Crossing, Crossings};
 pub use recurrence::recurrence;
 pub use section::{Direction, Section, Surface};
+pub use span::{once_around, until};
 
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};

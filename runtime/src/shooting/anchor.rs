@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::guess::Guess;
 use super::phase::Phase;
-use super::problem::{OrbitProblem, Shot};
+use super::problem::OrbitProblem;
+use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
 use crate::motion::{Family, Place, Velocity, half_extents};

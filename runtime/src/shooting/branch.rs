@@ -5,8 +5,9 @@ use nalgebra::DVector;
 use super::anchor::problem;
 use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
-use super::problem::{OrbitProblem, Shot};
+use super::problem::OrbitProblem;
 use super::search::Search;
+use super::shot::Shot;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
     Branch, Counted, Ending, Failure, Followed, Link, Located, Monitors, Path, Point, Settings,

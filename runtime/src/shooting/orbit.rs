@@ -1,13 +1,11 @@
 //! A periodic orbit with everything that is known of it.
 
-use std::f64::consts::TAU;
+use nalgebra::DVector;
 
-use nalgebra::{DMatrix, DVector};
-
-use super::problem::Shot;
+use super::shot::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
-use crate::motion::{Event, Factor, Family, Place, Segment, half_extents, sticking};
+use crate::motion::{Event, Family, Place, Segment, half_extents, sticking};
 
 /// A periodic orbit.
 #[derive(Debug, Clone)]
@@ -92,9 +90,6 @@ fn section_place(family: &Family, solution: &Solution<'_>) -> Place {
     place.unwrap_or(start)
 }
 
-/// Whether two times are the same instant of a period.
-const INSTANT: f64 = 1e-6;
-
 impl Orbit {
     /// Reads an orbit off its converged shot.
     pub(crate) fn read(family: &Family, solution: Solution<'_>, accuracy: f64, work: Work) -> Self {
@@ -158,76 +153,5 @@ impl Orbit {
     pub fn max_abs(&self) -> Vec<f64> {
         let pairs = self.max.iter().zip(&self.min);
         pairs.map(|(max, min)| max.abs().max(min.abs())).collect()
-    }
-}
-
-impl Shot {
-    /// The factors of Φ once around, if they were wanted.
-    fn factors(&self) -> Vec<Factor> {
-        let derivatives = self
-            .passages
-            .iter()
-            .filter_map(|passage| passage.derivatives.as_ref());
-        derivatives
-            .flat_map(|derivatives| derivatives.factors.iter().cloned())
-            .collect()
-    }
-
-    /// Φ once around, and ∫ tr J.
-    pub(crate) fn monodromy(&self) -> (DMatrix<f64>, f64) {
-        let order = self.start.state.len();
-        let mut phi = DMatrix::identity(order, order);
-        let mut trace = 0.0;
-        for derivatives in self
-            .passages
-            .iter()
-            .filter_map(|passage| passage.derivatives.as_ref())
-        {
-            phi = &derivatives.state * phi;
-            trace += derivatives.trace;
-        }
-        (phi, trace)
-    }
-
-    /// Time and state of each minimum of the first state in [0, T), the start included once if it is one; with a drive,
-    /// of each beginning of its phase.
-    pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
-        let share = self.period / self.passages.len().max(1) as f64;
-        let near = INSTANT * self.period;
-        let section = self.drive.unwrap_or(0);
-        let all = self
-            .passages
-            .iter()
-            .enumerate()
-            .flat_map(move |(i, passage)| {
-                let minima = passage
-                    .extrema
-                    .iter()
-                    .filter(move |e| e.index == section && !e.maximum);
-                minima.map(move |e| (i as f64 * share + e.time, e.state.clone()))
-            });
-        let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
-        let start = self
-            .starts_on_section()
-            .then(|| (0.0, self.start.state.clone()));
-        start.into_iter().chain(inside)
-    }
-
-    /// Whether the first state is least at the start; with a drive, whether its phase begins there.
-    fn starts_on_section(&self) -> bool {
-        if let Some(phase) = self.drive {
-            let turns = self.start.state[phase] / TAU;
-            return (turns - turns.round()).abs() <= INSTANT;
-        }
-        let terms = self
-            .velocity
-            .jacobian
-            .row(0)
-            .transpose()
-            .component_mul(&self.velocity.f);
-        let (bend, size) = terms.iter().fold((0.0, 0.0), |(sum, size), term| {
-            (sum + term, size + term.abs())
-        });
-        self.velocity.f[0].abs() <= INSTANT * self.period * size && bend > 0.0
     }
 }

@@ -3,10 +3,11 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::phase::Phase;
+use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Family, Modes, Passage, Place, Velocity, half_extents};
+use crate::motion::{Event, Family, Modes, Place, Velocity};
 use std::f64::consts::TAU;
 
 /// A start is left for a calmer one whose field turns this many times more slowly.
@@ -36,21 +37,6 @@ pub struct OrbitProblem {
     largest: Vec<f64>,
     /// States of the last accepted orbit at which it could begin as well.
     others: Vec<Vec<f64>>,
-}
-
-/// One evaluation of the problem: the motion once around.
-#[derive(Debug, Clone)]
-pub struct Shot {
-    /// One passage for each segment.
-    pub passages: Vec<Passage>,
-    /// Where the first begins.
-    pub start: Place,
-    /// The field there.
-    pub velocity: Velocity,
-    /// The period tried.
-    pub period: f64,
-    /// The state that is the phase of a drive, if there is one.
-    pub drive: Option<usize>,
 }
 
 impl OrbitProblem {
@@ -268,53 +254,5 @@ impl OrbitProblem {
         };
         let hasty = haste(&shot.velocity) > HASTE * haste(&there).max(1.0 / shot.period);
         Ok((hasty || passage.events.iter().any(near)).then_some(place))
-    }
-}
-
-/// Most places at which an orbit is begun anew.
-const OTHERS: usize = 4;
-
-impl Shot {
-    /// States in which the first state is least or greatest, spread over the motion; none where it is
-    /// divided into segments.
-    fn turns(&self) -> Vec<Vec<f64>> {
-        let [passage] = self.passages.as_slice() else {
-            return Vec::new();
-        };
-        let turns = |maximum: bool| {
-            let found = passage.extrema.iter();
-            let found = found.filter(move |e| e.index == 0 && e.maximum == maximum);
-            found.map(|e| e.state.clone()).take(OTHERS / 2)
-        };
-        turns(false).chain(turns(true)).collect()
-    }
-
-    /// Smallest and largest value of each state along the motion.
-    ///
-    /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.
-    #[must_use]
-    pub fn extent(&self) -> (Vec<f64>, Vec<f64>) {
-        let (mut low, mut high) = (self.start.state.clone(), self.start.state.clone());
-        for passage in &self.passages {
-            for extremum in &passage.extrema {
-                let (j, value) = (extremum.index, extremum.state[extremum.index]);
-                low[j] = low[j].min(value);
-                high[j] = high[j].max(value);
-            }
-            for j in 0..low.len() {
-                low[j] = low[j].min(passage.calm.low[j]);
-                high[j] = high[j].max(passage.calm.high[j]);
-            }
-        }
-        if let Some(phase) = self.drive {
-            (low[phase], high[phase]) = (0.0, TAU);
-        }
-        (low, high)
-    }
-
-    /// Half the extent of each state; `fallback` where it has none.
-    fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
-        let (low, high) = self.extent();
-        half_extents(&low, &high, fallback)
     }
 }

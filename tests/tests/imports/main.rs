@@ -43,7 +43,8 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
         "a contact as data names the data of its law, whose parameters have units and bounds",
         &[
             ("model", "friction"),
-            ("model", "memory"),
+            ("model/info", "friction"),
+            ("model/info", "memory"),
             ("memory", "friction"),
         ],
     ),
@@ -53,6 +54,7 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
             ("field", "integrate"),
             ("field/exact", "integrate"),
             ("field/smooth", "integrate"),
+            ("field/smooth/rules", "integrate"),
         ],
     ),
     (
@@ -70,9 +72,8 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
         ],
     ),
     (
-        "a branch gives a link between its points, and a family one that keeps a tape",
+        "a family gives one that keeps a tape",
         &[
-            ("continuation/link", "continuation/branch"),
             ("motion/family", "motion/tape"),
             ("motion/modes", "motion/passage"),
         ],

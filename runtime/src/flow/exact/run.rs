@@ -16,9 +16,7 @@ use crate::integrate::{Carried, Dense, IntegrationError, Motion};
 use crate::model::Model;
 use crate::scalar::Inline;
 
-/// Events that may follow each other within [`NO_TIME`] of the passage.
-const CHATTER: u64 = 100;
-const NO_TIME: f64 = 1e-10;
+pub(super) const NO_TIME: f64 = 1e-10;
 /// Trial steps through which derivatives are worth carrying.
 const DIFFERENTIATED: u64 = 50_000;
 /// Steps on end that may advance the time by no more than [`NO_TIME`] of the passage.
@@ -46,7 +44,7 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     factors: Vec<[[f64; N]; N]>,
     calm: Calm<N, Modes<M, N>>,
     /// Number of events and time when the count of chatter began.
-    chatter: (u64, f64),
+    pub(super) chatter: (u64, f64),
 }
 
 pub(super) type Steps<'s, 'f, M, V, const N: usize> = Stepper<'s, ExactField<'f, M, N>, V, N>;
@@ -283,35 +281,5 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             self.factors.push(motion.tangent);
             motion.restart();
         }
-    }
-
-    /// Counts events that follow each other in no time.
-    pub(super) fn count_chatter(&mut self, contact: usize) -> Result<(), FlowError> {
-        let (events, since) = &mut self.chatter;
-        if self.time - *since > NO_TIME * self.span {
-            (*events, *since) = (0, self.time);
-        }
-        *events += 1;
-        if *events > CHATTER {
-            return Err(FlowError::Chattering {
-                contact,
-                time: self.time,
-                events: *events,
-            });
-        }
-        Ok(())
-    }
-
-    /// A failure of the integrator, or what caused it.
-    fn explain(&self, mut error: IntegrationError) -> FlowError {
-        if let IntegrationError::TooManySteps { steps, .. } = &mut error {
-            *steps += self.work.steps + self.work.rejected;
-        }
-        if let IntegrationError::NotFinite { .. } = error
-            && let Err(cause) = self.flow.system.snapshot(self.carried.state(), &self.modes)
-        {
-            return cause.into();
-        }
-        error.into()
     }
 }

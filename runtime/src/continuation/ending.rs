@@ -1,0 +1,38 @@
+//! Why a branch that is walked along ends.
+
+use super::kind::Kind;
+use super::located::Unexplained;
+use super::range::Stop;
+
+/// Why a branch ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ending<E> {
+    /// There are no more steps.
+    Stopped(Stop<E>),
+    /// At a special point beyond which nothing continues it, or nothing that can be reached.
+    At(Kind, f64),
+    /// It has become another branch there, along which it would only run back.
+    Meets(f64),
+    /// It cannot be told any more from another branch, however short the step.
+    FallsBack(f64),
+    /// It came round to where it began.
+    Closed(f64),
+    /// It leaves what was asked for.
+    Left,
+    /// Its period has grown this many times.
+    Endless(f64),
+    /// It is not any more what was followed: off by this.
+    Lost(f64),
+    /// Whoever watched wanted no more.
+    Interrupted,
+    /// A change that no special point explains.
+    Unexplained(Unexplained),
+}
+
+impl<E> Ending<E> {
+    /// Whether whoever watched wanted no more.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        matches!(self, Self::Interrupted)
+    }
+}

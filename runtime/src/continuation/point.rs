@@ -1,0 +1,41 @@
+//! Points of a branch in terms of its unknowns.
+
+use nalgebra::DVector;
+
+/// An accepted point of a branch.
+#[derive(Debug, Clone)]
+pub struct Point<Extra> {
+    /// Unknowns.
+    pub z: DVector<f64>,
+    /// Design variable.
+    pub r: f64,
+    /// What the problem says of it.
+    pub extra: Extra,
+    /// Norm of the residual.
+    pub residual: f64,
+    /// Unit tangent in scaled coordinates, r last: that component changes sign at a fold.
+    pub tangent: DVector<f64>,
+    /// Newton iterations spent.
+    pub newton: u64,
+}
+
+/// The point from which the next step is made, in unscaled coordinates.
+#[derive(Debug, Clone)]
+pub(super) struct Base {
+    pub(super) z: DVector<f64>,
+    pub(super) r: f64,
+    pub(super) tangent: DVector<f64>,
+}
+
+/// A tangent in coordinates that are stretched by `ratio`, r left as it is.
+pub(super) fn rescaled(mut tangent: DVector<f64>, ratio: &DVector<f64>) -> DVector<f64> {
+    tangent.rows_mut(0, ratio.len()).component_mul_assign(ratio);
+    tangent.normalize()
+}
+
+/// The direction of r alone, beside n unknowns.
+pub(super) fn unit(n: usize) -> DVector<f64> {
+    let mut normal = DVector::zeros(n + 1);
+    normal[n] = 1.0;
+    normal
+}

@@ -1,0 +1,146 @@
+//! Why a motion cannot be followed, or has no derivative.
+
+use crate::field::SmoothingError;
+use crate::field::exact::{ContactError, Mode};
+use crate::integrate::IntegrationError;
+use crate::model::ParameterError;
+
+/// Why a motion could not be followed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FlowError {
+    /// The integrator gave up.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// A smoothing was used outside the sliding direction for which it stands.
+    #[error(
+        "the smoothing stands for one sliding direction only, but contact {contact} slides backwards at t = {time}: \
+         relative speed {speed:e}"
+    )]
+    Backwards {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// Relative speed, signed.
+        speed: f64,
+    },
+    /// A parameter that the model does not accept.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// Forces at rest that are not determined.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// A contact that can neither stick nor slide the way it should.
+    #[error(
+        "contact {contact} is to be in mode {mode} at t = {time}, but its relative speed is {speed:e}, \
+         with rates {rate:e} and {second_rate:e}"
+    )]
+    InconsistentMode {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// The mode it should be in.
+        mode: Mode,
+        /// Relative speed w.
+        speed: f64,
+        /// ẇ.
+        rate: f64,
+        /// ẅ.
+        second_rate: f64,
+    },
+    /// Event upon event in next to no time.
+    #[error("{events} events in no time at contact {contact}, up to t = {time}")]
+    Chattering {
+        /// Number of the contact that was last.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// How many.
+        events: u64,
+    },
+    /// An event at which the motion has no derivative.
+    #[error(transparent)]
+    SensitivityUndefined(#[from] SensitivityUndefined),
+    /// The smoothing would falsify a law.
+    #[error(transparent)]
+    Smoothing(#[from] SmoothingError),
+    /// A periodic orbit has shrunk to a point.
+    #[error("the orbit has shrunk to an equilibrium at {state:?}")]
+    Vanished {
+        /// Where.
+        state: Vec<f64>,
+    },
+    /// A motion that should close comes back in another mode.
+    #[error("the motion comes back in mode {found}, but began in mode {wanted}")]
+    OtherMode {
+        /// Modes of the contacts at the end.
+        found: String,
+        /// Modes of the contacts at the start.
+        wanted: String,
+    },
+    /// A drive that stands still, or turns backwards.
+    #[error(
+        "the drive `{name}` advances at the rate {rate}, which must be a finite number above 0"
+    )]
+    Standing {
+        /// The phase.
+        name: &'static str,
+        /// Its rate.
+        rate: f64,
+    },
+    /// The stops of an internal state that stand nowhere.
+    #[error(
+        "`{law}` stops `{state}` at {bound}, which must be a finite number above 0: give its parameters other values"
+    )]
+    Misplaced {
+        /// The state.
+        state: &'static str,
+        /// The law.
+        law: &'static str,
+        /// Where it should stop.
+        bound: f64,
+    },
+    /// Internal states with stops, which an exact motion does not know.
+    #[error(
+        "`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy, as with \
+         `--smooth tanh:1e4`"
+    )]
+    NoExactStops {
+        /// The law.
+        law: &'static str,
+    },
+    /// A duration that is negative or not finite.
+    #[error("a motion cannot be followed for the time {time}")]
+    BadTime {
+        /// The duration.
+        time: f64,
+    },
+}
+
+/// Why a motion has no derivative at an event; the motion itself goes on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SensitivityUndefined {
+    /// The event surface is touched, not crossed.
+    #[error(
+        "no derivative: contact {contact} grazes at t = {time}, where its guard falls at the rate {rate:e} only"
+    )]
+    Grazing {
+        /// Number of the contact.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// Rate of the guard along the motion.
+        rate: f64,
+    },
+    /// Events at one time whose order matters.
+    #[error(
+        "no derivative: contacts {contacts:?} switch together at t = {time}, and their order matters"
+    )]
+    Simultaneous {
+        /// Numbers of the contacts.
+        contacts: Vec<usize>,
+        /// When.
+        time: f64,
+    },
+}

@@ -1,0 +1,160 @@
+//! A declared model as data.
+
+use super::bounds::{Bounds, ParameterError};
+use super::unit::Unit;
+use crate::friction::LawInfo;
+use crate::memory::MemoryLawInfo;
+
+/// A model as data: what it is called, what it holds, what may be asked of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModelInfo {
+    /// Name of the struct.
+    pub name: &'static str,
+    /// Name on the command line: the struct's name in kebab case.
+    pub command: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// States in the order of declaration.
+    pub states: &'static [State],
+    /// Parameters in the order of declaration.
+    pub parameters: &'static [Parameter],
+    /// `let` lines in the order of declaration.
+    pub observables: &'static [Observable],
+    /// Place among the states of the phase of a drive, if there is one: it advances at a rate of the parameters alone,
+    /// and 2π more of it is the same.
+    pub drive: Option<usize>,
+    /// Contacts in the order of declaration.
+    pub contacts: &'static [Contact],
+    /// Friction with internal state in the order of declaration.
+    pub memories: &'static [Memory],
+}
+
+/// A state as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Name as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit, where one is stated.
+    pub unit: Option<Unit>,
+    /// Value from which a motion starts if nothing else is said.
+    pub start: f64,
+    /// The right side of `der(name) = ...`, as written.
+    pub equation: &'static str,
+}
+
+/// A parameter as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// Name as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit, where one is stated.
+    pub unit: Option<Unit>,
+    /// Value if nothing else is said.
+    pub default: f64,
+    /// Bounds that a value must keep.
+    pub bounds: Bounds,
+}
+
+/// A `let` line as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Observable {
+    /// Name as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit, where the units stated elsewhere decide it.
+    pub unit: Option<Unit>,
+    /// The right side, as written.
+    pub formula: &'static str,
+}
+
+/// A `friction` line as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Name of the force as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit of the force, where one is stated.
+    pub unit: Option<Unit>,
+    /// The law that acts.
+    pub law: &'static LawInfo,
+    /// The fields of the law, as written: `limit: F_s, decay: delta`.
+    pub fields: &'static str,
+    /// The relative speed, as written.
+    pub speed: &'static str,
+    /// Unit of the relative speed, where the units stated elsewhere decide it.
+    pub speed_unit: Option<Unit>,
+}
+
+/// A `friction` line whose law has internal state, as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Memory {
+    /// Name of the force as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit of the force, where one is stated.
+    pub unit: Option<Unit>,
+    /// The law that acts.
+    pub law: &'static MemoryLawInfo,
+    /// The fields of the law, as written.
+    pub fields: &'static str,
+    /// The relative speed, as written.
+    pub speed: &'static str,
+    /// Numbers of the model's states that carry the internal states of the law, in the order of the law.
+    pub states: &'static [usize],
+}
+
+impl ModelInfo {
+    /// Why friction has neither an exact form nor smooth copies, where all of it has internal state.
+    #[must_use]
+    pub fn only_form(&self) -> Option<String> {
+        let first = self.memories.first().filter(|_| self.contacts.is_empty())?;
+        let names: Vec<&str> = self.memories.iter().map(|memory| memory.name).collect();
+        Some(format!(
+            "the law of {} has internal state (`{}`): it is an ordinary differential equation, without a force at rest \
+             to be solved for or smoothed, and is integrated as it is",
+            names.join(", "),
+            first.law.name
+        ))
+    }
+
+    /// Whether a law of the model has an internal state with stops.
+    #[must_use]
+    pub const fn has_stops(&self) -> bool {
+        let mut i = 0;
+        while i < self.memories.len() {
+            if self.memories[i].law.has_stops() {
+                return true;
+            }
+            i += 1;
+        }
+        false
+    }
+
+    /// Checks every parameter against its declared bounds.
+    ///
+    /// # Errors
+    /// The first parameter that is not finite or out of its bounds.
+    pub fn check(&self, values: &[f64]) -> Result<(), ParameterError> {
+        for (parameter, &value) in self.parameters.iter().zip(values) {
+            parameter.check(value)?;
+        }
+        Ok(())
+    }
+}
+
+impl Parameter {
+    /// Checks a value against the declared bounds.
+    ///
+    /// # Errors
+    /// The value is not finite, or out of bounds.
+    pub fn check(&self, value: f64) -> Result<(), ParameterError> {
+        self.bounds.check(self.name, value)
+    }
+}

@@ -1,0 +1,141 @@
+//! The motion once around, as far as shooting follows it.
+
+use std::f64::consts::TAU;
+
+use nalgebra::DMatrix;
+
+use crate::motion::{Factor, Passage, Place, Velocity, half_extents};
+
+/// Whether two times are the same instant of a period.
+const INSTANT: f64 = 1e-6;
+/// One evaluation of the problem: the motion once around.
+#[derive(Debug, Clone)]
+pub struct Shot {
+    /// One passage for each segment.
+    pub passages: Vec<Passage>,
+    /// Where the first begins.
+    pub start: Place,
+    /// The field there.
+    pub velocity: Velocity,
+    /// The period tried.
+    pub period: f64,
+    /// The state that is the phase of a drive, if there is one.
+    pub drive: Option<usize>,
+}
+
+/// Most places at which an orbit is begun anew.
+const OTHERS: usize = 4;
+
+impl Shot {
+    /// States in which the first state is least or greatest, spread over the motion; none where it is
+    /// divided into segments.
+    pub(super) fn turns(&self) -> Vec<Vec<f64>> {
+        let [passage] = self.passages.as_slice() else {
+            return Vec::new();
+        };
+        let turns = |maximum: bool| {
+            let found = passage.extrema.iter();
+            let found = found.filter(move |e| e.index == 0 && e.maximum == maximum);
+            found.map(|e| e.state.clone()).take(OTHERS / 2)
+        };
+        turns(false).chain(turns(true)).collect()
+    }
+
+    /// Smallest and largest value of each state along the motion.
+    ///
+    /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.
+    #[must_use]
+    pub fn extent(&self) -> (Vec<f64>, Vec<f64>) {
+        let (mut low, mut high) = (self.start.state.clone(), self.start.state.clone());
+        for passage in &self.passages {
+            for extremum in &passage.extrema {
+                let (j, value) = (extremum.index, extremum.state[extremum.index]);
+                low[j] = low[j].min(value);
+                high[j] = high[j].max(value);
+            }
+            for j in 0..low.len() {
+                low[j] = low[j].min(passage.calm.low[j]);
+                high[j] = high[j].max(passage.calm.high[j]);
+            }
+        }
+        if let Some(phase) = self.drive {
+            (low[phase], high[phase]) = (0.0, TAU);
+        }
+        (low, high)
+    }
+
+    /// Half the extent of each state; `fallback` where it has none.
+    pub(super) fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
+        let (low, high) = self.extent();
+        half_extents(&low, &high, fallback)
+    }
+
+    /// The factors of Φ once around, if they were wanted.
+    pub(super) fn factors(&self) -> Vec<Factor> {
+        let derivatives = self
+            .passages
+            .iter()
+            .filter_map(|passage| passage.derivatives.as_ref());
+        derivatives
+            .flat_map(|derivatives| derivatives.factors.iter().cloned())
+            .collect()
+    }
+
+    /// Φ once around, and ∫ tr J.
+    pub(crate) fn monodromy(&self) -> (DMatrix<f64>, f64) {
+        let order = self.start.state.len();
+        let mut phi = DMatrix::identity(order, order);
+        let mut trace = 0.0;
+        for derivatives in self
+            .passages
+            .iter()
+            .filter_map(|passage| passage.derivatives.as_ref())
+        {
+            phi = &derivatives.state * phi;
+            trace += derivatives.trace;
+        }
+        (phi, trace)
+    }
+
+    /// Time and state of each minimum of the first state in [0, T), the start included once if it is one; with a drive,
+    /// of each beginning of its phase.
+    pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
+        let share = self.period / self.passages.len().max(1) as f64;
+        let near = INSTANT * self.period;
+        let section = self.drive.unwrap_or(0);
+        let all = self
+            .passages
+            .iter()
+            .enumerate()
+            .flat_map(move |(i, passage)| {
+                let minima = passage
+                    .extrema
+                    .iter()
+                    .filter(move |e| e.index == section && !e.maximum);
+                minima.map(move |e| (i as f64 * share + e.time, e.state.clone()))
+            });
+        let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
+        let start = self
+            .starts_on_section()
+            .then(|| (0.0, self.start.state.clone()));
+        start.into_iter().chain(inside)
+    }
+
+    /// Whether the first state is least at the start; with a drive, whether its phase begins there.
+    pub(super) fn starts_on_section(&self) -> bool {
+        if let Some(phase) = self.drive {
+            let turns = self.start.state[phase] / TAU;
+            return (turns - turns.round()).abs() <= INSTANT;
+        }
+        let terms = self
+            .velocity
+            .jacobian
+            .row(0)
+            .transpose()
+            .component_mul(&self.velocity.f);
+        let (bend, size) = terms.iter().fold((0.0, 0.0), |(sum, size), term| {
+            (sum + term, size + term.abs())
+        });
+        self.velocity.f[0].abs() <= INSTANT * self.period * size && bend > 0.0
+    }
+}
