@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::interrupted::{TRIALS, end, files, folder, interrupted, lines, start, wait_for};
+use crate::interrupted::{TRIALS, end, files, folder, interrupted, start, wait_for};
 use crate::{stickslip, words};
 
 const DIAGRAM: &str = "diagram belt-oscillator --along v_dr=0.1..0.3 --values 5 --settle 200 --points 12 --lyapunov 4";
