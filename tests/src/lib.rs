@@ -7,6 +7,7 @@ pub mod lanes;
 pub mod random;
 pub mod range;
 pub mod subject;
+pub mod systems;
 pub mod transformed;
 
 /// Asks each question, a function of a [`subject::Subject`], of all four reference systems: one test for each.
