@@ -26,6 +26,7 @@ fn fault(cell: &Cell) -> Option<String> {
 }
 
 #[test]
+#[ignore = "long"]
 fn every_cell_holds_what_it_is_to_hold() {
     let mut faults = Vec::new();
     let map = map();
@@ -47,6 +48,7 @@ fn every_cell_holds_what_it_is_to_hold() {
 
 /// Bit for bit: also the digits that nobody would print.
 #[test]
+#[ignore = "long"]
 fn the_number_of_cores_changes_nothing() {
     let ranges = ranges();
     let some: Vec<(usize, f64)> = (ranges.iter().enumerate())
