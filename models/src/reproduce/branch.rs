@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use stickslip::continuation::Kind;
 use stickslip::field::Work;
 use stickslip::study::{Along, BranchRecord, OrbitRecord};
 
@@ -39,7 +40,7 @@ pub(super) enum Why {
 impl Branch {
     /// What is told of a branch, found in this time.
     pub(super) fn of(record: BranchRecord, time: Duration) -> Self {
-        let fold = record.special.iter().find(|point| point.kind == "fold");
+        let fold = record.special.iter().find(|point| point.kind == Kind::Fold);
         let special = record.special.last().map_or(f64::NAN, |point| point.r);
         let last = record.points.last().map_or(f64::NAN, at);
         let (r, why) = match (fold, record.ended.word()) {

@@ -35,7 +35,7 @@ pub(super) struct Point {
 /// A special point to be drawn.
 #[derive(Debug, Clone)]
 pub(super) struct Mark {
-    pub(super) kind: &'static str,
+    pub(super) kind: Kind,
     pub(super) label: String,
     pub(super) at: [f64; 2],
     pub(super) beside: f64,
@@ -149,7 +149,7 @@ impl Chart {
     /// The panel with its special points, a legend entry for each kind.
     pub(super) fn panel(self) -> Panel {
         let mut panel = self.panel;
-        let mut kinds: Vec<&str> = Vec::new();
+        let mut kinds: Vec<Kind> = Vec::new();
         for mark in &self.marks {
             if !kinds.contains(&mark.kind) {
                 kinds.push(mark.kind);
@@ -159,8 +159,8 @@ impl Chart {
             let of_kind = || self.marks.iter().filter(|mark| mark.kind == kind);
             let labels: Vec<&str> = of_kind().map(|mark| mark.label.as_str()).collect();
             let marker = match kind {
-                _ if kind == Kind::Fold.name() => Marker::Circle,
-                _ if kind == Kind::Flip.name() => Marker::Cross,
+                Kind::Fold => Marker::Circle,
+                Kind::Flip => Marker::Cross,
                 _ => Marker::Diamond,
             };
             let points = of_kind().map(|mark| mark.at).collect();
@@ -187,7 +187,7 @@ mod tests {
 
     fn flip(r: f64, beside: f64, shown: f64) -> Mark {
         Mark {
-            kind: "flip",
+            kind: Kind::Flip,
             label: "PD1".to_owned(),
             at: [r, shown],
             beside,

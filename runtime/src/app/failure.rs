@@ -63,7 +63,7 @@ impl Failure {
                 named(info, state),
                 super::text::number(*period, 9)
             ),
-            other => other.to_string(),
+            other => format!("{other}{}", way_out(other)),
         };
         if is_usage(error) {
             Self::usage(message)
@@ -86,6 +86,24 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
+    }
+}
+
+/// What the command line offers after such an error.
+fn way_out(error: &StudyError) -> &'static str {
+    match error {
+        StudyError::NoEquilibrium { .. } => "; `--start` says where to look first",
+        StudyError::Driven { .. } => "; `orbit` finds the motion that answers it",
+        StudyError::NotIsolated { .. } => "; `simulate` shows where a motion comes to rest",
+        StudyError::NoHopf => ": `equilibria` shows what it has",
+        StudyError::Orbit(OrbitError::NotSettled { .. }) => {
+            "; give `--start` and `--period`, or another start"
+        }
+        StudyError::Flow(FlowError::NoExactStops { .. })
+        | StudyError::Orbit(OrbitError::Flow(FlowError::NoExactStops { .. })) => {
+            ", as with `--smooth tanh:1e4`"
+        }
+        _ => "",
     }
 }
 

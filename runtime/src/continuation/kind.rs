@@ -1,5 +1,7 @@
 //! The kinds of special points of a branch, of whatever it is one.
 
+use std::fmt;
+
 /// What changes at a special point of a branch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -41,6 +43,20 @@ pub enum Kind {
     Resonance4,
     /// The first design variable of a curve leaves its range.
     Window,
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// By its word.
+#[cfg(feature = "app")]
+impl serde::Serialize for Kind {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
 }
 
 impl Kind {

@@ -14,7 +14,7 @@ const CONVERGED: f64 = 1e-13;
 /// A correction that no longer shrinks has converged if it is below this.
 const STALLED: f64 = 1e-9;
 /// Two equilibria closer than this are one.
-const SAME: f64 = 1e-7;
+const SAME_STATE: f64 = 1e-7;
 
 /// An equilibrium.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,7 +72,7 @@ fn same(a: &Place, b: &Place) -> bool {
 pub(super) fn near(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let size = a.abs().max(b.abs()).max(1.0);
-        (a - b).abs() <= SAME * size
+        (a - b).abs() <= SAME_STATE * size
     })
 }
 

@@ -102,10 +102,7 @@ pub enum FlowError {
         bound: f64,
     },
     /// Internal states with stops, which an exact motion does not know.
-    #[error(
-        "`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy, as with \
-         `--smooth tanh:1e4`"
-    )]
+    #[error("`{law}` has stops, and the exact form of dry friction knows none: take a smooth copy")]
     NoExactStops {
         /// The law.
         law: &'static str,

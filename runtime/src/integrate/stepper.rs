@@ -75,11 +75,6 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         &self.slopes[0]
     }
 
-    /// The slope at the end of the step.
-    pub fn end_slope(&self) -> &V {
-        &self.slopes[12]
-    }
-
     /// The time at which the step begins.
     pub fn time(&self) -> f64 {
         self.time
@@ -98,11 +93,6 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
     /// The length that the next attempt will try.
     pub fn proposal(&self) -> Option<f64> {
         self.control.proposal
-    }
-
-    /// Sets the length that the next attempt will try.
-    pub fn propose(&mut self, length: f64) {
-        self.control.proposal = Some(length);
     }
 
     /// Makes a step within the tolerance and at most `limit` long, from where the last was committed.

@@ -3,7 +3,7 @@
 use crate::motion::Extremum;
 
 /// Extrema closer than this, relative to their size, are both ends of one stretch of rest.
-const SAME: f64 = 1e-12;
+const ONE_REST: f64 = 1e-12;
 
 /// Joins the extrema of passages: a rest that is divided between two passages is reported by both.
 ///
@@ -38,7 +38,7 @@ impl Turns {
             return None;
         }
         let (a, b) = (held.state[self.index], next.state[self.index]);
-        if (a - b).abs() <= SAME * a.abs().max(b.abs()) {
+        if (a - b).abs() <= ONE_REST * a.abs().max(b.abs()) {
             self.held = None;
             return None;
         }

@@ -21,7 +21,7 @@ use crate::motion::Family;
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
 /// Two orbits at one r are one if they differ by this share of their extents at most.
-const SAME: f64 = 1e-5;
+const SAME_ORBIT: f64 = 1e-5;
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
 
@@ -203,7 +203,7 @@ impl Followed for OrbitBranch {
 
     /// A shorter orbit, gone around twice: the step went past where the branch meets the one from which it doubles.
     fn strays(&self, orbit: &Orbit) -> bool {
-        orbit.asymmetry() <= SAME
+        orbit.asymmetry() <= SAME_ORBIT
     }
 
     /// Tells a branch point from one at which a symmetry is lost.
@@ -227,6 +227,6 @@ impl Followed for OrbitBranch {
     }
 
     fn closes(&self, first: &Orbit, back: &Orbit) -> bool {
-        first.coincides(back, SAME)
+        first.coincides(back, SAME_ORBIT)
     }
 }

@@ -27,7 +27,7 @@ pub enum OrbitError {
     },
     /// Neither rest nor a periodic motion within bounds.
     #[error(
-        "the motion has not settled on a periodic orbit after the time {time:.6e}{}; give `--start` and `--period`, or another start",
+        "the motion has not settled on a periodic orbit after the time {time:.6e}{}",
         because(.last.as_deref())
     )]
     NotSettled {

@@ -106,7 +106,7 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             "it is closed: it came back to the orbit at {} with which it began",
             value(r)
         ),
-        Ending::Left => "it reaches an end of the range of `--along`".to_owned(),
+        Ending::Left => "it reaches an end of the range of the first design variable".to_owned(),
         Ending::Endless(times) => format!("its period has grown more than {times:e} times"),
         Ending::Lost(off) => {
             format!("what was followed is no such bifurcation any more: off by {off:.1e}")

@@ -17,17 +17,13 @@ pub enum StudyError {
     #[error(transparent)]
     Trade(#[from] TradeError),
     /// No equilibrium was found.
-    #[error(
-        "no equilibrium that could be followed was found from {starts} starts; `--start` says where to look first"
-    )]
+    #[error("no equilibrium that could be followed was found from {starts} starts")]
     NoEquilibrium {
         /// From how many places it was looked for.
         starts: usize,
     },
     /// A driven model never rests.
-    #[error(
-        "`{model}` has no equilibrium: its drive `{phase}` never stands still; `orbit` finds the motion that answers it"
-    )]
+    #[error("`{model}` has no equilibrium: its drive `{phase}` never stands still")]
     Driven {
         /// The model.
         model: &'static str,
@@ -36,8 +32,7 @@ pub enum StudyError {
     },
     /// A law holds any force between its stops while it rests.
     #[error(
-        "`{model}` has no equilibrium that stands alone: at rest `{law}` holds any force between its stops; `simulate` \
-         shows where a motion comes to rest"
+        "`{model}` has no equilibrium that stands alone: at rest `{law}` holds any force between its stops"
     )]
     NotIsolated {
         /// The model.
@@ -73,9 +68,7 @@ pub enum StudyError {
     #[error(transparent)]
     Orbit(#[from] OrbitError),
     /// The equilibrium has no Hopf point on the way.
-    #[error(
-        "the equilibrium has no Hopf point there from which orbits could be followed: `equilibria` shows what it has"
-    )]
+    #[error("the equilibrium has no Hopf point there from which orbits could be followed")]
     NoHopf,
     /// No orbit begins at the Hopf point.
     #[error("no orbit was found that begins at the Hopf point: {0}")]

@@ -45,7 +45,11 @@ fn follow_to(
 }
 
 fn of_kind<'a>(branch: &'a BranchRecord, kind: &str) -> Vec<&'a Special> {
-    branch.special.iter().filter(|s| s.kind == kind).collect()
+    branch
+        .special
+        .iter()
+        .filter(|s| s.kind.name() == kind)
+        .collect()
 }
 
 /// The flip is known to 20 digits from an independent computation.

@@ -130,7 +130,7 @@ fn folds_of_bautins_form_lie_on_a_parabola() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.of.as_str()), ("fold", "LP1"));
+    assert_eq!((curve.kind.name(), curve.of.as_str()), ("fold", "LP1"));
     assert_eq!(curve.ended.word(), "reached-end");
     lies_on(&curve, |q| -0.25 * q * q, 1e-8);
 }
@@ -144,7 +144,10 @@ fn a_cusp_is_passed_and_located() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.ended.word()), ("fold", "reached-start"));
+    assert_eq!(
+        (curve.kind.name(), curve.ended.word()),
+        ("fold", "reached-start")
+    );
     for point in &curve.points {
         let expected = 2.0 * (point.q.max(0.0) / 3.0).powf(1.5);
         assert!(
@@ -169,7 +172,10 @@ fn flips_lie_on_their_line_and_meet_in_a_resonance() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.ended.word()), ("flip", "reached-end"));
+    assert_eq!(
+        (curve.kind.name(), curve.ended.word()),
+        ("flip", "reached-end")
+    );
     lies_on(&curve, |d| -d, 1e-8);
     let found: Vec<_> = curve.special.iter().map(|s| s.label.as_str()).collect();
     assert_eq!(found, ["R2-1"]);
@@ -185,7 +191,10 @@ fn torus_points_lie_on_a_parabola_with_their_resonances() {
         &[],
     )
     .unwrap();
-    assert_eq!((curve.kind, curve.ended.word()), ("torus", "reached-end"));
+    assert_eq!(
+        (curve.kind.name(), curve.ended.word()),
+        ("torus", "reached-end")
+    );
     lies_on(&curve, |q| q * q, 1e-8);
     let found: Vec<_> = curve
         .special
@@ -206,7 +215,10 @@ fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
     let more = [("d", 0.2)];
     let model = System::of::<Halves, _>();
     let curve = circle(&model, ("p", -0.1, 0.1), ("q", 0.3, 0.1), &more).unwrap();
-    assert_eq!((curve.kind, curve.ended.word()), ("torus", "resonance-1-2"));
+    assert_eq!(
+        (curve.kind.name(), curve.ended.word()),
+        ("torus", "resonance-1-2")
+    );
     assert!(curve.ended.is_located());
     lies_on(&curve, |_| 0.0, 1e-8);
     let last = curve.points.last().unwrap();
@@ -235,7 +247,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
             .followed()
             .unwrap();
         assert_eq!(
-            (curve.kind, curve.ended.word()),
+            (curve.kind.name(), curve.ended.word()),
             ("flip", "reached-end"),
             "{}",
             curve.ended.reason
@@ -258,7 +270,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
             let flip = branch
                 .special
                 .iter()
-                .find(|s| s.kind == "flip")
+                .find(|s| s.kind.name() == "flip")
                 .expect("a flip");
             let off = (flip.r / point.p - 1.0).abs();
             assert!(
@@ -300,7 +312,10 @@ fn the_drill_strings_graze_follows_its_closed_form() {
             .unwrap()
             .followed()
             .unwrap();
-        assert_eq!((curve.kind, curve.of.as_str()), ("grazing-sliding", "GS1"));
+        assert_eq!(
+            (curve.kind.name(), curve.of.as_str()),
+            ("grazing-sliding", "GS1")
+        );
         assert!(curve.ended.is_located(), "{}", curve.ended.reason);
         let first = curve.points[0].p;
         assert!(

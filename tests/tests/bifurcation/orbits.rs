@@ -293,7 +293,10 @@ fn roesslers_cascade_of_flips() {
     let mut flips = Vec::new();
     let mut branch = Some(&first);
     while let Some(here) = branch {
-        let flip = here.special.iter().find(|special| special.kind == "flip");
+        let flip = here
+            .special
+            .iter()
+            .find(|special| special.kind.name() == "flip");
         let flip = flip.unwrap_or_else(|| panic!("no flip on branch {}", flips.len()));
         assert_eq!(flip.criticality, Some("supercritical"));
         flips.push(flip.r);

@@ -1,5 +1,6 @@
 //! The bifurcations that the thesis names, beside ours.
 
+use stickslip::continuation::Kind;
 use stickslip::report::{Column, Table};
 use stickslip::study::{BranchRecord, Special};
 
@@ -11,12 +12,12 @@ pub(super) struct Named {
     family: usize,
     /// The flips at which to leave the first branch, and those that leave it, as the thesis prints them.
     path: &'static [f64],
-    kind: &'static str,
+    kind: Kind,
     /// As the thesis prints it.
     v_dr: f64,
 }
 
-const fn named(family: usize, path: &'static [f64], kind: &'static str, v_dr: f64) -> Named {
+const fn named(family: usize, path: &'static [f64], kind: Kind, v_dr: f64) -> Named {
     Named {
         family,
         path,
@@ -26,24 +27,24 @@ const fn named(family: usize, path: &'static [f64], kind: &'static str, v_dr: f6
 }
 
 pub(super) const NAMED: [Named; 18] = [
-    named(0, &[], "flip", 0.081),
-    named(0, &[], "flip", 0.141),
-    named(0, &[0.081], "flip", 0.08),
-    named(0, &[0.141], "fold", 0.165),
-    named(1, &[], "flip", 0.25),
-    named(1, &[0.25], "fold", 0.32),
-    named(1, &[0.25], "flip", 0.29),
-    named(1, &[0.25], "flip", 0.25),
-    named(1, &[0.25], "flip", 0.144),
-    named(1, &[0.25, 0.144], "flip", 0.132),
-    named(1, &[0.25, 0.144], "flip", 0.113),
-    named(1, &[0.25, 0.144], "fold", 0.104),
-    named(1, &[0.25, 0.144], "fold", 0.1112),
-    named(1, &[0.25, 0.144], "flip", 0.1106),
-    named(2, &[], "fold", 0.2864),
-    named(2, &[], "fold", 0.263),
-    named(2, &[], "flip", 0.274),
-    named(2, &[], "flip", 0.2858),
+    named(0, &[], Kind::Flip, 0.081),
+    named(0, &[], Kind::Flip, 0.141),
+    named(0, &[0.081], Kind::Flip, 0.08),
+    named(0, &[0.141], Kind::Fold, 0.165),
+    named(1, &[], Kind::Flip, 0.25),
+    named(1, &[0.25], Kind::Fold, 0.32),
+    named(1, &[0.25], Kind::Flip, 0.29),
+    named(1, &[0.25], Kind::Flip, 0.25),
+    named(1, &[0.25], Kind::Flip, 0.144),
+    named(1, &[0.25, 0.144], Kind::Flip, 0.132),
+    named(1, &[0.25, 0.144], Kind::Flip, 0.113),
+    named(1, &[0.25, 0.144], Kind::Fold, 0.104),
+    named(1, &[0.25, 0.144], Kind::Fold, 0.1112),
+    named(1, &[0.25, 0.144], Kind::Flip, 0.1106),
+    named(2, &[], Kind::Fold, 0.2864),
+    named(2, &[], Kind::Fold, 0.263),
+    named(2, &[], Kind::Flip, 0.274),
+    named(2, &[], Kind::Flip, 0.2858),
 ];
 
 /// The bifurcation in both systems.
@@ -90,14 +91,14 @@ pub(super) fn matches<'a>(smoothed: &'a Atlas, exact: &'a Atlas) -> Vec<Match<'a
 
 /// The branches that leave both at the flip that the copy has next to this speed.
 fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> [Option<&BranchRecord>; 2] {
-    let label = nearest(pair[0], "flip", v_dr).map(|special| special.label.as_str());
+    let label = nearest(pair[0], Kind::Flip, v_dr).map(|special| special.label.as_str());
     pair.map(|branch| {
         let mut below = branch.branches.iter();
         below.find(|below| label.is_some() && below.from.as_deref() == label)
     })
 }
 
-fn nearest<'a>(branch: &'a BranchRecord, kind: &str, v_dr: f64) -> Option<&'a Special> {
+fn nearest<'a>(branch: &'a BranchRecord, kind: Kind, v_dr: f64) -> Option<&'a Special> {
     let same = branch.special.iter().filter(|special| special.kind == kind);
     same.min_by(|a, b| (a.r - v_dr).abs().total_cmp(&(b.r - v_dr).abs()))
 }
@@ -153,7 +154,7 @@ pub(super) fn table(smoothed: &Atlas, exact: &Atlas) -> Table {
             vec![
                 FAMILIES[found.named.family].name.to_owned(),
                 found.period_count.to_string(),
-                found.named.kind.to_owned(),
+                found.named.kind.to_string(),
                 found.named.v_dr.to_string(),
                 number(found.smoothed),
                 number(found.exact),

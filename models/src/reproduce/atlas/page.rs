@@ -199,7 +199,7 @@ fn path(pair: &Subject, orbit: &OrbitRecord) -> Option<Vec<f64>> {
 fn special(special: &Special, named: bool, after: usize) -> String {
     format!(
         "{{\"named\":{named},\"a\":{after},\"k\":{},\"l\":{},\"r\":{},\"T\":{},\"m\":{},\"c\":{}}}",
-        quoted(special.kind),
+        quoted(special.kind.name()),
         quoted(&special.label),
         digits(special.r, 9),
         digits(special.period, 8),

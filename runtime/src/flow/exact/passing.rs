@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
 
 /// Relative difference up to which two orders of events have the same derivative.
-const SAME: f64 = 1e-8;
+const SAME_DERIVATIVE: f64 = 1e-8;
 
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
@@ -167,5 +167,7 @@ fn agree<const N: usize>(a: &Motion<N>, b: &Motion<N>) -> bool {
     };
     let (a, b) = (rows(a), rows(b));
     let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= SAME * size)
+    a.iter()
+        .zip(&b)
+        .all(|(a, b)| (a - b).abs() <= SAME_DERIVATIVE * size)
 }

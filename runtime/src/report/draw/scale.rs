@@ -5,7 +5,7 @@ use crate::report::figure::Axis;
 /// Free share of an axis beyond data that decide its ends.
 const FREE: f64 = 0.04;
 /// Ends that differ by less, relative to their size, are one.
-const SAME: f64 = 1e-12;
+const ONE_END: f64 = 1e-12;
 /// What is so little outside, in shares of the axis, still is at its end.
 const END: f64 = 1e-6;
 /// Sizes beyond which distances or their ratios might be infinite.
@@ -35,7 +35,7 @@ impl Scale {
         .map(|end| if logarithmic { end.log10() } else { end });
         let [low, high] = if low > high { [0.0; 2] } else { [low, high] };
         let width = high - low;
-        let free = if width > (SAME * low.abs().max(high.abs())).max(LEAST) {
+        let free = if width > (ONE_END * low.abs().max(high.abs())).max(LEAST) {
             if given.is_some() { 0.0 } else { FREE * width }
         } else if logarithmic || low == 0.0 {
             0.5

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use crate::continuation::Located;
+use crate::continuation::{Kind, Located};
 use crate::shooting::Orbit;
 use crate::study::label::labels;
 use crate::study::question::Along;
@@ -12,7 +12,7 @@ use crate::study::question::Along;
 #[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct Special {
     /// What changes: `fold`, `flip`, `torus`, `grazing-sliding`, ...
-    pub kind: &'static str,
+    pub kind: Kind,
     /// Kind and number, for instance `PD1`.
     pub label: String,
     /// How many points of its branch precede it.
@@ -47,7 +47,7 @@ pub(in crate::study) fn numbered(
 ) -> Vec<Special> {
     let labels = labels(located.iter().map(|found| found.kind));
     let special = |((found, after), label): ((&Located<Orbit>, &usize), String)| Special {
-        kind: found.kind.name(),
+        kind: found.kind,
         label,
         after: *after,
         r: along.value(found.r),

@@ -119,7 +119,7 @@ impl Sought<'_> {
             along,
             and: scope.and,
             of: label.clone(),
-            kind: kind.name(),
+            kind,
             points,
             special,
             ended,
@@ -174,7 +174,7 @@ impl Reader {
             .iter()
             .zip(labels)
             .map(|(found, label)| SpecialCurvePoint {
-                kind: found.kind.name(),
+                kind: found.kind,
                 label,
                 point: read(self, &found.point),
             });

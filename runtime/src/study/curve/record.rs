@@ -2,6 +2,7 @@
 
 use nalgebra::Complex;
 
+use crate::continuation::Kind;
 use crate::field::Work;
 use crate::study::branch::BranchRecord;
 use crate::study::ended::Ended;
@@ -49,7 +50,7 @@ pub struct CurveRecord {
     /// The label of the special point from which it starts.
     pub of: String,
     /// What it is a curve of: `fold`, `flip`, `torus`, `grazing-sliding`.
-    pub kind: &'static str,
+    pub kind: Kind,
     /// Its points in the order in which they were found.
     pub points: Vec<CurvePointRecord>,
     /// Points of codimension two.
@@ -87,7 +88,7 @@ pub struct CurvePointRecord {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpecialCurvePoint {
     /// What: `cusp`, `fold-flip`, `resonance-1-2`, ...
-    pub kind: &'static str,
+    pub kind: Kind,
     /// Kind and number, for instance `CP1`.
     pub label: String,
     /// Where.

@@ -12,7 +12,7 @@ use crate::poincare::{Crossings, recurrence};
 use crate::study::Along;
 
 /// Points of a section that agree to this share of the motion's extent are one.
-const SAME: f64 = 1e-5;
+const SAME_POINT: f64 = 1e-5;
 /// A motion whose extent is this share of its usual size is at rest.
 const REST: f64 = 1e-6;
 
@@ -199,7 +199,7 @@ impl Cut<'_> {
             points.clear();
             Motion::Elsewhere
         } else {
-            recurrence(&points, &extent, SAME).map_or(Motion::Aperiodic, Motion::Periodic)
+            recurrence(&points, &extent, SAME_POINT).map_or(Motion::Aperiodic, Motion::Periodic)
         };
         let turns = match motion {
             Motion::Periodic(count) => count,

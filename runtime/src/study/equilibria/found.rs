@@ -197,7 +197,7 @@ fn numbered(along: Along, located: &[Located<EquilibriumPoint>]) -> Vec<SpecialE
         let frequency = point.spectrum.critical_frequency();
         let frequency = frequency.filter(|_| kind == Kind::Hopf);
         SpecialEquilibrium {
-            kind: kind.name(),
+            kind,
             label,
             r: along.value(point.r),
             state: point.state.clone(),

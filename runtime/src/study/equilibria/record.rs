@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use crate::bifurcation::Stability;
+use crate::continuation::Kind;
 use crate::field::Work;
 use crate::study::ended::Ended;
 use crate::study::question::{Along, Dynamics};
@@ -54,7 +55,7 @@ pub struct Extent {
 #[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct SpecialEquilibrium {
     /// What changes: `fold`, `hopf`, `branch-point` or `boundary-equilibrium`.
-    pub kind: &'static str,
+    pub kind: Kind,
     /// Kind and number, for instance `HB1`.
     pub label: String,
     /// The design variable, in the user's own values.

@@ -10,8 +10,8 @@ pub(super) fn picture(info: &ModelInfo, curve: &CurveRecord) -> Figure {
     let [p, q] = [&curve.along, &curve.and].map(|range| Axis::new(&followed(info, range)));
     let places: Vec<[f64; 2]> = curve.points.iter().map(|one| [one.q, one.p]).collect();
     let periods = curve.points.iter().map(|one| [one.q, one.period]);
-    let period = Curve::line(curve.kind, 0, periods.collect());
-    let mut plane = Panel::new(q.clone(), p).curve(Curve::line(curve.kind, 0, places));
+    let period = Curve::line(curve.kind.name(), 0, periods.collect());
+    let mut plane = Panel::new(q.clone(), p).curve(Curve::line(curve.kind.name(), 0, places));
     for (i, one) in curve.special.iter().enumerate() {
         let label = format!("{} ({})", one.label, one.kind);
         let at = vec![[one.point.q, one.point.p]];

@@ -12,7 +12,7 @@ const MIDDLES: [f64; 2] = [0.5, 0.4];
 /// Halvings of a step after which a change stays unexplained.
 const HALVINGS: u32 = 12;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
-const SAME: f64 = 30.0;
+const ONE_CHANGE: f64 = 30.0;
 
 /// What is looked for on a branch.
 pub struct Monitors<'a, P> {
@@ -78,7 +78,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         // Events that switch together at one value of r do so in two steps for a tolerance.
         located.dedup_by(|b, a| {
             let distance = (b.r - a.r).abs();
-            a.abrupt && b.abrupt && distance <= SAME * accuracy * a.r.abs()
+            a.abrupt && b.abrupt && distance <= ONE_CHANGE * accuracy * a.r.abs()
         });
         if let Some(bound) = &self.bound {
             located.retain(|event| event.share <= bound.share);

@@ -36,7 +36,7 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
     let rests = rests(&belt)?;
     Ok(Section::new("One mass on a belt")
         .sketch(
-            include_str!("sketches/belt_oscillator.svg"),
+            include_str!("../sketches/belt_oscillator.svg"),
             "A mass on a belt that runs at constant speed, held by a spring (Fig. 3.4 of the thesis).",
         )
         .text(

@@ -39,7 +39,7 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
     let rest = drill.equilibria(copy(Kernel::Quartic, 0), REST)?;
     Ok(Section::new("A drill string")
         .sketch(
-            include_str!("sketches/drill_string.svg"),
+            include_str!("../sketches/drill_string.svg"),
             "A drill string: a rotary table turns at a constant rate, a kilometre of pipe acts as a torsional spring, \
              and friction holds the bit (Fig. 4.1 of the thesis).",
         )

@@ -84,12 +84,6 @@ impl Interval {
         self.low.abs().max(self.high.abs())
     }
 
-    /// Whether both ends are numbers.
-    #[must_use]
-    pub fn is_bounded(self) -> bool {
-        self.low.is_finite() && self.high.is_finite()
-    }
-
     /// Whether a number lies in it.
     #[must_use]
     pub fn contains(self, value: f64) -> bool {
