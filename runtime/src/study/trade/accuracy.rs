@@ -1,6 +1,7 @@
 //! The cheapest setting that meets an accuracy.
 
 use super::copy::{Copies, Found};
+use super::lost::Lost;
 use super::precision::at;
 use super::record::{Curve, Need, Point, Setting};
 use super::shoot::{Effort, Shooting};
@@ -19,7 +20,7 @@ pub(super) fn cheapest(
     tight: &Shooting,
     truth: &Shooting,
     accuracy: f64,
-) -> Result<Setting, String> {
+) -> Result<Setting, Lost> {
     let tolerances = (4..=22).map(|half| 0.1_f64.powf(0.5 * f64::from(half)));
     let met = tolerances
         .filter_map(|tolerance| at(family, tight, truth, tolerance).ok())
@@ -29,7 +30,7 @@ pub(super) fn cheapest(
         error: point.total,
         cost: point.cost,
     })
-    .ok_or_else(|| format!("no tolerance meets {accuracy:e}"))
+    .ok_or(Lost::NoTolerance { accuracy })
 }
 
 /// The size at which the measured errors, joined by straight lines in logarithms, fall to `error`.
@@ -53,21 +54,15 @@ fn largest(point: &Point) -> f64 {
 
 impl Copies<'_> {
     /// The size that a kernel needs for `accuracy`, verified, and the cheapest way to integrate it.
-    pub(super) fn need(
-        &self,
-        curve: &Curve,
-        found: &[Found],
-        accuracy: f64,
-    ) -> Result<Need, String> {
-        let none = || "no copy has the orbit".to_owned();
+    pub(super) fn need(&self, curve: &Curve, found: &[Found], accuracy: f64) -> Result<Need, Lost> {
         let frequency_size =
-            size(&curve.points, accuracy, |p| p.frequency.abs()).ok_or_else(none)?;
+            size(&curve.points, accuracy, |p| p.frequency.abs()).ok_or(Lost::NoCopy)?;
         let goal = SHARE * accuracy;
         let mut points = curve.points.clone();
         let mut finer = found.last().cloned();
         let mut best = None;
         for _ in 0..TRIES {
-            let size = size(&points, goal * NEAR.sqrt(), largest).ok_or_else(none)?;
+            let size = size(&points, goal * NEAR.sqrt(), largest).ok_or(Lost::NoCopy)?;
             let (point, shooting) = self.point(curve.at(size), finer.as_ref())?;
             let error = largest(&point);
             finer = Some((curve.at(size), shooting.clone()));
@@ -81,8 +76,7 @@ impl Copies<'_> {
             let place = points.partition_point(|p| towards(p) < towards(&point));
             points.insert(place, point);
         }
-        let (size, error, shooting) =
-            best.ok_or_else(|| format!("no size was found at which the errors fall to {goal:e}"))?;
+        let (size, error, shooting) = best.ok_or(Lost::NoSize { goal })?;
         let smoothing = curve.at(size);
         let family = self.family(smoothing, Effort::TIGHT.tolerance);
         Ok(Need {

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::fit::Fit;
+use super::lost::Lost;
 use super::precision;
 use super::record::{Curve, Finding, Point, Scope, Trade, Watch};
 use super::shoot::{Effort, Shooting, cost, follow, shoot};
@@ -134,7 +135,7 @@ impl Copies<'_> {
         &self,
         smoothing: Smoothing,
         finer: Option<&Found>,
-    ) -> Result<(Point, Shooting), String> {
+    ) -> Result<(Point, Shooting), Lost> {
         let predicted = self.system.predict(self.case, self.orbit, smoothing);
         let (shooting, effort) = self.find(smoothing, predicted.as_ref().ok(), finer)?;
         let (frequency, max_abs) = shooting.errors(self.truth);
@@ -145,9 +146,9 @@ impl Copies<'_> {
             frequency,
             max_abs,
             resolution: shooting.resolution,
-            cost: cost(&family, &shooting).map_err(|error| error.to_string())?,
+            cost: cost(&family, &shooting)?,
             found: shooting.work,
-            predicted: predicted.map_err(|error| error.to_string()),
+            predicted,
         };
         Ok((point, shooting))
     }
@@ -159,7 +160,7 @@ impl Copies<'_> {
         smoothing: Smoothing,
         predicted: Option<&Prediction>,
         finer: Option<&Found>,
-    ) -> Result<(Shooting, Effort), String> {
+    ) -> Result<(Shooting, Effort), Lost> {
         let exact = self.guess(self.truth);
         let shifted = predicted.map(|prediction| {
             let mut guess = exact.clone();
@@ -169,7 +170,7 @@ impl Copies<'_> {
             guess
         });
         let beside = finer.map(|(_, copy)| self.guess(copy));
-        let mut last = String::new();
+        let mut last = Lost::NoCopy;
         for guess in shifted.into_iter().chain([exact]).chain(beside) {
             match self.converge(smoothing, &guess) {
                 Ok(found) => return Ok(found),
@@ -201,7 +202,7 @@ impl Copies<'_> {
         from: Smoothing,
         to: Smoothing,
         copy: &Shooting,
-    ) -> Result<(Guess, Work), String> {
+    ) -> Result<(Guess, Work), Lost> {
         let along = Along {
             design: Design::Smoothing,
             from: from.size,
@@ -220,8 +221,8 @@ impl Copies<'_> {
         )
     }
 
-    fn converge(&self, smoothing: Smoothing, guess: &Guess) -> Result<(Shooting, Effort), String> {
-        let mut last = String::new();
+    fn converge(&self, smoothing: Smoothing, guess: &Guess) -> Result<(Shooting, Effort), Lost> {
+        let mut last = Lost::NoCopy;
         for effort in EFFORTS {
             let family = self.family(smoothing, effort.tolerance);
             match shoot(&family, 0.0, guess, effort) {
@@ -229,25 +230,23 @@ impl Copies<'_> {
                     Ok(()) => return Ok((found, effort)),
                     Err(reason) => return Err(reason),
                 },
-                Err(error) => last = error.to_string(),
+                Err(error) => last = error.into(),
             }
         }
         Err(last)
     }
 
     /// Whether this is the exact orbit's copy and not another orbit.
-    fn same(&self, found: &Shooting) -> Result<(), String> {
+    fn same(&self, found: &Shooting) -> Result<(), Lost> {
         if found.count != self.truth.count {
-            return Err(format!(
-                "the copy's orbit crosses the section {} times instead of {}",
-                found.count, self.truth.count
-            ));
+            return Err(Lost::Crossings {
+                found: found.count,
+                wanted: self.truth.count,
+            });
         }
         let ratio = found.period / self.truth.period;
         if !(1.0 / OTHER..=OTHER).contains(&ratio) {
-            return Err(format!(
-                "only another orbit is near, {ratio:.3} times as long"
-            ));
+            return Err(Lost::Longer { ratio });
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::lost::Lost;
 use super::measure::trade;
 use super::record::{Finding, Need, Scope, Trade, worst};
 use crate::field::{Design, Kernel};
@@ -68,7 +69,7 @@ impl TradeRecord {
 
     /// The cheapest setting of a kernel where it is most demanding: the number of that end, and the setting.
     #[must_use]
-    pub fn need(&self, kernel: Kernel) -> Option<(usize, Result<Need, String>)> {
+    pub fn need(&self, kernel: Kernel) -> Option<(usize, Result<Need, Lost>)> {
         let trades: Vec<Trade> = self.ends.iter().map(|end| end.trade.clone()).collect();
         worst(&trades, kernel).map(|(end, need)| (end, need.clone()))
     }

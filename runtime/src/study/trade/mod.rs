@@ -7,6 +7,7 @@ mod accuracy;
 mod copy;
 mod ends;
 mod fit;
+mod lost;
 mod measure;
 mod precision;
 mod record;
@@ -15,6 +16,7 @@ mod shoot;
 pub use crate::study::error::TradeError;
 pub use ends::{End, TradeRecord};
 pub use fit::Fit;
+pub use lost::Lost;
 pub use record::{
     Cost, Curve, Finding, Need, Point, Precision, PrecisionPoint, Scope, Setting, Trade, Truth,
     Watch, worst,

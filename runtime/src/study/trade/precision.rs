@@ -1,5 +1,6 @@
 //! Work-precision curves: the error of integration against its cost.
 
+use super::lost::Lost;
 use super::record::{Precision, PrecisionPoint, Scope};
 use super::shoot::{Effort, Shooting, cost, near, shoot};
 use crate::field::Smoothing;
@@ -38,20 +39,20 @@ pub(super) fn at(
     tight: &Shooting,
     truth: &Shooting,
     tolerance: f64,
-) -> Result<PrecisionPoint, String> {
+) -> Result<PrecisionPoint, Lost> {
     let effort = Effort::at(tolerance, (SHARE * tolerance).max(1e-12));
     let family = family.with_tolerance(effort.tolerance);
-    let guess = near(&family, 0.0, tight).map_err(|error| error.to_string())?;
-    let found = shoot(&family, 0.0, &guess, effort).map_err(|error| error.to_string())?;
+    let guess = near(&family, 0.0, tight)?;
+    let found = shoot(&family, 0.0, &guess, effort)?;
     let integration = found.error(tight);
     // Extrema are found no better than the tolerance, so that crossings of the section cannot be compared.
     if integration > OTHER {
-        return Err(format!("it is off by {integration:.1e}: another orbit"));
+        return Err(Lost::Off { by: integration });
     }
     Ok(PrecisionPoint {
         tolerance,
         integration,
         total: found.error(truth),
-        cost: cost(&family, &found).map_err(|error| error.to_string())?,
+        cost: cost(&family, &found)?,
     })
 }

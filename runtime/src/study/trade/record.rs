@@ -3,8 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::fit::Fit;
+use super::lost::Lost;
 use crate::field::{Kernel, Smoothing, SmoothingError, Work};
-use crate::study::predict::Prediction;
+use crate::study::predict::{PredictError, Prediction};
 
 /// What a trade shall cover.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,7 +76,7 @@ pub struct Point {
     /// What finding it cost.
     pub found: Work,
     /// The error predicted without integrating it, or why there is none.
-    pub predicted: Result<Prediction, String>,
+    pub predicted: Result<Prediction, PredictError>,
 }
 
 /// The copies of one kernel.
@@ -88,13 +89,13 @@ pub struct Curve {
     /// The copies that have the orbit, towards the exact law.
     pub points: Vec<Point>,
     /// Sizes at which the copy has no such orbit, or none was found, and why.
-    pub lost: Vec<(f64, String)>,
+    pub lost: Vec<(f64, Lost)>,
     /// e_f = b ε^a.
     pub frequency: Option<Fit>,
     /// The same for the largest magnitude of each state.
     pub max_abs: Vec<Option<Fit>>,
     /// The cheapest setting for the accuracy asked for, or why there is none.
-    pub need: Option<Result<Need, String>>,
+    pub need: Option<Result<Need, Lost>>,
 }
 
 /// Error against cost of every smoothing of one model at given parameters.
@@ -107,7 +108,7 @@ pub struct Trade {
     /// Work-precision curves, the exact system first.
     pub precision: Vec<Precision>,
     /// The cheapest setting of the exact system for the accuracy asked for.
-    pub need: Option<Result<Setting, String>>,
+    pub need: Option<Result<Setting, Lost>>,
     /// Whether it was ended before all of this was there.
     pub interrupted: bool,
 }
@@ -145,7 +146,7 @@ pub struct Precision {
     /// One point for each tolerance at which the orbit is found.
     pub points: Vec<PrecisionPoint>,
     /// Tolerances at which it is not, and why.
-    pub failed: Vec<(f64, String)>,
+    pub failed: Vec<(f64, Lost)>,
 }
 
 impl Precision {
@@ -198,12 +199,12 @@ impl Curve {
 
 /// Of trades at several parameters, the one at whose parameters a kernel needs most: the worst end of a range.
 #[must_use]
-pub fn worst(trades: &[Trade], kernel: Kernel) -> Option<(usize, &Result<Need, String>)> {
+pub fn worst(trades: &[Trade], kernel: Kernel) -> Option<(usize, &Result<Need, Lost>)> {
     let needs = trades.iter().enumerate().filter_map(|(end, trade)| {
         let curve = trade.curves.iter().find(|curve| curve.kernel == kernel)?;
         Some((end, curve.need.as_ref()?))
     });
-    let demand = |need: &Result<Need, String>| match need {
+    let demand = |need: &Result<Need, Lost>| match need {
         Ok(need) => need.smoothing.sharpness(),
         Err(_) => f64::INFINITY,
     };

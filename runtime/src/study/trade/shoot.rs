@@ -11,6 +11,7 @@ use crate::integrate::Tolerance;
 use crate::motion::{Family, Place, half_extents};
 use crate::shooting::{Guess, Orbit, OrbitError, problem};
 
+use super::lost::Lost;
 use super::record::Cost;
 
 /// Repetitions of which the fastest counts.
@@ -141,14 +142,12 @@ pub(super) fn follow(
     (from, to): (f64, f64),
     start: &Guess,
     effort: Effort,
-) -> Result<(Guess, Work), String> {
+) -> Result<(Guess, Work), Lost> {
     let family = family.with_tolerance(effort.tolerance);
-    let (mut problem, z) = problem(family, from, start, 1).map_err(|e| e.to_string())?;
-    problem
-        .float(&start.place, from)
-        .map_err(|e| e.to_string())?;
+    let (mut problem, z) = problem(family, from, start, 1)?;
+    problem.float(&start.place, from)?;
     let settings = Settings::new(from, to, effort.accuracy.max(1e-8));
-    let (mut branch, first) = Branch::start(problem, z, settings).map_err(|e| e.to_string())?;
+    let (mut branch, first) = Branch::start(problem, z, settings)?;
     let last = branch.by_ref().last().unwrap_or(first);
     match branch.stop() {
         Some(Stop::ReachedEnd) => {
@@ -165,11 +164,10 @@ pub(super) fn follow(
             };
             Ok((guess, branch.problem.work))
         }
-        Some(ending) => Err(format!(
-            "the branch in its size ends at {:e}: {ending:?}",
-            last.r.exp()
-        )),
-        None => Err("the branch in its size was stopped".to_owned()),
+        stop => Err(Lost::Ends {
+            size: last.r.exp(),
+            stop: stop.cloned(),
+        }),
     }
 }
 

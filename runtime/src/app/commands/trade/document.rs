@@ -1,5 +1,7 @@
 //! A trade as JSON.
 
+use std::fmt::Display;
+
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -30,10 +32,10 @@ pub(super) fn document<'a>(info: &'a ModelInfo, record: &TradeRecord) -> Documen
 }
 
 /// What was found, or why nothing was.
-fn answer<T>(found: &Result<T, String>, value: impl Fn(&T) -> Value) -> Value {
+fn answer<T, E: Display>(found: &Result<T, E>, value: impl Fn(&T) -> Value) -> Value {
     match found {
         Ok(found) => value(found),
-        Err(reason) => json!({ "reason": reason }),
+        Err(reason) => json!({ "reason": reason.to_string() }),
     }
 }
 
@@ -80,7 +82,7 @@ fn exact<'a>(info: &'a ModelInfo, trade: &Trade) -> Document<'a> {
 fn curve<'a>(info: &'a ModelInfo, curve: &Curve) -> Document<'a> {
     let points = curve.points.iter().map(|point| copy(info, curve, point));
     let lost = curve.lost.iter();
-    let lost = lost.map(|(size, reason)| json!({ "size": size, "reason": reason }));
+    let lost = lost.map(|(size, reason)| json!({ "size": size, "reason": reason.to_string() }));
     let fits = curve.refused.is_none().then(|| {
         Document::new(info)
             .put("frequency", curve.frequency)
@@ -130,8 +132,8 @@ fn predicted<'a>(info: &'a ModelInfo, found: &Prediction) -> Document<'a> {
 
 fn precision(curve: &Precision) -> Value {
     let failed = curve.failed.iter();
-    let failed =
-        failed.map(|(tolerance, reason)| json!({ "tolerance": tolerance, "reason": reason }));
+    let failed = failed
+        .map(|(tolerance, reason)| json!({ "tolerance": tolerance, "reason": reason.to_string() }));
     json!({
         "dynamics": curve.dynamics(),
         "points": curve.points,
