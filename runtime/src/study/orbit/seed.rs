@@ -44,21 +44,21 @@ struct Belt<'a> {
 
 impl Belt<'_> {
     /// The state next to `state` at which these contacts have no relative speed, by projection on one after the other.
-    fn resting(&self, mut state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
+    fn resting(&self, state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
         // While all slide, no force is sought, and none enters the speeds.
         let modes = vec![Mode::SlideForward; self.count];
-        for _ in 0..SWEEPS {
+        settled(state, |mut state| {
             for &contact in contacts {
                 if let Some(Contact { speed, .. }) = self.contact(&state, &modes, contact) {
                     project(&mut state, &speed);
                 }
             }
-        }
-        state
+            state
+        })
     }
 
     /// The same where, besides, they need no force to stay at rest.
-    fn unloaded(&self, mut state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
+    fn unloaded(&self, state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
         let speeds = self.flow.speeds(&state).into_iter().enumerate();
         let mode = |(i, speed): (usize, f64)| {
             if contacts.contains(&i) {
@@ -68,15 +68,14 @@ impl Belt<'_> {
             }
         };
         let modes: Modes = speeds.map(mode).collect();
-        for _ in 0..SWEEPS {
+        settled(state, |mut state| {
             for &contact in contacts {
                 if let Some(Contact { force, .. }) = self.contact(&state, &modes, contact) {
                     project(&mut state, &force);
                 }
             }
-            state = self.resting(state, contacts);
-        }
-        state
+            self.resting(state, contacts)
+        })
     }
 
     /// What a contact does; `None` if the forces are not determined.
@@ -88,6 +87,18 @@ impl Belt<'_> {
         let mut all = self.flow.contacts(&place).ok()?.all;
         (contact < all.len()).then(|| all.swap_remove(contact))
     }
+}
+
+/// What sweeps over all contacts make of a state, until one changes nothing any more.
+fn settled(mut state: Vec<f64>, mut sweep: impl FnMut(Vec<f64>) -> Vec<f64>) -> Vec<f64> {
+    for _ in 0..SWEEPS {
+        let swept = sweep(state.clone());
+        if swept == state {
+            break;
+        }
+        state = swept;
+    }
+    state
 }
 
 /// Moves a state the shortest way to where a quantity that is linear in it vanishes.
