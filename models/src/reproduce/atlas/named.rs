@@ -98,7 +98,7 @@ fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> [Option<&BranchRecord>; 2] {
     })
 }
 
-fn nearest<'a>(branch: &'a BranchRecord, kind: Kind, v_dr: f64) -> Option<&'a Special> {
+fn nearest(branch: &BranchRecord, kind: Kind, v_dr: f64) -> Option<&Special> {
     let same = branch.special.iter().filter(|special| special.kind == kind);
     same.min_by(|a, b| (a.r - v_dr).abs().total_cmp(&(b.r - v_dr).abs()))
 }
