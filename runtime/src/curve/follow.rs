@@ -12,7 +12,7 @@ use crate::continuation::{
 };
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::shooting::{Guess, Orbit, Solution, problem};
+use crate::shooting::{Orbit, Solution, problem};
 
 /// A multiplier this far off has left the condition.
 const LOST: f64 = 1e-3;
@@ -37,11 +37,7 @@ pub fn follow(
     let Some(condition) = Condition::of(kind) else {
         return Ok(None);
     };
-    let guess = Guess {
-        place: orbit.place.clone(),
-        period: orbit.period,
-        magnitude: orbit.magnitude(),
-    };
+    let guess = orbit.guess();
     let (p, q) = (orbit.r, settings.from);
     let family = plane.along_p(q).with_magnitude(&guess.magnitude);
     let (mut orbit_problem, z) = problem(family, p, &guess, 1).map_err(Failure::Evaluation)?;

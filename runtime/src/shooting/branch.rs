@@ -3,7 +3,6 @@
 use nalgebra::DVector;
 
 use super::anchor::problem;
-use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
@@ -60,15 +59,10 @@ impl OrbitBranch {
         settings: Settings,
         (r, upwards): (f64, bool),
     ) -> Result<Self, Failure<FlowError>> {
-        let magnitude = orbit.magnitude();
+        let guess = orbit.guess();
         let family = family
             .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-            .with_magnitude(&magnitude);
-        let guess = Guess {
-            place: orbit.place.clone(),
-            period: orbit.period,
-            magnitude,
-        };
+            .with_magnitude(&guess.magnitude);
         let (mut problem, z) =
             problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
         problem

@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::guess::Guess;
 use super::shot::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
@@ -146,6 +147,16 @@ impl Orbit {
     #[must_use]
     pub fn magnitude(&self) -> Vec<f64> {
         half_extents(&self.min, &self.max, &vec![1.0; self.min.len()])
+    }
+
+    /// The orbit as a guess of itself: at another tolerance, or of one nearby.
+    #[must_use]
+    pub fn guess(&self) -> Guess {
+        Guess {
+            place: self.place.clone(),
+            period: self.period,
+            magnitude: self.magnitude(),
+        }
     }
 
     /// Largest magnitude of each state.

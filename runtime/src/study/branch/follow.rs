@@ -82,9 +82,8 @@ pub(in crate::study) fn follow(
 fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>) {
     let orbit = &met.point;
     let guess = Guess {
-        place: orbit.place.clone(),
         period: 0.5 * orbit.period,
-        magnitude: orbit.magnitude(),
+        ..orbit.guess()
     };
     match converge(&sought.family, met.r, &guess, &sought.search) {
         Ok(single) if single.period < 0.75 * orbit.period => met.point = single,

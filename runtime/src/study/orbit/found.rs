@@ -30,8 +30,7 @@ impl System {
         let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
         let found = Guess {
             place: orbit.heading.start.clone(),
-            period: orbit.period,
-            magnitude: orbit.magnitude(),
+            ..orbit.guess()
         };
         Ok(CertifiedOrbit {
             certificate: certify(&sought.family, r, &found, case.accuracy),

@@ -23,8 +23,7 @@ pub(super) fn trade(
     watch: Watch<'_>,
 ) -> Result<Trade, TradeError> {
     let family = system.family(case);
-    let guess = shoot::guess(orbit);
-    let truth = shoot::shoot(&family, 0.0, &guess, Effort::TIGHT)?;
+    let truth = shoot::shoot(&family, 0.0, &orbit.guess(), Effort::TIGHT)?;
     let cost = shoot::cost(&family, &truth)?;
     let copies = Copies {
         system,

@@ -9,7 +9,7 @@ use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Place, half_extents};
-use crate::shooting::{Guess, Orbit, OrbitError, problem};
+use crate::shooting::{Guess, OrbitError, problem};
 
 use super::lost::Lost;
 use super::record::Cost;
@@ -83,15 +83,6 @@ impl Shooting {
         max_abs
             .iter()
             .fold(frequency.abs(), |most, e| most.max(e.abs()))
-    }
-}
-
-/// A found orbit as a guess for its own family.
-pub(super) fn guess(orbit: &Orbit) -> Guess {
-    Guess {
-        place: orbit.place.clone(),
-        period: orbit.period,
-        magnitude: orbit.magnitude(),
     }
 }
 
