@@ -61,9 +61,15 @@ pub(crate) fn end(child: Child) -> Answer {
 }
 
 /// Interrupts a command as soon as a file of its folder has so many lines.
+pub(crate) fn interrupted(line: &str, out: &Path, ready: (&str, usize), signal: &str) -> Answer {
+    interrupted_before("none", line, out, ready, signal)
+}
+
+/// Interrupts a command as soon as a file of its folder has so many lines, and before there is another file.
 ///
-/// A command that has come to its end before is begun anew: no machine is too fast or too busy.
-pub(crate) fn interrupted(
+/// A command that has come further or to its end before is begun anew: no machine is too fast or too busy.
+pub(crate) fn interrupted_before(
+    later: &str,
     line: &str,
     out: &Path,
     (file, count): (&str, usize),
@@ -74,7 +80,7 @@ pub(crate) fn interrupted(
         let mut child = start(line, out);
         wait_for(&mut child, &out.join(file), count);
         send(signal, &mut child);
-        Some(end(child)).filter(|answer| answer.code != Some(0))
+        Some(end(child)).filter(|answer| answer.code != Some(0) && !out.join(later).exists())
     };
     let answer = (0..TRIALS).find_map(trial);
     let answer = answer.unwrap_or_else(|| panic!("{line}: done before it can be interrupted"));
