@@ -17,13 +17,35 @@ use crate::parse::Grammar;
 use crate::repeated::Repeated;
 
 /// The functions of one argument.
-const FUNCTIONS: [&str; 15] = [
-    "acos", "acosh", "asin", "asinh", "atan", "atanh", "cos", "cosh", "exp", "ln", "sin", "sinh",
-    "sqrt", "tan", "tanh",
+const FUNCTIONS: [(&str, fn(f64) -> f64); 15] = [
+    ("acos", f64::acos),
+    ("acosh", f64::acosh),
+    ("asin", f64::asin),
+    ("asinh", f64::asinh),
+    ("atan", f64::atan),
+    ("atanh", f64::atanh),
+    ("cos", f64::cos),
+    ("cosh", f64::cosh),
+    ("exp", f64::exp),
+    ("ln", f64::ln),
+    ("sin", f64::sin),
+    ("sinh", f64::sinh),
+    ("sqrt", f64::sqrt),
+    ("tan", f64::tan),
+    ("tanh", f64::tanh),
 ];
 
 /// Functions with a kink, for laws with internal state.
 pub(crate) const CORNERS: [&str; 2] = ["abs", "sign"];
+
+/// The value of a function of one argument.
+pub(crate) fn apply(function: &Ident, x: f64) -> f64 {
+    match FUNCTIONS.iter().find(|(name, _)| function == name) {
+        Some((_, value)) => value(x),
+        None if function == "sign" => 1.0_f64.copysign(x),
+        None => x.abs(),
+    }
+}
 
 const ONLY: &str =
     "a formula is made of numbers, names, `+ - * /`, parentheses and functions such as `sin(x)`";
@@ -181,9 +203,8 @@ impl Arithmetic<'_> {
 
     /// Whether this is a function of one argument here.
     fn knows(&self, function: &Ident) -> bool {
-        let is = |known: &&str| function == known;
-        let corner = self.grammar == Grammar::Memory && CORNERS.iter().any(&is);
-        corner || FUNCTIONS.iter().any(is)
+        let corner = self.grammar == Grammar::Memory && CORNERS.iter().any(|name| function == name);
+        corner || FUNCTIONS.iter().any(|(name, _)| function == name)
     }
 
     fn power(&mut self, base: &Formula, exponent: &Formula) -> Kind {

@@ -26,7 +26,7 @@ pub(super) fn check_one_drive(written: &Declaration, errors: &mut Errors) {
 /// The rate of a drive is a formula of parameters.
 pub(super) fn check_rate(written: &Declaration, names: &Names, errors: &mut Errors) {
     for drive in written.drives() {
-        for name in drive.rate.names() {
+        for name in drive.formula.names() {
             let role = names.role_of(name);
             if role.is_some_and(|role| role != Role::Parameter) {
                 let (noun, phase) = (names.noun_of(name).unwrap_or_default(), &drive.name);

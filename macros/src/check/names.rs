@@ -76,8 +76,7 @@ impl Names {
 
     /// What a name stands for, if it is declared.
     pub(super) fn noun_of(&self, name: &Ident) -> Option<&'static str> {
-        let found = self.declared.iter().find(|(known, _)| known == name);
-        found.map(|(_, role)| role.noun())
+        self.role_of(name).map(Role::noun)
     }
 
     /// The role of a name, if it is declared.
@@ -97,17 +96,7 @@ impl Names {
 }
 
 fn declared_by(line: &Line) -> Option<(Ident, Role)> {
-    match line {
-        Line::State(line) => Some((line.name.clone(), Role::State)),
-        Line::Param(line) => Some((line.name.clone(), Role::Parameter)),
-        Line::Let(line) => Some((line.name.clone(), Role::Let)),
-        Line::Friction(line) => Some((line.name.clone(), Role::Friction)),
-        Line::Slip(line) => Some((line.speed.clone(), Role::Speed)),
-        Line::Force(line) => Some((line.speed.clone(), Role::RelativeSpeed)),
-        Line::Drive(line) => Some((line.name.clone(), Role::Phase)),
-        Line::Broken(line) => Some((line.name.clone()?, role_after(line.keyword?)?)),
-        Line::Derivative(_) | Line::Stick(_) | Line::Stop(_) => None,
-    }
+    Some((line.name()?.clone(), role_after(line.keyword()?)?))
 }
 
 fn role_after(keyword: &str) -> Option<Role> {
@@ -217,7 +206,7 @@ pub(super) fn made_of<'a>(written: &'a Declaration, mut names: Vec<&'a Ident>) -
 /// At rest there is no sliding speed.
 pub(super) fn check_rest_has_no_speed(written: &Declaration, errors: &mut Errors) {
     let is_parameter = |name: &Ident| written.params().any(|param| param.name == *name);
-    let speeds = written.slips().map(|slip| &slip.speed);
+    let speeds = written.slips().map(|slip| &slip.name);
     let speeds = made_of(
         written,
         speeds.filter(|speed| !is_parameter(speed)).collect(),

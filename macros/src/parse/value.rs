@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::{Lit, LitInt, Token};
+use syn::{BinOp, Lit, LitInt, Token};
 
 use crate::arithmetic;
 use crate::formula::Number;
@@ -121,28 +121,15 @@ impl Relation {
 
 impl Parse for Relation {
     fn parse(input: ParseStream) -> syn::Result<Self> {
-        let ahead = input.lookahead1();
-        let less = ahead.peek(Token![<]);
-        if !less && !ahead.peek(Token![>]) {
-            return Err(input.error("expected one of `>`, `>=`, `<`, `<=`"));
-        }
-        if input.parse::<Option<Token![<=]>>()?.is_some()
-            || input.parse::<Option<Token![>=]>>()?.is_some()
-        {
-            return Ok(Self {
-                less,
-                inclusive: true,
-            });
-        }
-        if less {
-            input.parse::<Token![<]>()?;
-        } else {
-            input.parse::<Token![>]>()?;
-        }
-        Ok(Self {
-            less,
-            inclusive: false,
-        })
+        let (less, inclusive) = match input.fork().parse() {
+            Ok(BinOp::Lt(_)) => (true, false),
+            Ok(BinOp::Le(_)) => (true, true),
+            Ok(BinOp::Gt(_)) => (false, false),
+            Ok(BinOp::Ge(_)) => (false, true),
+            _ => return Err(input.error("expected one of `>`, `>=`, `<`, `<=`")),
+        };
+        input.parse::<BinOp>()?;
+        Ok(Self { less, inclusive })
     }
 }
 
