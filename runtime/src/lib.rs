@@ -46,8 +46,6 @@ pub mod poincare;
 #[cfg(feature = "app")]
 pub mod report;
 pub mod scalar;
-#[cfg(feature = "app")]
-mod serial;
 pub mod shooting;
 pub mod study;
 pub mod suggest;

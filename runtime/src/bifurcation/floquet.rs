@@ -1,6 +1,7 @@
 //! Multipliers of a periodic orbit, from its section map.
 
 use nalgebra::{Complex, DMatrix, DVector};
+use serde::Serialize;
 
 use super::exponents::exponents;
 use crate::linear::eigenvalues;
@@ -10,12 +11,8 @@ use crate::motion::Factor;
 const RESOLVED: f64 = 1e-9;
 
 /// What the multipliers say of a periodic orbit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "app",
-    derive(serde::Serialize),
-    serde(rename_all = "lowercase")
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Stability {
     /// All multipliers lie inside the unit circle.
     Stable,

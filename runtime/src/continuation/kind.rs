@@ -52,7 +52,6 @@ impl fmt::Display for Kind {
 }
 
 /// By its word.
-#[cfg(feature = "app")]
 impl serde::Serialize for Kind {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())

@@ -1,6 +1,6 @@
 //! What happens at the contacts of an exact system.
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
 use crate::field::exact::Mode;
 
@@ -22,7 +22,7 @@ pub struct Event<const N: usize> {
 }
 
 /// What can happen at a contact.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum EventKind {
     /// It came to rest and sticks.
     Landing {

@@ -15,7 +15,7 @@ pub use event::{Event, EventKind};
 pub use family::{ExactFamily, Family, SmoothFamily};
 pub use smooth::SmoothFlow;
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
 use crate::field::Work;
 
@@ -81,7 +81,7 @@ pub struct Velocity<const N: usize> {
 }
 
 /// What a passage shall report beyond its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,

@@ -13,7 +13,6 @@ mod modes;
 mod passage;
 mod smooth;
 mod tape;
-mod written;
 
 pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};

@@ -1,15 +1,15 @@
 //! One motion from a place to another, and how its end depends on its beginning.
 
-use borsh::{BorshDeserialize, BorshSerialize};
 use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
 
-use super::{Modes, written};
+use super::Modes;
 use crate::field::Work;
 use crate::field::exact::Mode;
 use crate::flow::{self, EventKind};
 
 /// A point of phase space from which a motion continues in one way only.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     /// The state.
     pub state: Vec<f64>,
@@ -31,7 +31,7 @@ pub struct Velocity {
 }
 
 /// One motion from a place to another.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Passage {
     /// Where it ended.
     pub end: Place,
@@ -55,7 +55,7 @@ pub struct Passage {
 ///
 /// Next to a short step something is about to happen, or has just happened: a start there would
 /// soon fall before it or behind it as the design variable changes.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Calm {
     /// Where.
     pub place: Place,
@@ -66,25 +66,13 @@ pub struct Calm {
 }
 
 /// How the end of a passage depends on its beginning, on the design variable and on its duration.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Derivatives {
     /// Φ = ∂φ/∂y.
-    #[borsh(
-        serialize_with = "written::matrix",
-        deserialize_with = "written::read_matrix"
-    )]
     pub state: DMatrix<f64>,
     /// ∂φ/∂r.
-    #[borsh(
-        serialize_with = "written::vector",
-        deserialize_with = "written::read_vector"
-    )]
     pub design: DVector<f64>,
     /// ∂φ/∂t: the velocity at the end.
-    #[borsh(
-        serialize_with = "written::vector",
-        deserialize_with = "written::read_vector"
-    )]
     pub time: DVector<f64>,
     /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
     pub trace: f64,
@@ -96,24 +84,16 @@ pub struct Derivatives {
 }
 
 /// A factor of Φ over one stretch of a motion.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Factor {
     /// ∂(end)/∂(beginning) of the stretch.
-    #[borsh(
-        serialize_with = "written::matrix",
-        deserialize_with = "written::read_matrix"
-    )]
     pub state: DMatrix<f64>,
     /// ∫ J dt over the stretch, where an implicit step damps what decays fast far less than the motion does.
-    #[borsh(
-        serialize_with = "written::growth",
-        deserialize_with = "written::read_growth"
-    )]
     pub growth: Option<DMatrix<f64>>,
 }
 
 /// A local extremum of one state along a motion.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Extremum {
     /// Which state.
     pub index: usize,
@@ -126,7 +106,7 @@ pub struct Extremum {
 }
 
 /// A stretch of a motion in constant mode.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Segment {
     /// The modes of the contacts during it.
     pub modes: Modes,
@@ -135,7 +115,7 @@ pub struct Segment {
 }
 
 /// A state on a motion.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     /// Time from the beginning of the passage.
     pub time: f64,
@@ -144,7 +124,7 @@ pub struct Sample {
 }
 
 /// Something that happened at a contact.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// What.
     pub kind: EventKind,
