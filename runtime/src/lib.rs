@@ -49,6 +49,7 @@ pub mod scalar;
 pub mod shooting;
 pub mod study;
 pub mod suggest;
+mod words;
 
 #[cfg(test)]
 mod examples;
