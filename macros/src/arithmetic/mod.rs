@@ -16,8 +16,10 @@ use crate::formula::{Formula, Kind, Operator};
 use crate::parse::Grammar;
 use crate::repeated::Repeated;
 
+type Function = (&'static str, fn(f64) -> f64);
+
 /// The functions of one argument.
-const FUNCTIONS: [(&str, fn(f64) -> f64); 15] = [
+const FUNCTIONS: [Function; 15] = [
     ("acos", f64::acos),
     ("acosh", f64::acosh),
     ("asin", f64::asin),
@@ -53,29 +55,15 @@ const ONLY: &str =
 const WHOLE: &str = "the exponent of `powi` is a whole number such as 2; \
      other powers are written `powf(x, 1.5)`";
 
-/// Reads an expression; where something is wrong, a number stands in its place.
-pub(crate) fn formula(
-    expression: &Expr,
-    grammar: Grammar,
-    repeated: &mut Repeated,
-    errors: &mut Errors,
-) -> Formula {
-    let mut arithmetic = Arithmetic {
-        grammar,
-        repeated,
-        errors,
-    };
-    arithmetic.read(expression)
-}
-
-struct Arithmetic<'a> {
-    grammar: Grammar,
-    repeated: &'a mut Repeated,
-    errors: &'a mut Errors,
+/// Reads expressions; where something is wrong, a number stands in its place.
+pub(crate) struct Arithmetic<'a> {
+    pub(crate) grammar: Grammar,
+    pub(crate) repeated: &'a mut Repeated,
+    pub(crate) errors: &'a mut Errors,
 }
 
 impl Arithmetic<'_> {
-    fn read(&mut self, expression: &Expr) -> Formula {
+    pub(crate) fn read(&mut self, expression: &Expr) -> Formula {
         let kind = self.kind(expression);
         let source = expression.to_token_stream();
         Formula { kind, source }
@@ -208,7 +196,7 @@ impl Arithmetic<'_> {
     }
 
     fn power(&mut self, base: &Formula, exponent: &Formula) -> Kind {
-        match number::whole_number(exponent) {
+        match exponent.literal().and_then(whole) {
             Some(whole) => Kind::Power(Box::new(base.clone()), whole),
             None => self.refuse(exponent, WHOLE),
         }

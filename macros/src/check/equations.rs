@@ -1,6 +1,6 @@
 //! Equations: one for each state, and linear in the friction forces.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
@@ -115,64 +115,48 @@ pub(super) fn check_one<'a>(lines: impl Iterator<Item = &'a Rule>, errors: &mut 
     }
 }
 
-/// How a formula depends on the friction forces.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Dependence {
-    Free,
-    Linear,
-}
-
-/// Which names carry a friction force, directly or through `let` lines.
-struct Forces<'a> {
-    carried: HashMap<&'a Ident, Dependence>,
-}
+/// The names that carry a friction force, directly or through `let` lines.
+struct Forces<'a>(HashSet<&'a Ident>);
 
 impl<'a> Forces<'a> {
     /// Follows the lines from top to bottom; reports every product of forces to `errors`.
-    fn of(written: &'a Declaration, mut errors: Option<&mut Errors>) -> Self {
-        let mut forces = Self {
-            carried: HashMap::new(),
-        };
+    fn of(written: &'a Declaration, errors: &mut Errors) -> Self {
+        let mut forces = Self(HashSet::new());
         for line in &written.lines {
-            match line {
-                Line::Friction(friction) if friction.memory.is_empty() => {
-                    forces.carried.insert(&friction.name, Dependence::Linear);
-                }
-                Line::Let(quantity) => {
-                    let dependence = forces.dependence(&quantity.formula, &mut errors);
-                    forces.carried.insert(&quantity.name, dependence);
-                }
-                _ => {}
+            let carries = match line {
+                Line::Friction(friction) => friction.memory.is_empty(),
+                Line::Let(quantity) => forces.enter(&quantity.formula, errors),
+                _ => false,
+            };
+            if let (true, Some(name)) = (carries, line.name()) {
+                forces.0.insert(name);
             }
         }
         for derivative in written.derivatives() {
-            forces.dependence(&derivative.formula, &mut errors);
+            forces.enter(&derivative.formula, errors);
         }
         forces
     }
 
-    fn dependence(&self, formula: &Formula, errors: &mut Option<&mut Errors>) -> Dependence {
-        let parts = formula.parts();
-        let of_parts: Vec<Dependence> = parts
-            .iter()
-            .map(|part| self.dependence(part, errors))
-            .collect();
-        let strongest = of_parts.iter().copied().max().unwrap_or(Dependence::Free);
-        let keeps = match &formula.kind {
-            Kind::Name(name) => return self.carried.get(name).copied().unwrap_or(Dependence::Free),
+    /// Whether a formula depends on forces, and linearly.
+    fn enter(&self, formula: &Formula, errors: &mut Errors) -> bool {
+        if let Kind::Name(name) = &formula.kind {
+            return self.0.contains(name);
+        }
+        let parts = formula.parts().into_iter();
+        let parts: Vec<bool> = parts.map(|part| self.enter(part, errors)).collect();
+        let linear = match &formula.kind {
             Kind::Group(_) | Kind::Minus(_) => true,
             Kind::Binary(_, Operator::Add | Operator::Subtract, _) => true,
-            Kind::Binary(_, Operator::Multiply, _) => of_parts.contains(&Dependence::Free),
-            Kind::Binary(_, Operator::Divide, _) => of_parts[1] == Dependence::Free,
+            Kind::Binary(_, Operator::Multiply, _) => parts.contains(&false),
+            Kind::Binary(_, Operator::Divide, _) => !parts[1],
             _ => false,
         };
-        if strongest == Dependence::Free || keeps {
-            return strongest;
-        }
-        if let Some(errors) = errors {
+        let depends = parts.contains(&true);
+        if depends && !linear {
             errors.at(formula, format!("`{formula}`: {NONLINEAR}"));
         }
-        Dependence::Free
+        depends && linear
     }
 }
 
@@ -181,15 +165,17 @@ const NONLINEAR: &str = "friction forces must enter linearly, so that the sticki
 
 /// Friction forces enter the equations linearly.
 pub(super) fn check_forces_linear(written: &Declaration, errors: &mut Errors) {
-    Forces::of(written, Some(errors));
+    Forces::of(written, errors);
 }
 
 /// The speed of a contact and the fields of its law depend on no friction force.
 pub(super) fn check_laws_read_no_force(written: &Declaration, errors: &mut Errors) {
-    let forces = Forces::of(written, None);
+    let mut elsewhere = Errors::new();
+    let forces = Forces::of(written, &mut elsewhere);
+    elsewhere.forget();
     for friction in written.frictions() {
         for name in friction.formulas().flat_map(Formula::names) {
-            if *name != friction.name && forces.carried.get(name) == Some(&Dependence::Linear) {
+            if *name != friction.name && forces.0.contains(name) {
                 let own = &friction.name;
                 errors.at(name, format!(
                     "`{name}` is or contains a friction force, and the law and speed of `{own}` cannot depend on one: \

@@ -45,7 +45,7 @@ pub(crate) struct Unit {
 
 pub(crate) enum Step<'a> {
     Let(Let<'a>),
-    Friction(Contact<'a>),
+    Friction(Box<Contact<'a>>),
 }
 
 pub(crate) struct Let<'a> {
@@ -136,7 +136,7 @@ impl<'a> Model<'a> {
 
     fn frictions(&self) -> impl Iterator<Item = &Contact<'a>> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Friction(contact) => Some(contact),
+            Step::Friction(contact) => Some(contact.as_ref()),
             Step::Let(_) => None,
         })
     }

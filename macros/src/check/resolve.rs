@@ -132,7 +132,8 @@ fn steps<'a>(written: &'a Declaration, units: &Units) -> Vec<Step<'a>> {
             } else {
                 &mut memories
             };
-            Some(Step::Friction(contact(line, places.next()?, units)))
+            let contact = contact(line, places.next()?, units);
+            Some(Step::Friction(Box::new(contact)))
         }
         _ => None,
     };

@@ -155,13 +155,14 @@ fn row(state: &State) -> String {
 fn lines(model: &Model) -> Vec<String> {
     let steps = model.steps.iter().map(|step| match step {
         Step::Let(Let { line, .. }) => format!("{} = {}", line.name, line.formula),
-        Step::Friction(Contact { line, .. }) => format!(
-            "{} = {} {{ {} }} opposing {}",
-            line.name,
-            law(line),
-            info::fields(line),
-            line.speed
-        ),
+        Step::Friction(contact) => {
+            let line = contact.line;
+            let (law, fields) = (law(line), info::fields(line));
+            format!(
+                "{} = {law} {{ {fields} }} opposing {}",
+                line.name, line.speed
+            )
+        }
     });
     let rates = model.states.iter();
     let rates = rates.map(|state| format!("der({}) = {}", state.name, info::equation(state)));

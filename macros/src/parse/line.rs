@@ -8,7 +8,7 @@ use syn::{Attribute, Path, Token, braced};
 use super::docs::{docs, name, undocumented};
 use super::shape::{no_keyword, shape, shaped, unknown_keyword};
 use super::{Grammar, Reader, value};
-use crate::arithmetic;
+use crate::arithmetic::Arithmetic;
 use crate::formula::Formula;
 use crate::syntax::{Field, Friction, Line, Rule, Value, word};
 
@@ -178,13 +178,12 @@ impl Reader<'_> {
     }
 
     fn formula_in(&mut self, grammar: Grammar, input: ParseStream) -> syn::Result<Formula> {
-        let expression = input.parse()?;
-        Ok(arithmetic::formula(
-            &expression,
+        let mut arithmetic = Arithmetic {
             grammar,
-            self.repeated,
-            self.errors,
-        ))
+            repeated: self.repeated,
+            errors: self.errors,
+        };
+        Ok(arithmetic.read(&input.parse()?))
     }
 }
 
