@@ -48,8 +48,6 @@ pub struct Reading<R: Reader> {
     pub reader: R,
     branch: Branch<R::Problem>,
     first: Option<Point<<R::Problem as ZeroProblem>::Extra>>,
-    /// The last two points.
-    ends: Vec<R::Point>,
     accuracy: f64,
 }
 
@@ -60,7 +58,6 @@ impl<R: Reader> Reading<R> {
             reader,
             branch,
             first: Some(first),
-            ends: Vec::new(),
             accuracy: settings.accuracy,
         }
     }
@@ -79,11 +76,7 @@ impl<R: Reader> Followed for Reading<R> {
 
     fn step(&mut self) -> Option<R::Point> {
         let point = self.first.take().or_else(|| self.branch.next())?;
-        let here = self.reader.read(&self.branch.problem, &point);
-        self.ends.push(here.clone());
-        let stale = self.ends.len().saturating_sub(2);
-        self.ends.drain(..stale);
-        Some(here)
+        Some(self.reader.read(&self.branch.problem, &point))
     }
 
     fn stop(&self) -> Option<&Stop<Self::Error>> {
@@ -91,21 +84,14 @@ impl<R: Reader> Followed for Reading<R> {
     }
 
     fn retract(&mut self) -> bool {
-        let retracted = self.branch.retract();
-        if retracted {
-            self.ends.pop();
-        }
-        retracted
+        self.branch.retract()
     }
 
-    fn path(&self) -> Option<Between<R>> {
-        let [from, to] = self.ends.as_slice() else {
-            return None;
-        };
+    fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
         let link = self.branch.link()?.clone();
         Some(Between {
             counted: R::work(&link.problem),
-            straight: self.reader.straight([from, to]),
+            straight: self.reader.straight(ends),
             reader: self.reader.clone(),
             link,
         })

@@ -33,7 +33,7 @@ pub trait Followed {
     type Path: Path<Point = Self::Point> + Counted;
 
     /// What lies between the last two points; `None` at the first.
-    fn path(&self) -> Option<Self::Path>;
+    fn path(&self, ends: [&Self::Point; 2]) -> Option<Self::Path>;
 
     /// What is looked for.
     fn monitors(&self) -> Monitors<'_, Self::Point>;
@@ -192,10 +192,10 @@ impl<F: Followed> Walk<'_, F> {
         if self.followed.strays(point) {
             return self.astray(point);
         }
-        let Some(mut path) = self.followed.path() else {
+        let (ends, accuracy) = ([before, &*point], self.followed.accuracy());
+        let Some(mut path) = self.followed.path(ends) else {
             return Verdict::GoOn;
         };
-        let (ends, accuracy) = ([before, &*point], self.followed.accuracy());
         let findings = detect(&mut path, &self.followed.monitors(), ends, accuracy);
         if !findings.unexplained.is_empty() {
             // Beyond a graze, what was found is not the same motion any more.

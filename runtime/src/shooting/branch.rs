@@ -174,7 +174,7 @@ impl Followed for OrbitBranch {
         self.branch.retract()
     }
 
-    fn path(&self) -> Option<OrbitPath> {
+    fn path(&self, _ends: [&Orbit; 2]) -> Option<OrbitPath> {
         let mut link = self.branch.link()?.clone();
         // Multipliers lose digits that the orbit keeps.
         let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);

@@ -19,22 +19,12 @@ pub struct Specimen<L: ?Sized = dyn Characteristic> {
 
 type Build<L> = dyn Fn(&[f64]) -> Box<L> + Send + Sync;
 
-/// A law with internal state, and a swing that shows what it remembers.
-pub struct Remembering {
-    /// The law.
-    pub specimen: Specimen<dyn Hysteresis>,
-    /// Amplitude of the swing.
-    pub amplitude: f64,
-    /// Speed of the swing.
-    pub speed: f64,
-}
-
 /// A law of either kind, as a program lists it.
 pub enum Shown {
     /// A law without internal state.
     Static(Specimen),
     /// A law with internal state.
-    Remembering(Remembering),
+    Remembering(Specimen<dyn Hysteresis>),
 }
 
 impl From<Specimen> for Shown {
@@ -43,9 +33,9 @@ impl From<Specimen> for Shown {
     }
 }
 
-impl From<Remembering> for Shown {
-    fn from(remembering: Remembering) -> Self {
-        Self::Remembering(remembering)
+impl From<Specimen<dyn Hysteresis>> for Shown {
+    fn from(specimen: Specimen<dyn Hysteresis>) -> Self {
+        Self::Remembering(specimen)
     }
 }
 
@@ -70,27 +60,19 @@ impl Specimen {
 }
 
 impl Specimen<dyn Hysteresis> {
-    /// The same of a law with `S` internal states.
+    /// The same of a law with `S` internal states, shown by a swing of this amplitude and speed.
     #[must_use]
     pub fn with_memory<L: MemoryLaw<f64, S> + 'static, const S: usize, const N: usize>(
         fields: [&'static str; N],
         values: [f64; N],
         build: fn([f64; N]) -> L,
+        swing: [f64; 2],
     ) -> Self {
         let build = move |values: &[f64]| -> Box<dyn Hysteresis> {
-            Box::new(Shaken::new(build(taken(values))))
+            let law = build(taken(values));
+            Box::new(Shaken { law, swing })
         };
         Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
-    }
-
-    /// The same law with a swing.
-    #[must_use]
-    pub fn swinging(self, amplitude: f64, speed: f64) -> Remembering {
-        Remembering {
-            specimen: self,
-            amplitude,
-            speed,
-        }
     }
 
     /// The law as data.
@@ -194,8 +176,8 @@ macro_rules! specimen {
             [$(::core::stringify!($field)),*],
             [$($value),*],
             |[$($field),*]| $law { $($field),* },
+            [$amplitude, $speed],
         )
-        .swinging($amplitude, $speed)
     };
 }
 

@@ -195,17 +195,3 @@ impl Curve {
         }
     }
 }
-
-/// Of trades at several parameters, the one at whose parameters a kernel needs most: the worst end of a range.
-#[must_use]
-pub fn worst(trades: &[Trade], kernel: Kernel) -> Option<(usize, &Result<Need, Lost>)> {
-    let needs = trades.iter().enumerate().filter_map(|(end, trade)| {
-        let curve = trade.curves.iter().find(|curve| curve.kernel == kernel)?;
-        Some((end, curve.need.as_ref()?))
-    });
-    let demand = |need: &Result<Need, Lost>| match need {
-        Ok(need) => need.smoothing.sharpness(),
-        Err(_) => f64::INFINITY,
-    };
-    needs.reduce(|a, b| if demand(b.1) > demand(a.1) { b } else { a })
-}
