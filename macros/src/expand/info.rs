@@ -17,11 +17,11 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
     let states = model.states.iter().map(state);
     let parameters = model.parameters.iter().map(parameter);
     let observables = model.lets().map(observable);
-    let contacts = model.contacts().map(contact);
+    let contacts = model.contacts().map(|contact| friction(contact, model));
     // The phase is the last of the states.
     let last = Literal::usize_unsuffixed(model.states.len().saturating_sub(1));
     let drive = option(model.driven.then(|| quote!(#last)));
-    let memories = model.memories().map(|contact| memory(contact, model));
+    let memories = model.memories().map(|contact| friction(contact, model));
     quote! {
         ::stickslip::model::ModelInfo {
             #head
@@ -94,25 +94,6 @@ fn stop_of(stop: &Whole) -> TokenStream {
     quote!(::stickslip::memory::LawStop { bound: #bound, reads: &[#(#reads),*] })
 }
 
-fn memory(contact: &Contact, model: &Model) -> TokenStream {
-    let line = contact.line;
-    let named = named(&line.name, &line.docs, &contact.unit);
-    let law = builder::info(&quote!(Self), contact);
-    let (fields, speed) = (fields(line), line.speed.to_string());
-    let place = |name: &Ident| model.states.iter().position(|state| state.name == name);
-    let states = line.memory.iter().filter_map(place);
-    let states = states.map(Literal::usize_unsuffixed);
-    quote! {
-        ::stickslip::model::Memory {
-            #named
-            law: #law,
-            fields: #fields,
-            speed: #speed,
-            states: &[#(#states),*],
-        }
-    }
-}
-
 /// The fields of a law as a model gives them.
 pub(super) fn fields(line: &Friction) -> String {
     let fields = line.fields.iter();
@@ -156,19 +137,23 @@ fn observable(quantity: &Let) -> TokenStream {
     quote!(::stickslip::model::Observable { #named formula: #formula })
 }
 
-fn contact(contact: &Contact) -> TokenStream {
+fn friction(contact: &Contact, model: &Model) -> TokenStream {
     let line = contact.line;
     let named = named(&line.name, &line.docs, &contact.unit);
     let law = builder::info(&quote!(Self), contact);
     let (fields, speed) = (fields(line), line.speed.to_string());
     let speed_unit = unit(&contact.speed_unit);
+    let place = |name: &Ident| model.states.iter().position(|state| state.name == name);
+    let states = line.memory.iter().filter_map(place);
+    let states = states.map(Literal::usize_unsuffixed);
     quote! {
-        ::stickslip::model::Contact {
+        ::stickslip::model::Friction {
             #named
             law: #law,
             fields: #fields,
             speed: #speed,
             speed_unit: #speed_unit,
+            states: &[#(#states),*],
         }
     }
 }

@@ -80,3 +80,14 @@ impl<M: Model<N>, const N: usize> ExactFamily<M, N> {
         Ok(flow.with_magnitude(self.magnitude))
     }
 }
+
+impl Design {
+    /// The parameter that it is, if it is one.
+    #[must_use]
+    pub const fn parameter(self) -> Option<usize> {
+        match self {
+            Self::Parameter(index) => Some(index),
+            Self::Smoothing | Self::None => None,
+        }
+    }
+}

@@ -121,10 +121,7 @@ impl<M: Model<N>, const N: usize> Flows for ExactFamily<M, N> {
         if let Design::Parameter(index) = fixed {
             family.model = with(&self.model, index, value);
         }
-        family.design = match design {
-            Design::Parameter(index) => Some(index),
-            Design::Smoothing | Design::None => None,
-        };
+        family.design = design.parameter();
         family.into()
     }
 }

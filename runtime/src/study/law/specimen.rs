@@ -86,6 +86,17 @@ fn taken<const N: usize>(values: &[f64]) -> [f64; N] {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(f64::NAN))
 }
 
+/// The values of these names; NaN for one that has none.
+fn picked<'a>(
+    names: impl Iterator<Item = &'a str>,
+    values: impl Iterator<Item = (&'a str, f64)> + Clone,
+) -> Vec<f64> {
+    let value = |name| values.clone().find(|(known, _)| *known == name);
+    names
+        .map(|name| value(name).map_or(f64::NAN, |(_, value)| value))
+        .collect()
+}
+
 impl<L: ?Sized> Specimen<L> {
     fn of(
         parameters: &'static [LawParameter],
@@ -110,12 +121,9 @@ impl<L: ?Sized> Specimen<L> {
     /// The values of the law's parameters, in the order of their declaration.
     #[must_use]
     pub fn values(&self) -> Vec<f64> {
-        let place = |name| self.fields.iter().position(|field| *field == name);
-        let values = self
-            .parameters
-            .iter()
-            .map(|declared| place(declared.name).map_or(f64::NAN, |place| self.values[place]));
-        values.collect()
+        let declared = self.parameters.iter().map(|declared| declared.name);
+        let values = self.fields.iter().copied().zip(self.values.iter().copied());
+        picked(declared, values)
     }
 
     /// The law at other values of its parameters, in the order of their declaration.
@@ -126,17 +134,9 @@ impl<L: ?Sized> Specimen<L> {
         for (declared, &value) in self.parameters.iter().zip(values) {
             declared.check(value)?;
         }
-        let place = |name: &str| {
-            self.parameters
-                .iter()
-                .position(|declared| declared.name == name)
-        };
-        let taken = self.fields.iter().map(|field| {
-            place(field)
-                .and_then(|place| values.get(place).copied())
-                .unwrap_or(f64::NAN)
-        });
-        Ok((self.build)(&taken.collect::<Vec<_>>()))
+        let declared = self.parameters.iter().map(|declared| declared.name);
+        let values = declared.zip(values.iter().copied());
+        Ok((self.build)(&picked(self.fields.iter().copied(), values)))
     }
 }
 
