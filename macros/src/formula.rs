@@ -64,6 +64,15 @@ impl Formula {
         }
     }
 
+    /// The number that it is, sign and parentheses aside.
+    pub(crate) fn literal(&self) -> Option<f64> {
+        match &self.bare().kind {
+            Kind::Number(number) => Some(number.value),
+            Kind::Minus(inner) => inner.literal().map(|value| -value),
+            _ => None,
+        }
+    }
+
     /// The formulas of which this one is made.
     pub(crate) fn parts(&self) -> Vec<&Self> {
         match &self.kind {

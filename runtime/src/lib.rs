@@ -46,11 +46,10 @@ pub mod poincare;
 #[cfg(feature = "app")]
 pub mod report;
 pub mod scalar;
-#[cfg(feature = "app")]
-mod serial;
 pub mod shooting;
 pub mod study;
 pub mod suggest;
+mod words;
 
 #[cfg(test)]
 mod examples;

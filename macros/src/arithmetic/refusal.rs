@@ -120,7 +120,7 @@ impl Arithmetic<'_> {
     pub(super) fn wrong_call(&mut self, call: &ExprCall, function: &Ident) -> Kind {
         let name = function.to_string();
         match name.as_str() {
-            known if FUNCTIONS.contains(&known) => {
+            known if FUNCTIONS.iter().any(|(name, _)| *name == known) => {
                 self.refuse(call, format!("`{known}` takes one argument: `{known}(x)`"))
             }
             "powi" => self.refuse(call, "`powi` takes a base and a whole number: `powi(x, 2)`"),
@@ -136,7 +136,8 @@ impl Arithmetic<'_> {
 
     fn unknown_function(&mut self, function: &Ident) -> Kind {
         let name = function.to_string();
-        let known = FUNCTIONS.into_iter().chain(["powi", "powf"]);
+        let known = FUNCTIONS.into_iter().map(|(name, _)| name);
+        let known = known.chain(["powi", "powf"]);
         let advice = match SYNONYMS.iter().find(|(other, _)| *other == name) {
             Some((_, ours)) => format!("write `{ours}`"),
             None => match nearest(&name, known.clone()) {

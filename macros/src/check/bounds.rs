@@ -1,7 +1,7 @@
 //! Bounds: on their own parameter, not empty, and kept by the default.
 
 use crate::errors::Errors;
-use crate::syntax::{Bound, Bounds, Declaration, Param};
+use crate::syntax::{Bound, Bounds, Declaration, Value};
 
 /// The bounds of a parameter are about that parameter.
 pub(super) fn check_bound_names(written: &Declaration, errors: &mut Errors) {
@@ -32,7 +32,7 @@ pub(super) fn check_bounds_not_empty(written: &Declaration, errors: &mut Errors)
 /// The default keeps its own bounds.
 pub(super) fn check_defaults_in_bounds(written: &Declaration, errors: &mut Errors) {
     for (param, bounds) in bounded(written) {
-        let Some(default) = &param.default else {
+        let Some(default) = &param.number else {
             continue;
         };
         if !is_empty(bounds) && !contains(bounds, default.value) {
@@ -45,7 +45,7 @@ pub(super) fn check_defaults_in_bounds(written: &Declaration, errors: &mut Error
     }
 }
 
-fn bounded(written: &Declaration) -> impl Iterator<Item = (&Param, &Bounds)> {
+fn bounded(written: &Declaration) -> impl Iterator<Item = (&Value, &Bounds)> {
     written
         .params()
         .filter_map(|param| Some((param, param.bounds.as_ref()?)))

@@ -13,10 +13,10 @@ mod resolve;
 mod stops;
 mod units;
 
+pub(crate) use self::bounds::describe;
 pub(crate) use self::dimension::Dimension;
 pub(crate) use self::known::{
-    Bounds, Carrier, Contact, Field, Law, LawState, Let, Memory, MemoryLaw, Model, Parameter,
-    State, StaticLaw, Step, Stop, Unit,
+    Contact, Force, Law, LawState, Let, Model, Parameter, State, Step, Unit, Whole,
 };
 use self::names::Names;
 pub(crate) use self::reserved::is_field;
@@ -100,4 +100,14 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
         .flatten()?;
     memory::check_continuous(&law, errors);
     errors.is_empty().then_some(law)
+}
+
+/// Takes over a model of which nothing is asked.
+pub(crate) fn unasked_model(written: &Declaration) -> Option<Model<'_>> {
+    resolve::model(written, &Units::default())
+}
+
+/// Takes over a law of which nothing is asked.
+pub(crate) fn unasked_law(written: &Declaration) -> Option<Law<'_>> {
+    resolve::law(written, &Units::default())
 }

@@ -5,35 +5,20 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::exponents::exponents;
 use crate::linear::eigenvalues;
 use crate::motion::Factor;
+use crate::words::words;
 
 /// Moduli below this share of the largest entry of the section map are not resolved by it.
 const RESOLVED: f64 = 1e-9;
 
-/// What the multipliers say of a periodic orbit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "app",
-    derive(serde::Serialize),
-    serde(rename_all = "lowercase")
-)]
-pub enum Stability {
-    /// All multipliers lie inside the unit circle.
-    Stable,
-    /// At least one lies outside.
-    Unstable,
-    /// One lies closer to the unit circle than its accuracy.
-    Undecided,
-}
-
-impl Stability {
-    /// The word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Undecided => "undecided",
-        }
+words! {
+    /// What the multipliers say of a periodic orbit.
+    pub enum Stability {
+        /// All multipliers lie inside the unit circle.
+        Stable = "stable",
+        /// At least one lies outside.
+        Unstable = "unstable",
+        /// One lies closer to the unit circle than its accuracy.
+        Undecided = "undecided",
     }
 }
 

@@ -78,10 +78,6 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         self.system().speeds(&fixed(state)).as_ref().to_vec()
     }
 
-    fn check(&self, _at: &Place) -> Result<(), FlowError> {
-        Ok(())
-    }
-
     fn read(&self, at: &Place) -> Result<Reading, FlowError> {
         self.reading(&place(at))
     }

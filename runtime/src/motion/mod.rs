@@ -13,7 +13,6 @@ mod modes;
 mod passage;
 mod smooth;
 mod tape;
-mod written;
 
 pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};
@@ -72,19 +71,27 @@ pub trait Flow: Send + Sync {
     ///
     /// # Errors
     /// The forces are not determined there.
-    fn touch(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+    fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
+        Ok(None)
+    }
 
     /// For each sliding contact its number and its relative speed the way it slides: not positive beyond the mode.
-    fn margins(&self, at: &Place) -> Vec<(usize, f64)>;
+    fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
+        Vec::new()
+    }
 
     /// The relative speed of every set-valued contact at a state; none for a smooth system.
-    fn speeds(&self, state: &[f64]) -> Vec<f64>;
+    fn speeds(&self, _state: &[f64]) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// Whether the field stands for the system at this place.
     ///
     /// # Errors
     /// A one-directional smoothing is used backwards.
-    fn check(&self, at: &Place) -> Result<(), FlowError>;
+    fn check(&self, _at: &Place) -> Result<(), FlowError> {
+        Ok(())
+    }
 
     /// Friction forces and observables at a place.
     ///

@@ -50,18 +50,6 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         Ok((passage.end, derivatives))
     }
 
-    fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
-        Ok(None)
-    }
-
-    fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
-        Vec::new()
-    }
-
-    fn speeds(&self, _state: &[f64]) -> Vec<f64> {
-        Vec::new()
-    }
-
     fn check(&self, at: &Place) -> Result<(), FlowError> {
         match self.field().backwards(&fixed(&at.state)) {
             Some((contact, speed)) => Err(FlowError::Backwards {

@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use serde::Serialize;
+
 use super::radian;
 use super::section::{Section, Surface};
 use super::turns::Turns;
@@ -18,8 +20,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const ITERATIONS: usize = 80;
 
 /// A point where a motion crosses a section.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Crossing {
     /// When, from the beginning of the motion.
     pub time: f64,

@@ -1,5 +1,7 @@
 //! Sections as data.
 
+use crate::words::words;
+
 /// A surface in phase space, and the direction in which crossings of it count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
@@ -23,15 +25,16 @@ pub enum Surface {
     },
 }
 
-/// The direction of a crossing: whether the function that vanishes grows through zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Direction {
-    /// It grows.
-    Up,
-    /// It falls.
-    Down,
-    /// Either.
-    Both,
+words! {
+    /// The direction of a crossing: whether the function that vanishes grows through zero.
+    pub enum Direction {
+        /// It grows.
+        Up = "up",
+        /// It falls.
+        Down = "down",
+        /// Either.
+        Both = "both",
+    }
 }
 
 impl Default for Section {
@@ -55,16 +58,6 @@ impl Surface {
 }
 
 impl Direction {
-    /// Its word on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Up => "up",
-            Self::Down => "down",
-            Self::Both => "both",
-        }
-    }
-
     /// Whether a crossing that rises, or one that falls, counts.
     #[must_use]
     pub const fn admits(self, rising: bool) -> bool {

@@ -19,7 +19,7 @@ mod watched;
 
 pub use anchor::anchored;
 pub(crate) use anchor::problem;
-pub use branch::{OrbitBranch, OrbitPath};
+pub use branch::{OrbitBranch, Orbits};
 pub use certificate::{Certificate, Constants, Uncertified, certify};
 pub use converge::converge;
 pub use error::OrbitError;

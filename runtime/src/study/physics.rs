@@ -13,20 +13,18 @@ use crate::scalar::Inline;
 use crate::shooting::Orbit;
 use crate::study::law::{Characteristic, Laws};
 use crate::study::predict::{PredictError, Prediction, Rubbed, predict};
+use crate::study::question::Dynamics;
 
 /// A declared model, whatever its type and its number of states.
 pub(super) trait Physics: Send + Sync {
     /// The model as data.
     fn info(&self) -> &'static ModelInfo;
 
-    /// Its flows along a design variable, with friction as declared; smooth where it has none.
-    fn exact(&self, values: &[f64], design: Design, tolerance: Tolerance) -> Family;
-
-    /// Its flows along a design variable, with this smoothing of its friction.
-    fn smooth(
+    /// Its flows along a design variable.
+    fn family(
         &self,
         values: &[f64],
-        smoothing: Option<Smoothing>,
+        dynamics: Dynamics,
         design: Design,
         tolerance: Tolerance,
     ) -> Family;
@@ -78,37 +76,31 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         M::INFO
     }
 
-    fn exact(&self, values: &[f64], design: Design, tolerance: Tolerance) -> Family {
-        if const { Self::RUBS } {
-            let parameter = match design {
-                Design::Parameter(index) => Some(index),
-                Design::Smoothing | Design::None => None,
-            };
-            let family: ExactFamily<M, N> = ExactFamily {
-                model: model(values),
-                design: parameter,
-                tolerance,
-                magnitude: [1.0; N],
-            };
-            family.into()
-        } else {
-            self.smooth(values, None, design, tolerance)
-        }
-    }
-
-    fn smooth(
+    fn family(
         &self,
         values: &[f64],
-        smoothing: Option<Smoothing>,
+        dynamics: Dynamics,
         design: Design,
         tolerance: Tolerance,
     ) -> Family {
-        let family: SmoothFamily<M, N> = SmoothFamily {
-            model: model(values),
-            smoothing,
+        let (model, magnitude) = (model::<M, N>(values), [1.0; N]);
+        if const { Self::RUBS } {
+            if dynamics == Dynamics::Exact {
+                let family = ExactFamily {
+                    model,
+                    design: design.parameter(),
+                    tolerance,
+                    magnitude,
+                };
+                return family.into();
+            }
+        }
+        let family = SmoothFamily {
+            model,
+            smoothing: dynamics.smoothing(),
             design,
             tolerance,
-            magnitude: [1.0; N],
+            magnitude,
         };
         family.into()
     }

@@ -82,13 +82,10 @@ impl System {
     /// The flows that the case is about, along its design variable.
     pub(super) fn family(&self, case: &Case) -> Family {
         let tolerance = Tolerance::for_accuracy(case.accuracy);
-        let (values, design) = (&case.parameters, design(case));
-        let family = if self.rubs(case) {
-            self.physics.exact(values, design, tolerance)
-        } else {
-            let smoothing = case.smoothing();
-            self.physics.smooth(values, smoothing, design, tolerance)
-        };
+        let (values, dynamics) = (&case.parameters, case.dynamics);
+        let family = self
+            .physics
+            .family(values, dynamics, design(case), tolerance);
         match &self.tape {
             Some(tape) => family.recorded(tape),
             None => family,

@@ -12,7 +12,7 @@ const ORDER: [&str; 23] = [
     "scalar",
     "math",
     "linear",
-    "serial",
+    "words",
     "suggest",
     "model",
     "memory",

@@ -1,6 +1,6 @@
 //! What any flow must do, whatever it is the flow of.
 
-use stickslip::flow::{Derivatives, Family, Flow, Passage, Place, Want};
+use stickslip::flow::{Derivatives, Flow, Passage, Place, Want};
 use stickslip::model::Model;
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{Subject, TIGHT};

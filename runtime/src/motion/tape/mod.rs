@@ -8,7 +8,8 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use super::{Contacts, Derivatives, Family, Flow, Flows, Passage, Place, Reading, Velocity};
 use crate::field::Design;
@@ -62,25 +63,25 @@ impl Tape {
     /// What is asked by `key`: as it is known, or computed and noted.
     ///
     /// A failure is noted without its reason: it is found again where the computation is gone through again.
-    fn recall<T: BorshSerialize + BorshDeserialize, E>(
+    fn recall<T: Serialize + DeserializeOwned, E>(
         &self,
-        key: &impl BorshSerialize,
+        key: &impl Serialize,
         compute: impl FnOnce() -> Result<T, E>,
     ) -> Result<T, E> {
-        let mut record = borsh::to_vec(key).unwrap_or_default();
+        let mut record = postcard::to_allocvec(key).unwrap_or_default();
         let known = self.known().records.pop_front();
         if let Some(known) = known {
             let found = known.strip_prefix(record.as_slice());
-            match found.map(|found| (found, T::try_from_slice(found))) {
+            match found.map(|found| (found, postcard::take_from_bytes(found))) {
                 Some(([], _)) => return compute(),
-                Some((_, Ok(found))) => return Ok(found),
+                Some((_, Ok((found, [])))) => return Ok(found),
                 _ => self.stray(),
             }
         }
         let found = compute();
         if let Ok(found) = &found {
             // What cannot be written is computed again.
-            record.extend(borsh::to_vec(found).unwrap_or_default());
+            record.extend(postcard::to_allocvec(found).unwrap_or_default());
         }
         if !self.known().strayed {
             (self.note)(&record);

@@ -1,6 +1,7 @@
 //! Special points of a branch, numbered in their order.
 
 use nalgebra::Complex;
+use serde::Serialize;
 
 use crate::continuation::{Kind, Located};
 use crate::shooting::Orbit;
@@ -8,34 +9,32 @@ use crate::study::label::labels;
 use crate::study::question::Along;
 
 /// A point of a branch where something changes.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Special {
     /// What changes: `fold`, `flip`, `torus`, `grazing-sliding`, ...
     pub kind: Kind,
     /// Kind and number, for instance `PD1`.
     pub label: String,
     /// How many points of its branch precede it.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
     /// The period there.
     pub period: f64,
     /// The multipliers there.
-    #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::pairs"))]
     pub multipliers: Vec<Complex<f64>>,
     /// Where the orbit there begins.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub state: Vec<f64>,
     /// Its largest magnitude of each state.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub max_abs: Vec<f64>,
     /// `supercritical` or `subcritical`, where that was looked at.
-    #[cfg_attr(feature = "app", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub criticality: Option<&'static str>,
     /// What is to be said of the branch that leaves it, if it was not followed from here.
-    #[cfg_attr(feature = "app", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }
 

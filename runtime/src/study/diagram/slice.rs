@@ -1,6 +1,6 @@
 //! One value of a diagram: the motion to which the system settles there.
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
 use super::setting::Diagram;
 use crate::equilibrium::Spectrum;
@@ -17,7 +17,7 @@ const SAME_POINT: f64 = 1e-5;
 const REST: f64 = 1e-6;
 
 /// What is seen at one value of the design variable.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Slice {
     /// The design variable, in the user's own values.
     pub r: f64,
@@ -38,7 +38,7 @@ pub struct Slice {
 }
 
 /// The kind of a motion, as far as its points on a section tell.
-#[derive(Debug, Clone, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Motion {
     /// It comes back after this many points.
     Periodic(usize),

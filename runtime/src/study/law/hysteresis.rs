@@ -19,6 +19,9 @@ pub trait Hysteresis {
     /// The law as data.
     fn law(&self) -> &'static MemoryLawInfo;
 
+    /// Amplitude and speed of a swing that shows what it remembers.
+    fn usual(&self) -> [f64; 2];
+
     /// Displacement and force against it, from a contact without memory at 0 to `amplitude`, then to and fro
     /// between that and its negative, at constant `speed` > 0.
     ///
@@ -28,12 +31,10 @@ pub trait Hysteresis {
 }
 
 /// A law with `S` internal states, whatever its type.
-pub(in crate::study) struct Shaken<L, const S: usize>(L);
-
-impl<L, const S: usize> Shaken<L, S> {
-    pub(in crate::study) const fn new(law: L) -> Self {
-        Self(law)
-    }
+pub(in crate::study) struct Shaken<L, const S: usize> {
+    pub(in crate::study) law: L,
+    /// Amplitude and speed.
+    pub(in crate::study) swing: [f64; 2],
 }
 
 impl<L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<L, S> {
@@ -41,20 +42,24 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<L, S> {
         L::INFO
     }
 
+    fn usual(&self) -> [f64; 2] {
+        self.swing
+    }
+
     fn swing(&self, amplitude: f64, speed: f64) -> Result<Vec<[f64; 2]>, IntegrationError> {
         let (mut memory, mut place, mut points) = ([0.0; S], 0.0, Vec::new());
-        let elastic = self.0.answer(memory, speed).rates;
+        let elastic = self.law.answer(memory, speed).rates;
         let ends = std::iter::once(amplitude)
             .chain((0..STROKES).map(|i| if i % 2 == 0 { -amplitude } else { amplitude }));
         for end in ends {
             let speed = speed.copysign(end - place);
             let mut stroke = Stroke {
-                law: &self.0,
+                law: &self.law,
                 speed,
                 stops: Stops::NONE,
                 size: elastic.map(|rate| (rate * amplitude / speed).abs()),
             };
-            self.0
+            self.law
                 .stops(|place, bound| stroke.stops.put(place, bound, 0.0));
             let duration = (end - place) / speed;
             memory = stroke.follow(memory, duration, |time, force| {
@@ -186,7 +191,10 @@ mod tests {
     #[test]
     fn the_loop_of_dahl_is_the_one_in_closed_form() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken::new(Dahl { stiffness, level });
+        let law = Shaken {
+            law: Dahl { stiffness, level },
+            swing: [amplitude, 1e-3],
+        };
         let points = law.swing(amplitude, 1e-3).unwrap();
         // From rest, F = F_c (1 − e^{−σ₀ x/F_c}).
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
@@ -203,7 +211,10 @@ mod tests {
     #[test]
     fn the_loop_of_jenkins_is_a_parallelogram() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken::new(Jenkins { stiffness, level });
+        let law = Shaken {
+            law: Jenkins { stiffness, level },
+            swing: [amplitude, 1e-3],
+        };
         let points = law.swing(amplitude, 1e-3).unwrap();
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
         for [x, force] in virgin.copied() {

@@ -7,4 +7,4 @@ mod specimen;
 pub use characteristic::Characteristic;
 pub(in crate::study) use characteristic::Laws;
 pub use hysteresis::Hysteresis;
-pub use specimen::{Remembering, Shown, Specimen};
+pub use specimen::{Shown, Specimen};

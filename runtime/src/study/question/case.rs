@@ -118,9 +118,15 @@ impl Case {
     /// The smoothing of the contacts, if there is one.
     #[must_use]
     pub fn smoothing(&self) -> Option<Smoothing> {
-        match self.dynamics {
-            Dynamics::Smoothed(smoothing) => Some(smoothing),
-            Dynamics::Smooth | Dynamics::Exact => None,
+        self.dynamics.smoothing()
+    }
+}
+
+impl Dynamics {
+    pub(in crate::study) fn smoothing(self) -> Option<Smoothing> {
+        match self {
+            Self::Smoothed(smoothing) => Some(smoothing),
+            Self::Smooth | Self::Exact => None,
         }
     }
 }

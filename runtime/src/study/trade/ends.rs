@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::lost::Lost;
 use super::measure::trade;
-use super::record::{Finding, Need, Scope, Trade, worst};
+use super::record::{Finding, Need, Scope, Trade};
 use crate::field::{Design, Kernel};
 use crate::model::ModelInfo;
 use crate::study::error::{StudyError, TradeError};
@@ -70,8 +70,16 @@ impl TradeRecord {
     /// The cheapest setting of a kernel where it is most demanding: the number of that end, and the setting.
     #[must_use]
     pub fn need(&self, kernel: Kernel) -> Option<(usize, Result<Need, Lost>)> {
-        let trades: Vec<Trade> = self.ends.iter().map(|end| end.trade.clone()).collect();
-        worst(&trades, kernel).map(|(end, need)| (end, need.clone()))
+        let needs = self.ends.iter().enumerate().filter_map(|(end, here)| {
+            let mut curves = here.trade.curves.iter();
+            let curve = curves.find(|curve| curve.kernel == kernel)?;
+            Some((end, curve.need.clone()?))
+        });
+        let demand = |need: &Result<Need, Lost>| match need {
+            Ok(need) => need.smoothing.sharpness(),
+            Err(_) => f64::INFINITY,
+        };
+        needs.reduce(|a, b| if demand(&b.1) > demand(&a.1) { b } else { a })
     }
 }
 

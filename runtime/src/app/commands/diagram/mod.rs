@@ -33,7 +33,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let progress = Progress::along(output);
     let mut known = Known::default();
     let mut recall = |finding: &[u8]| {
-        let (sweep, slice): (String, Slice) = borsh::from_slice(finding).ok()?;
+        let (sweep, slice): (String, Slice) = postcard::from_bytes(finding).ok()?;
         known.insert(&sweep, slice);
         Some(())
     };
@@ -123,7 +123,7 @@ impl Papers {
     fn take(&mut self, seen: &Seen<'_>) {
         let Seen { sweep, slice, .. } = *seen;
         if !seen.known {
-            self.notes.add(borsh::to_vec(&(sweep, slice)).ok());
+            self.notes.add(postcard::to_allocvec(&(sweep, slice)).ok());
         }
         self.points.add(sheet::points(sweep, slice));
         self.values.add([sheet::value(sweep, slice, self.states)]);

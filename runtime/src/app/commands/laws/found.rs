@@ -24,7 +24,7 @@ pub(super) enum Found<'a> {
 fn type_name(law: &Shown) -> &'static str {
     match law {
         Shown::Static(specimen) => specimen.law().name,
-        Shown::Remembering(remembering) => remembering.specimen.law().name,
+        Shown::Remembering(specimen) => specimen.law().name,
     }
 }
 
@@ -63,10 +63,9 @@ pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhib
             };
             Ok(drawn.exhibit())
         }
-        Shown::Remembering(remembering) => {
-            let name = remembering.specimen.law().name;
-            let (values, built) = at_values(&remembering.specimen, name, set)?;
-            swing(remembering, built.as_ref(), &values, wish)
+        Shown::Remembering(specimen) => {
+            let (values, built) = at_values(specimen, specimen.law().name, set)?;
+            swing(built.as_ref(), &values, wish)
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::app::spreadsheet::{Spreadsheet, full, head};
 use crate::app::text::{line, number, table};
 use crate::memory::MemoryLawInfo;
 use crate::report::{self, Axis, Figure, Panel};
-use crate::study::{Hysteresis, Remembering};
+use crate::study::Hysteresis;
 
 /// How much faster the second swing is: what it changes is the rate dependence of a law.
 const FASTER: f64 = 10.0;
@@ -25,7 +25,6 @@ struct Loop {
 
 /// The law as it is shown.
 pub(super) fn swing(
-    remembering: &Remembering,
     built: &dyn Hysteresis,
     values: &[f64],
     wish: &Wish,
@@ -37,8 +36,9 @@ pub(super) fn swing(
             law.name
         );
     }
-    let amplitude = wish.amplitude.unwrap_or(remembering.amplitude);
-    let slow = wish.speed.unwrap_or(remembering.speed);
+    let [amplitude, speed] = built.usual();
+    let amplitude = wish.amplitude.unwrap_or(amplitude);
+    let slow = wish.speed.unwrap_or(speed);
     let mut loops = Vec::new();
     for speed in [slow, FASTER * slow] {
         let points = built.swing(amplitude, speed).map_err(|error| {

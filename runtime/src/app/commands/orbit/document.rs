@@ -1,6 +1,6 @@
 //! An orbit as JSON.
 
-use crate::app::document::{Document, pairs};
+use crate::app::document::Document;
 use crate::model::ModelInfo;
 use crate::study::OrbitRecord;
 
@@ -21,7 +21,7 @@ pub(in crate::app) fn document<'a>(info: &'a ModelInfo, orbit: &OrbitRecord) -> 
         .states("min", &orbit.min)
         .states("max_abs", &orbit.max_abs)
         .put("period_count", orbit.period_count)
-        .put("multipliers", pairs(&floquet.multipliers))
+        .put("multipliers", &floquet.multipliers)
         .put("log_abs_multipliers", &floquet.log_moduli)
         .put("trivial_multiplier_error", trivial)
         .put("stability", floquet.stability.name())
