@@ -1,13 +1,9 @@
 //! `branch`: orbits along a design variable.
 
+mod answer;
 mod arguments;
-mod document;
-mod picture;
-mod sheet;
-mod text;
 
-use std::ops::ControlFlow;
-
+use super::orbit;
 use crate::app::failure::Failure;
 use crate::app::offer::App;
 use crate::app::passages::Passages;
@@ -16,6 +12,7 @@ use crate::app::request::{Request, request};
 use crate::app::resume::Question;
 use crate::app::trail::Trail;
 use crate::study::{BranchRecord, Ended, OrbitRecord};
+pub(super) use answer::answer;
 pub(in crate::app) use arguments::Arguments;
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
@@ -26,7 +23,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let question = Question::new(app.version, asked.info, &asked.case);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
-    let mut watch = |point: &OrbitRecord| found(&mut trail, point);
+    let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);
     let branch = passages
         .recorded(asked.entry)
         .branch(&asked.case, &mut watch);
@@ -43,18 +40,13 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
 }
 
 /// The orbits of a branch as they are found.
-pub(super) fn trail<'a>(asked: &Request<'_>, progress: &'a Progress) -> Result<Trail<'a>, Failure> {
+pub(super) fn trail<'a>(
+    asked: &Request<'_>,
+    progress: &'a Progress,
+) -> Result<Trail<'a, OrbitRecord>, Failure> {
     let along = asked.along()?;
-    let head = sheet::head(asked.info, &along);
-    Ok(Trail::new(asked, along, "branch", head, progress))
-}
-
-/// One more orbit of a branch.
-pub(super) fn found(trail: &mut Trail<'_>, point: &OrbitRecord) -> ControlFlow<()> {
-    match point.r {
-        Some(r) => trail.reach(r, sheet::row(point)),
-        None => ControlFlow::Continue(()),
-    }
+    let columns = orbit::columns(asked.info, &along);
+    Ok(Trail::new(asked, along, "branch", columns, progress))
 }
 
 /// Answers with a branch.
@@ -62,23 +54,12 @@ pub(super) fn found(trail: &mut Trail<'_>, point: &OrbitRecord) -> ControlFlow<(
 /// # Errors
 /// It was interrupted, or the answer cannot be written.
 pub(super) fn deliver(asked: &Request<'_>, branch: &BranchRecord) -> Result<(), Failure> {
-    let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let document = document::document(info, case, branch);
-    let drawn = output.draw([("branch", picture::picture(info, branch))]);
-    let text = text::describe(info, case, branch);
-    output.deliver("branch", &text, &document, &sheet::sheets(info, branch))?;
-    drawn?;
+    asked.output.deliver(answer(asked, branch))?;
     if branch.is_interrupted() {
         let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
-        return Err(output.interrupted(&format!("{count} orbits were found")));
+        return Err(asked
+            .output
+            .interrupted(&format!("{count} orbits were found")));
     }
     Ok(())
-}
-
-/// Writes a branch to the folder, if there is one, beside the answer.
-pub(super) fn keep(asked: &Request<'_>, branch: &BranchRecord) -> Result<(), Failure> {
-    let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let document = document::document(info, case, branch);
-    output.draw([("branch", picture::picture(info, branch))])?;
-    output.keep("branch", &document, &sheet::sheets(info, branch))
 }

@@ -21,7 +21,7 @@ struct Line<'a> {
 }
 
 /// The motion as a figure.
-pub(in crate::app) fn picture(info: &ModelInfo, motion: &Trajectory) -> Figure {
+pub(super) fn picture(info: &ModelInfo, motion: &Trajectory) -> Figure {
     let states = info.states.iter().enumerate().map(|(column, state)| Line {
         name: state.name,
         unit: state.unit,
