@@ -1,7 +1,7 @@
 //! The errors of smooth copies against the exact orbit, thesis (3.7) and (3.8), and their fits e = b εᵃ.
 
 use stickslip::field::Kernel;
-use stickslip::report::{Axis, Column, Curve, Figure, Marker, Panel, Table};
+use stickslip::report::{Axis, Curve, Marker, Panel};
 use stickslip::study::parallel;
 use stickslip::study::trade::{self, Fit, Scope};
 
@@ -42,10 +42,6 @@ pub(super) struct Thesis {
     pub(super) size: &'static str,
     /// The power of ten at the middle of the sizes.
     pub(super) middle: f64,
-    /// The parameter, in a column.
-    pub(super) parameter: &'static str,
-    /// The parameter, on an axis.
-    pub(super) axis: &'static str,
     pub(super) extrema: [Printed; 4],
     pub(super) frequencies: [Printed; 4],
 }
@@ -166,54 +162,40 @@ impl Measured {
     }
 
     /// Both errors at the last value against the size, with their fits, in double logarithmic scales.
-    pub(super) fn against_size(&self, figure: Figure) -> Figure {
-        let panel = self.all.last().map(|errors| errors.panel(self.thesis));
-        panel.into_iter().fold(figure, Figure::panel)
+    pub(super) fn against_size(&self) -> Option<Panel> {
+        self.all.last().map(|errors| errors.panel(self.thesis))
     }
 
-    /// The parameters of the fits, a at the left and b at the right, and the thesis's.
-    pub(super) fn against_parameter(&self, figure: Figure) -> Figure {
-        figure
-            .columns(2)
-            .panel(self.fits("exponent *a*", |fit| fit.a, |p| p.a))
-            .panel(self.fits("factor *b*", |fit| fit.b, |p| p.b))
+    /// The parameters of the fits, first a and then b, and the thesis's.
+    pub(super) fn against_parameter(&self) -> [Vec<Curve>; 2] {
+        [
+            self.fits(|fit| fit.a, |p| p.a),
+            self.fits(|fit| fit.b, |p| p.b),
+        ]
     }
 
-    fn fits(&self, label: &str, ours: fn(&Fit) -> f64, theirs: fn(&Printed) -> f64) -> Panel {
-        let axes = Panel::new(Axis::new(self.thesis.axis), Axis::new(label));
-        Of::BOTH.into_iter().fold(axes, |panel, of| {
+    fn fits(&self, ours: fn(&Fit) -> f64, theirs: fn(&Printed) -> f64) -> Vec<Curve> {
+        let both = Of::BOTH.into_iter().flat_map(|of| {
             let all = self.all.iter();
             let points = all.filter_map(|errors| Some([errors.r, ours(&errors.fit(of)?)]));
             let (series, name) = (of.series(), of.name(self.thesis));
             let thesis = of.printed(self.thesis).iter().map(|p| [p.r, theirs(p)]);
             let label = format!("{name}, thesis");
-            let thesis = Curve::points(label, series, of.marker(), thesis.collect());
-            panel
-                .curve(Curve::line(name, series, points.collect()))
-                .curve(thesis)
-        })
+            [
+                Curve::line(name, series, points.collect()),
+                Curve::points(label, series, of.marker(), thesis.collect()),
+            ]
+        });
+        both.collect()
     }
 
     /// The fits beside the thesis's.
-    pub(super) fn table(&self, name: &str, caption: impl Into<String>) -> Table {
-        let middle = self.thesis.middle;
-        let power = decimals(middle, usize::from(middle.fract() != 0.0));
-        let columns = [
-            Column::words("error"),
-            Column::numbers(self.thesis.parameter),
-            Column::numbers("*a*, thesis"),
-            Column::numbers("here"),
-            Column::numbers("*b*, thesis"),
-            Column::numbers("here"),
-            Column::numbers(&format!("*e* at *ε* = 10^{{{power}}}, thesis")),
-            Column::numbers("here"),
-            Column::words("remark"),
-        ];
+    pub(super) fn rows(&self) -> Vec<Vec<String>> {
         let rows = Of::BOTH.into_iter().flat_map(|of| {
             let printed = of.printed(self.thesis).iter();
             printed.filter_map(move |p| self.row(of, p))
         });
-        Table::new(name, caption, columns).rows(rows)
+        rows.collect()
     }
 
     fn row(&self, of: Of, p: &Printed) -> Option<Vec<String>> {

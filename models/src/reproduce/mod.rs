@@ -11,7 +11,6 @@ mod drill_string;
 mod equilibrium;
 mod errors;
 pub mod extremes;
-mod introduction;
 mod pieces;
 mod smoothing;
 mod van_der_pol;
@@ -21,7 +20,7 @@ use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use stickslip::report::{Edition, Report, ReportError, Written};
+use stickslip::report::{Edition, Manuscript, Report, ReportError, Written};
 use stickslip::study::StudyError;
 
 /// What was reproduced.
@@ -107,7 +106,7 @@ fn write(out: &Path, quiet: bool, whole: bool) -> Result<Summary, ReproduceError
         subtitle: "The periodic motions of B. L. van de Vrande's *Modeling Dry Friction in DIANA* (Eindhoven, 1996), \
                    computed again from declared models"
             .to_owned(),
-        sections: vec![introduction::section()],
+        sections: vec![Manuscript::new(include_str!("introduction.md")).section()?],
     };
     // Written section by section: what is finished stays, whatever ends the program.
     let mut edition = Edition::begin(report, out)?;
@@ -131,10 +130,10 @@ fn write(out: &Path, quiet: bool, whole: bool) -> Result<Summary, ReproduceError
     edition.add(smoothing::section()?)?;
     if whole {
         say("The extremes");
-        edition.add(extremes::section())?;
+        edition.add(extremes::section(&extremes::map())?)?;
     }
     branches += costs.len();
-    edition.add(cost::section(costs))?;
+    edition.add(cost::section(costs)?)?;
     let written = edition.written();
     Ok(Summary {
         written,

@@ -3,7 +3,6 @@
 use stickslip::bifurcation::Stability;
 use stickslip::field::Work;
 use stickslip::report::numerals::short;
-use stickslip::report::{Column, Table};
 use stickslip::study::OrbitRecord;
 
 pub(super) use stickslip::report::numerals::{
@@ -32,17 +31,6 @@ pub(super) fn ending(end: End, name: &str) -> String {
         Why::GaveUp => "steps become too small",
     };
     format!("{name} = {}: {why}", short(end.r))
-}
-
-/// A table of values of the thesis beside ours.
-pub(super) fn beside(name: &str, caption: &str) -> Table {
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    Table::new(name, caption, columns)
 }
 
 /// How many orbits are stable, and what the others are.

@@ -3,6 +3,7 @@
 mod draw;
 mod edition;
 mod figure;
+mod manuscript;
 pub mod numerals;
 mod page;
 mod table;
@@ -14,6 +15,7 @@ use std::path::{Path, PathBuf};
 
 pub use edition::Edition;
 pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
+pub use manuscript::Manuscript;
 pub use table::{Column, Table};
 
 /// A report.
@@ -87,6 +89,14 @@ pub enum ReportError {
         path: PathBuf,
         /// Why.
         source: io::Error,
+    },
+    /// A manuscript and what was given for its places do not fit.
+    #[error("the section `{title}`: {faults}")]
+    Manuscript {
+        /// The heading of the section.
+        title: String,
+        /// What is missing or left over.
+        faults: String,
     },
     /// A file of data could not be written.
     #[error("cannot write {}: {source}", path.display())]

@@ -1,7 +1,6 @@
 //! The bifurcations that the thesis names, beside ours.
 
 use stickslip::continuation::Kind;
-use stickslip::report::{Column, Table};
 use stickslip::study::{BranchRecord, Special};
 
 use super::super::words::decimals;
@@ -132,39 +131,22 @@ fn counterpart<'a>(
     (place == 0).then(|| theirs.first().copied()).flatten()
 }
 
-/// The table of all named bifurcations.
-pub(super) fn table(smoothed: &Atlas, exact: &Atlas) -> Table {
-    let columns = [
-        Column::words("family"),
-        Column::numbers("period *n*"),
-        Column::words("kind"),
-        Column::numbers("*V*_{dr}, thesis"),
-        Column::numbers("smoothed"),
-        Column::numbers("exact"),
-        Column::numbers("shift"),
-        Column::words("smoothed"),
-    ];
-    let caption = "The bifurcations that section 3.3.2 of the thesis names, on the same smoothed copy and in the exact \
-                   system, and by how much smoothing shifts each. A flip is supercritical where the doubled orbit lies \
-                   on the side on which the orbit has lost its stability.";
+/// A row for each named bifurcation.
+pub(super) fn rows(smoothed: &Atlas, exact: &Atlas) -> Vec<Vec<String>> {
     let number = |special: Option<&Special>| special.map_or("–".to_owned(), |s| decimals(s.r, 6));
-    Table::new("atlas-bifurcations", caption, columns).rows(
-        matches(smoothed, exact).into_iter().map(|found| {
-            let shift = found.smoothed.zip(found.exact).map(|(a, b)| a.r - b.r);
-            vec![
-                FAMILIES[found.named.family].name.to_owned(),
-                found.period_count.to_string(),
-                found.named.kind.to_string(),
-                found.named.v_dr.to_string(),
-                number(found.smoothed),
-                number(found.exact),
-                shift.map_or("–".to_owned(), |shift| decimals(shift, 6)),
-                found
-                    .smoothed
-                    .and_then(|special| special.criticality)
-                    .unwrap_or("")
-                    .to_owned(),
-            ]
-        }),
-    )
+    let row = |found: Match<'_>| {
+        let shift = found.smoothed.zip(found.exact).map(|(a, b)| a.r - b.r);
+        let criticality = found.smoothed.and_then(|special| special.criticality);
+        vec![
+            FAMILIES[found.named.family].name.to_owned(),
+            found.period_count.to_string(),
+            found.named.kind.to_string(),
+            found.named.v_dr.to_string(),
+            number(found.smoothed),
+            number(found.exact),
+            shift.map_or("–".to_owned(), |shift| decimals(shift, 6)),
+            criticality.unwrap_or_default().to_owned(),
+        ]
+    };
+    matches(smoothed, exact).into_iter().map(row).collect()
 }

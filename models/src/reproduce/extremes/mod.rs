@@ -69,7 +69,7 @@ pub fn draw(map: &[(Range, Vec<Cell>)], out: &Path) -> Result<Written, ReportErr
     let report = Report {
         title: "At the extremes".to_owned(),
         subtitle: "How far answers keep their digits, and what stops them".to_owned(),
-        sections: vec![page::from(map)],
+        sections: vec![section(map)?],
     };
     report.write(out)
 }

@@ -5,7 +5,7 @@ mod precision;
 mod predictions;
 
 use stickslip::field::Kernel;
-use stickslip::report::Section;
+use stickslip::report::{Manuscript, Section};
 use stickslip::study::parallel;
 use stickslip::study::trade::{Scope, Trade};
 
@@ -33,28 +33,11 @@ pub(super) fn section() -> Result<Section, ReproduceError> {
         .into_iter()
         .collect::<Result<_, _>>()?;
     let trades = trades.concat();
-    Ok(Section::new("What smoothing costs, and what it gets wrong")
-        .text(
-            "Smoothing is a trade. A steeper copy is nearer to real friction, but harder to integrate, for its forces \
-             change within ever thinner layers; and however small the steps, the computed motion only approaches that \
-             of the copy. The exact system has no layer: while the mass sticks it moves with the belt, while it slips \
-             the force is smooth, and the moments between are found as roots. All that is left is the error of \
-             integration, which smaller steps make as small as one likes.",
-        )
-        .text(
-            "Other shapes than the thesis's arctan can replace the jump: tanh, *z*/√(1 + *z*^{2}) (*algebraic*), and \
-             polynomials that reach ±1 at finite *z* = *ε* *v*_{rel} and stay there (*cubic*, *quintic*). The slower a \
-             shape approaches ±1, the more of the friction peak it loses, and arctan is the slowest.",
-        )
-        .figure(precision::figure(&trades))
-        .table(needs::table(&trades))
-        .text(
-            "The error of a smoothing can also be told beforehand, from the exact orbit alone. A copy differs from it \
-             in that it creeps where the mass should stick, and in that it lets go a little early, at the end of each \
-             stick phase, where its layer loses its hold. Both are small disturbances of the exact orbit, whose \
-             derivatives say what they do to period and extrema. No smooth motion is computed for the prediction.",
-        )
-        .table(predictions::table(&trades)))
+    let manuscript = Manuscript::new(include_str!("smoothing.md"))
+        .curves("A.1", [precision::curves(&trades)])
+        .rows("needs", needs::rows(&trades))
+        .rows("predictions", predictions::rows(&trades));
+    Ok(manuscript.section()?)
 }
 
 /// The belt oscillator with one smoothing at all sizes and tolerances, and exact.

@@ -1,6 +1,6 @@
 //! Error against cost.
 
-use stickslip::report::{Axis, Curve, Figure, Panel};
+use stickslip::report::Curve;
 use stickslip::study::trade::{Precision, Trade};
 
 use super::super::words::evaluations;
@@ -30,13 +30,7 @@ fn best<'a>(precisions: impl Iterator<Item = &'a Precision>) -> Vec<[f64; 2]> {
 }
 
 /// One curve for each smoothing, and the exact system.
-pub(super) fn figure(trades: &[Trade]) -> Figure {
-    let axes = Panel::new(
-        Axis::new("evaluations of the equations in one period").logarithmic(),
-        Axis::new("relative error against the exact orbit")
-            .logarithmic()
-            .from(RESOLUTION, USELESS),
-    );
+pub(super) fn curves(trades: &[Trade]) -> Vec<Curve> {
     let copies = trades.iter().enumerate().filter_map(|(i, trade)| {
         let kernel = trade.curves.first()?.kernel;
         let copies = trade.precision.iter().filter(|p| p.smoothing.is_some());
@@ -46,14 +40,5 @@ pub(super) fn figure(trades: &[Trade]) -> Figure {
         let exact = trade.precision.iter().filter(|p| p.smoothing.is_none());
         Curve::line("exact", 0, best(exact))
     });
-    Figure::new(
-        "A.1",
-        "Error against cost, one mass on a belt at *v*_{dr} = 0.2 m/s",
-        "Not in the thesis. Across: how often the equations are evaluated, with their derivatives, to go once around \
-         the orbit. Upwards: the largest of the errors of frequency and extrema, by smoothing and integration together. Each \
-         curve shows what a smoothing can do at best: *ε* = 10^{2} to 10^{7} and tolerances from 10^{−3} to 10^{−11}, \
-         without the settings that another one beats in both. The curve farthest to the lower left is the best: exact \
-         friction gives more digits for less work.",
-    )
-    .panel(axes.curves(copies).curves(exact))
+    copies.chain(exact).collect()
 }

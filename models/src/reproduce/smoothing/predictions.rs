@@ -1,6 +1,5 @@
 //! Predicted beside measured errors.
 
-use stickslip::report::{Column, Table};
 use stickslip::study::trade::{Point, Trade};
 
 use super::super::words::{decimals, exponent, power, scientific};
@@ -9,21 +8,7 @@ use super::super::words::{decimals, exponent, power, scientific};
 const SHOWN: [i32; 4] = [3, 4, 5, 7];
 
 /// Predicted and measured errors of frequency and largest displacement.
-pub(super) fn table(trades: &[Trade]) -> Table {
-    let columns = [
-        Column::words("smoothing"),
-        Column::numbers("*ε* (s/m)"),
-        Column::numbers("*e_{f}*, predicted"),
-        Column::numbers("measured"),
-        Column::numbers("ratio"),
-        Column::numbers("*e_{x}*, predicted"),
-        Column::numbers("measured"),
-        Column::numbers("ratio"),
-        Column::words("in the asymptotic range"),
-    ];
-    let caption = "Errors of smooth copies at *v*_{dr} = 0.2 m/s, with their signs: predicted from the exact orbit, and \
-                   measured by integrating the copy. All copies vibrate too fast and not far enough. A prediction is a \
-                   first term: good if the layer is thin against everything else, and marked where it is not.";
+pub(super) fn rows(trades: &[Trade]) -> Vec<Vec<String>> {
     let rows = trades
         .iter()
         .flat_map(|trade| &trade.curves)
@@ -32,7 +17,7 @@ pub(super) fn table(trades: &[Trade]) -> Table {
             let points = curve.points.iter().filter(shown);
             points.map(|point| row(&curve.kernel.to_string(), point))
         });
-    Table::new("predictions", caption, columns).rows(rows)
+    rows.collect()
 }
 
 fn row(kernel: &str, point: &Point) -> Vec<String> {
