@@ -53,9 +53,9 @@ fn the_number_of_cores_changes_nothing() {
     let ranges = ranges();
     let some: Vec<(usize, f64)> = (ranges.iter().enumerate())
         .flat_map(|(i, range)| {
-            let found = range.cells().into_iter();
+            let found = range.cells.iter();
             let found = found.filter(|(_, expected)| matches!(expected, Expected::Digits(_)));
-            found.step_by(9).map(move |(value, _)| (i, value))
+            found.step_by(9).map(move |&(value, _)| (i, value))
         })
         .collect();
     let ask = |cores| parallel_on(Some(cores), &some, |&(i, value)| ranges[i].outcome(value));

@@ -4,6 +4,7 @@ use nalgebra::Complex;
 
 use super::failure::Failure;
 use super::text::{line, table};
+use crate::report::whole;
 
 /// A line of a table.
 pub(super) type Row = Vec<String>;
@@ -33,15 +34,8 @@ pub(super) fn csv<R>(rows: impl IntoIterator<Item = R>) -> Result<String, Failur
 where
     R: IntoIterator<Item: AsRef<[u8]>>,
 {
-    let failed = |error: &dyn std::fmt::Display| {
-        Failure::failed(format!("the table cannot be written: {error}"))
-    };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).map_err(|error| failed(&error))?;
-    }
-    let bytes = writer.into_inner().map_err(|error| failed(&error))?;
-    String::from_utf8(bytes).map_err(|error| failed(&error))
+    whole::csv(rows)
+        .map_err(|error| Failure::failed(format!("the table cannot be written: {error}")))
 }
 
 /// A table described once: the head of each column, and what stands under it for a finding.

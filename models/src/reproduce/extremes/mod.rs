@@ -7,9 +7,10 @@ mod ranges;
 
 use std::path::Path;
 
-use stickslip::report::{Report, ReportError, Written};
+use stickslip::report::{ReportError, Written};
 use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, parallel};
 
+use super::Part;
 use super::ask::Subject;
 pub(super) use page::section;
 pub use ranges::{Expected, Range, System, ranges};
@@ -52,26 +53,14 @@ pub enum Outcome {
 const ACCURACY: f64 = 1e-9;
 const TIGHT: [f64; 3] = [1e-12, 1e-11, 1e-10];
 
-/// Computes the map alone and writes it as a page to the folder `out`; says in words what was written.
-///
-/// # Errors
-/// A file cannot be written.
-pub fn reproduce(out: &Path) -> Result<String, ReportError> {
-    let written = draw(&map(), out)?;
-    Ok(format!("open {} in a browser", written.page.display()))
-}
-
 /// Writes a map as a page to the folder `out`.
 ///
 /// # Errors
 /// A file cannot be written.
 pub fn draw(map: &[(Range, Vec<Cell>)], out: &Path) -> Result<Written, ReportError> {
-    let report = Report {
-        title: "At the extremes".to_owned(),
-        subtitle: "How far answers keep their digits, and what stops them".to_owned(),
-        sections: vec![section(map)?],
-    };
-    report.write(out)
+    let mut report = Part::Extremes.begin(out)?;
+    report.add(section(map)?)?;
+    Ok(report.written())
 }
 
 /// Every cell of every range.
@@ -81,8 +70,8 @@ pub fn map() -> Vec<(Range, Vec<Cell>)> {
     let places = ranges.iter().enumerate();
     let all: Vec<(usize, f64, Expected)> = places
         .flat_map(|(i, range)| {
-            let cells = range.cells();
-            cells.into_iter().map(move |(value, is)| (i, value, is))
+            let cells = range.cells.iter();
+            cells.map(move |&(value, expected)| (i, value, expected))
         })
         .collect();
     let cells = parallel(&all, |&(i, value, expected)| Cell {

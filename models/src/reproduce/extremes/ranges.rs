@@ -64,22 +64,8 @@ pub struct Range {
     pub(super) set: fn(&mut Case, &ModelInfo, f64),
     /// What is known there.
     pub(super) known: fn(&Case, f64) -> Vec<Limit>,
-    /// Powers of ten, and what they are to lead to; zero itself is asked first, if it is.
-    zero: Option<Expected>,
-    decades: Vec<(RangeInclusive<i32>, Expected)>,
-}
-
-impl Range {
     /// Every value with what it is to lead to.
-    #[must_use]
-    pub fn cells(&self) -> Vec<(f64, Expected)> {
-        let zero = self.zero.map(|expected| (0.0, expected));
-        let decades = self.decades.iter().flat_map(|(powers, expected)| {
-            let value = |power: i32| format!("1e{power}").parse().unwrap_or(f64::NAN);
-            powers.clone().map(move |power| (value(power), *expected))
-        });
-        zero.into_iter().chain(decades).collect()
-    }
+    pub cells: Vec<(f64, Expected)>,
 }
 
 /// Sets the parameter of this name.
@@ -109,21 +95,21 @@ fn together(case: &mut Case, info: &ModelInfo, coupling: f64) {
     case.start = Some(vec![0.0, 0.14, 0.0, 0.14]);
 }
 
-fn smoothed(case: &mut Case, kernel: Kernel, size: f64) {
-    case.dynamics = Dynamics::Smoothed(Smoothing { kernel, size });
-}
-
-/// A parameter of a system, by its name.
-macro_rules! parameter {
-    ($system:ident, $name:literal, $axis:literal, $known:path) => {
+/// A parameter of a system by its name, or a value set in another way.
+macro_rules! range {
+    ($system:ident, $varied:literal, $axis:literal, $known:path) => {
+        range!($system, $varied, $axis, $known, |case, info, value| {
+            put(case, info, $varied, value);
+        })
+    };
+    ($system:ident, $varied:literal, $axis:literal, $known:path, $set:expr) => {
         Range {
             system: System::$system,
-            varied: $name,
+            varied: $varied,
             axis: $axis,
-            set: |case, info, value| put(case, info, $name, value),
+            set: $set,
             known: $known,
-            zero: None,
-            decades: Vec::new(),
+            cells: Vec::new(),
         }
     };
 }
@@ -131,15 +117,10 @@ macro_rules! parameter {
 /// The size of a smoothing.
 macro_rules! copy {
     ($system:ident, $kernel:ident, $name:literal, $known:path) => {
-        Range {
-            system: System::$system,
-            varied: $name,
-            axis: "*ε*",
-            set: |case, _, size| smoothed(case, Kernel::$kernel, size),
-            known: $known,
-            zero: None,
-            decades: Vec::new(),
-        }
+        range!($system, $name, "*ε*", $known, |case, _, size| {
+            let kernel = Kernel::$kernel;
+            case.dynamics = Dynamics::Smoothed(Smoothing { kernel, size });
+        })
     };
 }
 
@@ -150,12 +131,15 @@ impl Range {
     }
 
     fn zero(mut self, expected: Expected) -> Self {
-        self.zero = Some(expected);
+        self.cells.push((0.0, expected));
         self
     }
 
+    /// These powers of ten.
     fn at(mut self, powers: RangeInclusive<i32>, expected: Expected) -> Self {
-        self.decades.push((powers, expected));
+        let value = |power: i32| format!("1e{power}").parse().unwrap_or(f64::NAN);
+        self.cells
+            .extend(powers.map(|power| (value(power), expected)));
         self
     }
 }
@@ -165,64 +149,74 @@ impl Range {
 pub fn ranges() -> Vec<Range> {
     use Expected::{Digits, Refused};
     let exact = [
-        parameter!(VanDerPol, "nu", "*ν*", limits::van_der_pol)
+        range!(VanDerPol, "nu", "*ν*", limits::van_der_pol)
             .zero(Refused("not-isolated"))
             .at(-8..=-8, Digits(4))
             .at(-7..=-6, Digits(5))
             .at(-5..=-4, Digits(7))
             .at(-3..=4, Digits(8))
             .at(5..=6, Refused("not-settled")),
-        parameter!(BeltOscillator, "v_dr", "*v*_{dr}", limits::belt_speed)
+        range!(BeltOscillator, "v_dr", "*v*_{dr}", limits::belt_speed)
             .zero(Refused("equilibrium"))
             .at(-8..=-6, Digits(6))
             .at(-5..=3, Digits(8)),
-        parameter!(BeltOscillator, "F_s", "*F*_{s}", limits::belt_force)
+        range!(BeltOscillator, "F_s", "*F*_{s}", limits::belt_force)
             .zero(Refused("not-isolated"))
             .at(-12..=-12, Refused("not-isolated"))
             .at(-6..=4, Digits(7)),
-        parameter!(BeltOscillator, "delta", "*δ*", limits::belt_weakening)
+        range!(BeltOscillator, "delta", "*δ*", limits::belt_weakening)
             .zero(Refused("not-isolated"))
             .at(-8..=8, Digits(8)),
-        Range {
-            varied: "m, nondimensional motion kept",
-            set: |case, info, mass| in_other_units(case, info, mass, 1.0),
-            ..parameter!(BeltOscillator, "m", "*m*", limits::belt_units)
-        }
+        range!(
+            BeltOscillator,
+            "m, nondimensional motion kept",
+            "*m*",
+            limits::belt_units,
+            |case, info, mass| {
+                in_other_units(case, info, mass, 1.0);
+            }
+        )
         .at(-12..=12, Digits(8)),
-        Range {
-            varied: "k, nondimensional motion kept",
-            set: |case, info, stiffness| in_other_units(case, info, 1.0, stiffness),
-            ..parameter!(BeltOscillator, "k", "*k*", limits::belt_units)
-        }
+        range!(
+            BeltOscillator,
+            "k, nondimensional motion kept",
+            "*k*",
+            limits::belt_units,
+            |case, info, k| {
+                in_other_units(case, info, 1.0, k);
+            }
+        )
         .at(-12..=11, Digits(8))
         .at(12..=12, Refused("not-isolated")),
-        parameter!(DrillString, "eta", "*η*", limits::drill_string)
+        range!(DrillString, "eta", "*η*", limits::drill_string)
             .at(-8..=0, Digits(8))
             .at(1..=3, Refused("equilibrium")),
-        parameter!(DrillString, "theta", "*θ*", limits::drill_string)
+        range!(DrillString, "theta", "*θ*", limits::drill_string)
             .zero(Refused("equilibrium"))
             .at(-6..=0, Refused("equilibrium"))
             .at(1..=8, Digits(8)),
-        parameter!(DrillString, "kinetic", "*T*_{sl}/*k*", limits::drill_string)
+        range!(DrillString, "kinetic", "*T*_{sl}/*k*", limits::drill_string)
             .zero(Digits(8))
             .at(-8..=8, Digits(8)),
-        parameter!(DrillString, "zeta", "*ζ*", limits::drill_string)
+        range!(DrillString, "zeta", "*ζ*", limits::drill_string)
             .zero(Digits(8))
             .at(-8..=-2, Digits(8))
             .at(-1..=1, Refused("equilibrium"))
             .at(2..=2, Refused("flow")),
-        parameter!(BeltPair, "v_dr", "*V*_{dr}", limits::none).at(-2..=3, Digits(6)),
-        Range {
-            varied: "alpha, equal masses together",
-            set: together,
-            ..parameter!(BeltPair, "alpha", "*α*", limits::belt_pair_together)
-        }
+        range!(BeltPair, "v_dr", "*V*_{dr}", limits::none).at(-2..=3, Digits(6)),
+        range!(
+            BeltPair,
+            "alpha, equal masses together",
+            "*α*",
+            limits::belt_pair_together,
+            together
+        )
         .zero(Refused("not-isolated"))
         .at(-6..=-6, Digits(5))
         .at(-5..=5, Digits(7))
         .at(6..=6, Refused("not-settled")),
-        parameter!(BeltPair, "beta", "*β*", limits::none).at(-6..=0, Digits(7)),
-        parameter!(BeltPair, "gamma", "*γ*", limits::none).at(-6..=1, Digits(7)),
+        range!(BeltPair, "beta", "*β*", limits::none).at(-6..=0, Digits(7)),
+        range!(BeltPair, "gamma", "*γ*", limits::none).at(-6..=1, Digits(7)),
     ];
     let signs = [
         copy!(BeltOscillator, Arctan, "arctan", limits::copy_of_belt),
