@@ -35,7 +35,7 @@ fn every_cell_holds_what_it_is_to_hold() {
     for (range, cells) in map {
         for cell in &cells {
             if let Some(fault) = fault(cell) {
-                let (system, varied) = (range.system.command(), range.varied);
+                let (system, varied) = (range.system(), range.varied());
                 let (value, expected) = (cell.value, cell.expected);
                 faults.push(format!(
                     "{system} {varied} = {value:e}: {expected:?}, but {fault}"

@@ -8,12 +8,12 @@ mod ranges;
 use std::path::Path;
 
 use stickslip::report::{ReportError, Written};
-use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, parallel};
+use stickslip::study::{Case, OrbitRecord, StudyError, parallel};
 
 use super::Part;
 use super::ask::Subject;
 pub(super) use page::section;
-pub use ranges::{Expected, Range, System, ranges};
+pub use ranges::{Expected, Range, ranges};
 
 /// What became of one cell of the map.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,8 +93,7 @@ impl Range {
     /// What becomes of the orbit at this value.
     #[must_use]
     pub fn outcome(&self, value: f64) -> Outcome {
-        let subject = self.system.subject();
-        let case = self.case(&subject, value);
+        let (subject, case) = (&self.subject, self.case(value));
         let orbit = match subject.orbit(&case) {
             Ok(orbit) => orbit,
             Err(error) => {
@@ -111,7 +110,7 @@ impl Range {
             .reduce(f64::max);
         let tight = TIGHT
             .iter()
-            .find_map(|&accuracy| tighter(&subject, &case, &orbit, accuracy));
+            .find_map(|&accuracy| tighter(subject, &case, &orbit, accuracy));
         let tight = tight.map(|tight| (judge::difference(&orbit, &tight), tight.error_estimate));
         let Some(error) = known
             .into_iter()
@@ -130,19 +129,6 @@ impl Range {
             honest: error <= orbit.error_estimate + doubt,
             period: orbit.period,
         }
-    }
-
-    /// The case at this value.
-    fn case(&self, subject: &Subject, value: f64) -> Case {
-        let mut case = Case::declared(subject.info(), Dynamics::Smooth);
-        case.accuracy = ACCURACY;
-        case.dynamics = if subject.info().contacts.is_empty() {
-            Dynamics::Smooth
-        } else {
-            Dynamics::Exact
-        };
-        (self.set)(&mut case, subject.info(), value);
-        case
     }
 }
 

@@ -3,7 +3,6 @@
 use stickslip::report::{Axis, Curve, Manuscript, Marker, Panel, ReportError, Section};
 
 use super::super::words::{decimals, power};
-use super::ranges::System;
 use super::{Cell, Outcome, Range};
 
 /// The section on the extremes.
@@ -22,11 +21,11 @@ const MARGIN: f64 = 0.6;
 
 /// The place among the figures, from 1, of the one that shows a range.
 fn place(range: &Range) -> usize {
-    match range.system {
+    match range.system() {
         _ if range.is_copy() => 4,
-        System::VanDerPol | System::DrillString => 1,
-        System::BeltOscillator => 2,
-        System::BeltPair => 3,
+        "belt-oscillator" => 2,
+        "belt-pair" => 3,
+        _ => 1,
     }
 }
 
@@ -58,7 +57,7 @@ fn panel(range: &Range, cells: &[Cell]) -> Panel {
         Axis::new(&format!("log_{{10}} {}", range.axis)).from(first, last),
         Axis::new("digits").from(0.0, 16.0),
     )
-    .titled(format!("{}: {}", range.system.command(), range.varied))
+    .titled(format!("{}: {}", range.system(), range.varied()))
     .curves(curves.into_iter().filter(|curve| !curve.points.is_empty()))
 }
 
@@ -72,8 +71,8 @@ fn rows(map: &[(Range, Vec<Cell>)]) -> Vec<Vec<String>> {
                 Outcome::Refused { kind, .. } => (String::new(), String::new(), (*kind).to_owned()),
             };
             vec![
-                range.system.command().to_owned(),
-                range.varied.to_owned(),
+                range.system().to_owned(),
+                range.varied().to_owned(),
                 value(cell.value),
                 digits,
                 claimed,

@@ -128,7 +128,6 @@ fn points(branch: &BranchRecord, shown: impl Fn(&OrbitRecord) -> f64) -> Vec<Poi
     let point = |orbit: &OrbitRecord| {
         Some(Point {
             at: [orbit.r?, shown(orbit)],
-            beside: orbit.period,
             stability: orbit.floquet.stability,
         })
     };
@@ -140,7 +139,7 @@ fn marks(branch: &BranchRecord, shown: impl Fn(&Special) -> f64) -> Vec<Mark> {
         kind: special.kind,
         label: special.label.clone(),
         at: [special.r, shown(special)],
-        beside: special.period,
+        after: special.after,
     };
     branch.special.iter().map(mark).collect()
 }

@@ -169,7 +169,6 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
     let point = |one: &EquilibriumRecord| {
         Some(Point {
             at: [one.r?, value(&one.state)],
-            beside: value(&one.state),
             stability: one.stability,
         })
     };
@@ -177,7 +176,7 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
         kind: one.kind,
         label: one.label.clone(),
         at: [one.r, value(&one.state)],
-        beside: value(&one.state),
+        after: one.after,
     };
     let points: Vec<Point> = branch.points.iter().filter_map(point).collect();
     chart.add(&points, branch.special.iter().map(mark).collect());
