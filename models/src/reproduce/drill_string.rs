@@ -10,7 +10,7 @@ use super::copies::{Copies, copy};
 use super::cost::Cost;
 use super::equilibrium::{drawn, hopf};
 use super::errors::{Measured, Thesis, printed};
-use super::words::{decimals, ending, power, stability};
+use super::words::{decimals, power, stability};
 use crate::DrillString;
 
 /// The smoothings are of size 10ⁱ.
@@ -26,29 +26,36 @@ const REST: [f64; 2] = [5.0, 1e-3];
 /// What the thesis prints of the errors of its copies.
 static THESIS: Thesis = Thesis {
     kernel: Kernel::Quartic,
-    extremum: "*e_{ψ}*",
     size: "size of the smoothing *ε*",
     middle: -2.0,
-    extrema: [
-        printed(1.0, 0.63, 0.30, "equal but for the last digit of *a*"),
-        printed(2.0, 0.55, 0.25, "flatter: larger errors at small *ε*"),
-        printed(3.0, 0.54, 0.28, "flatter: larger errors at small *ε*"),
-        printed(
-            4.0,
-            0.59,
-            0.30,
-            "equal; after Fig. 4.5 printed as log_{10} *b* = −0.53",
+    errors: [
+        (
+            "*e_{ψ}*",
+            [
+                printed(1.0, 0.63, 0.30, "equal but for the last digit of *a*"),
+                printed(2.0, 0.55, 0.25, "flatter: larger errors at small *ε*"),
+                printed(3.0, 0.54, 0.28, "flatter: larger errors at small *ε*"),
+                printed(
+                    4.0,
+                    0.59,
+                    0.30,
+                    "equal; after Fig. 4.5 printed as log_{10} *b* = −0.53",
+                ),
+            ],
         ),
-    ],
-    frequencies: [
-        printed(1.0, 0.63, 0.22, "flatter: larger errors at small *ε*"),
-        printed(2.0, 0.51, 0.16, "far flatter: noise of the old solver"),
-        printed(3.0, 0.46, 0.093, "far flatter: noise of the old solver"),
-        printed(
-            4.0,
-            0.62,
-            0.086,
-            "equal; after Fig. 4.5 printed as log_{10} *b* = −1.1",
+        (
+            "*e_{f}*",
+            [
+                printed(1.0, 0.63, 0.22, "flatter: larger errors at small *ε*"),
+                printed(2.0, 0.51, 0.16, "far flatter: noise of the old solver"),
+                printed(3.0, 0.46, 0.093, "far flatter: noise of the old solver"),
+                printed(
+                    4.0,
+                    0.62,
+                    0.086,
+                    "equal; after Fig. 4.5 printed as log_{10} *b* = −1.1",
+                ),
+            ],
         ),
     ],
 };
@@ -69,7 +76,7 @@ pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> 
     let grazes = tip.first().map_or(f64::NAN, |point| point[0]);
     let tip = Curve::points("end by grazing", 0, Marker::Diamond, tip);
     let last = copies.exact.branches.last();
-    let end = last.map_or(f64::NAN, |branch| branch.end.r);
+    let end = last.map_or(f64::NAN, |branch| branch.end);
     let manuscript = Manuscript::new(include_str!("drill_string.md"))
         .sketch(include_str!("sketches/drill_string.svg"))
         .curves("4.3", [frictions(&drill)])
@@ -132,9 +139,9 @@ fn ends(copies: &Copies) -> Vec<Vec<String>> {
             power(*exponent),
             decimals(1.0 / first.period, 7),
             decimals(first.max_abs[0], 6),
-            ending(down.end, "*η*"),
+            down.ending("*η*"),
             decimals(last.max_abs[0], 4),
-            ending(up.end, "*η*"),
+            up.ending("*η*"),
         ])
     });
     rows.collect()

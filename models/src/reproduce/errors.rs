@@ -24,26 +24,23 @@ pub(super) struct Measured {
     all: Vec<Errors>,
 }
 
-/// Which of the two errors.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Of {
-    /// (3.7): the absolute maximum of the first state.
-    Extremum,
-    /// (3.8): the free frequency.
-    Frequency,
-}
+/// Which of the two errors: (3.7), the absolute maximum of the first state, or (3.8), the free frequency.
+type Of = usize;
+const EXTREMUM: Of = 0;
+pub(super) const FREQUENCY: Of = 1;
+/// Both, with the number of their series and their markers.
+const BOTH: [(Of, usize, Marker); 2] =
+    [(EXTREMUM, 1, Marker::Circle), (FREQUENCY, 2, Marker::Cross)];
 
 /// What the thesis prints of one system, and how it is written.
 pub(super) struct Thesis {
     pub(super) kernel: Kernel,
-    /// The error of the extremum.
-    pub(super) extremum: &'static str,
     /// The size of the smoothing.
     pub(super) size: &'static str,
     /// The power of ten at the middle of the sizes.
     pub(super) middle: f64,
-    pub(super) extrema: [Printed; 4],
-    pub(super) frequencies: [Printed; 4],
+    /// The names of both errors, and what is printed of them.
+    pub(super) errors: [(&'static str, [Printed; 4]); 2],
 }
 
 /// A fit at one value of the parameter.
@@ -61,15 +58,15 @@ pub(super) const fn printed(r: f64, a: f64, b: f64, remark: &'static str) -> Pri
 impl Errors {
     fn fit(&self, of: Of) -> Option<Fit> {
         match of {
-            Of::Extremum => self.curve.max_abs.first().copied().flatten(),
-            Of::Frequency => self.curve.frequency,
+            EXTREMUM => self.curve.max_abs.first().copied().flatten(),
+            _ => self.curve.frequency,
         }
     }
 
     fn points(&self, of: Of) -> Vec<[f64; 2]> {
         let error = |point: &trade::Point| match of {
-            Of::Extremum => point.max_abs.first().copied().unwrap_or(f64::NAN),
-            Of::Frequency => point.frequency,
+            EXTREMUM => point.max_abs.first().copied().unwrap_or(f64::NAN),
+            _ => point.frequency,
         };
         let points = self.curve.points.iter();
         points.map(|p| [p.size, error(p).abs()]).collect()
@@ -87,8 +84,8 @@ impl Errors {
                 .from(least / MARGIN, MARGIN * most),
             Axis::new("relative error").logarithmic(),
         );
-        Of::BOTH.into_iter().fold(axes, |panel, of| {
-            let (name, points) = (of.name(thesis), self.points(of));
+        BOTH.into_iter().fold(axes, |panel, (of, series, marker)| {
+            let (name, points) = (thesis.errors[of].0, self.points(of));
             let fitted = self.fit(of).map_or_else(Vec::new, |fit| {
                 let at = |point: &[f64; 2]| [point[0], fit.b * point[0].powf(fit.a)];
                 points.iter().map(at).collect()
@@ -98,41 +95,9 @@ impl Errors {
                 format!("fit {name} = {b} *ε*^{{{a}}}")
             });
             panel
-                .curve(Curve::line(label, of.series(), fitted))
-                .curve(Curve::points(name, of.series(), of.marker(), points))
+                .curve(Curve::line(label, series, fitted))
+                .curve(Curve::points(name, series, marker, points))
         })
-    }
-}
-
-impl Of {
-    const BOTH: [Self; 2] = [Self::Extremum, Self::Frequency];
-
-    const fn series(self) -> usize {
-        match self {
-            Self::Extremum => 1,
-            Self::Frequency => 2,
-        }
-    }
-
-    const fn marker(self) -> Marker {
-        match self {
-            Self::Extremum => Marker::Circle,
-            Self::Frequency => Marker::Cross,
-        }
-    }
-
-    const fn name(self, thesis: &Thesis) -> &'static str {
-        match self {
-            Self::Extremum => thesis.extremum,
-            Self::Frequency => "*e_{f}*",
-        }
-    }
-
-    const fn printed(self, thesis: &Thesis) -> &[Printed] {
-        match self {
-            Self::Extremum => &thesis.extrema,
-            Self::Frequency => &thesis.frequencies,
-        }
     }
 }
 
@@ -147,9 +112,10 @@ impl Measured {
             tolerances: Vec::new(),
             ..Scope::default()
         };
-        let found = parallel(&thesis.extrema, |at| subject.trade(at.r, &scope));
+        let printed = &thesis.errors[EXTREMUM].1;
+        let found = parallel(printed, |at| subject.trade(at.r, &scope));
         let mut all = Vec::new();
-        for (&Printed { r, .. }, trades) in thesis.extrema.iter().zip(found) {
+        for (&Printed { r, .. }, trades) in printed.iter().zip(found) {
             let curves = trades?.into_iter().flat_map(|trade| trade.curves);
             all.extend(curves.map(|curve| Errors { r, curve }));
         }
@@ -175,15 +141,15 @@ impl Measured {
     }
 
     fn fits(&self, ours: fn(&Fit) -> f64, theirs: fn(&Printed) -> f64) -> Vec<Curve> {
-        let both = Of::BOTH.into_iter().flat_map(|of| {
+        let both = BOTH.into_iter().flat_map(|(of, series, marker)| {
             let all = self.all.iter();
             let points = all.filter_map(|errors| Some([errors.r, ours(&errors.fit(of)?)]));
-            let (series, name) = (of.series(), of.name(self.thesis));
-            let thesis = of.printed(self.thesis).iter().map(|p| [p.r, theirs(p)]);
+            let (name, printed) = &self.thesis.errors[of];
+            let thesis = printed.iter().map(|p| [p.r, theirs(p)]);
             let label = format!("{name}, thesis");
             [
-                Curve::line(name, series, points.collect()),
-                Curve::points(label, series, of.marker(), thesis.collect()),
+                Curve::line(*name, series, points.collect()),
+                Curve::points(label, series, marker, thesis.collect()),
             ]
         });
         both.collect()
@@ -191,10 +157,9 @@ impl Measured {
 
     /// The fits beside the thesis's.
     pub(super) fn rows(&self) -> Vec<Vec<String>> {
-        let rows = Of::BOTH.into_iter().flat_map(|of| {
-            let printed = of.printed(self.thesis).iter();
-            printed.filter_map(move |p| self.row(of, p))
-        });
+        let errors = self.thesis.errors.iter().enumerate();
+        let rows = errors
+            .flat_map(|(of, (_, printed))| printed.iter().filter_map(move |p| self.row(of, p)));
         rows.collect()
     }
 
@@ -202,7 +167,7 @@ impl Measured {
         let fit = self.all.iter().find(|errors| errors.r == p.r)?.fit(of)?;
         let size = 10f64.powf(self.thesis.middle);
         Some(vec![
-            of.name(self.thesis).to_owned(),
+            self.thesis.errors[of].0.to_owned(),
             p.r.to_string(),
             decimals(p.a, 2),
             decimals(fit.a, 3),

@@ -25,7 +25,7 @@ const fn named(family: usize, path: &'static [f64], kind: Kind, v_dr: f64) -> Na
     }
 }
 
-pub(super) const NAMED: [Named; 18] = [
+static NAMED: [Named; 18] = [
     named(0, &[], Kind::Flip, 0.081),
     named(0, &[], Kind::Flip, 0.141),
     named(0, &[0.081], Kind::Flip, 0.08),
@@ -58,43 +58,32 @@ pub(super) struct Match<'a> {
 /// it in the exact system: reached by the same flips, and of the same kind and number on its branch.
 pub(super) fn matches<'a>(smoothed: &'a Atlas, exact: &'a Atlas) -> Vec<Match<'a>> {
     let one = |named: &'a Named| {
-        let mut pair = [
-            &smoothed.families[named.family],
-            &exact.families[named.family],
-        ];
-        for flip in named.path {
-            let [Some(a), Some(b)] = flips(pair, *flip) else {
-                return None;
-            };
-            pair = [a, b];
-        }
-        let near = nearest(pair[0], named.kind, named.v_dr);
-        Some(Match {
+        let first = [smoothed, exact].map(|atlas| &atlas.families[named.family]);
+        let pair = named
+            .path
+            .iter()
+            .try_fold(first, |pair, flip| flips(pair, *flip));
+        let near = pair.and_then(|pair| nearest(pair[0], named.kind, named.v_dr));
+        let exact = pair.zip(near);
+        let orbit = pair.and_then(|pair| pair[0].points.first());
+        Match {
             named,
             smoothed: near,
-            exact: near.and_then(|special| counterpart(pair, special, named.family)),
-            period_count: pair[0].points.first().map_or(0, |point| point.period_count),
-        })
+            exact: exact.and_then(|(pair, special)| counterpart(pair, special, named.family)),
+            period_count: orbit.map_or(0, |orbit| orbit.period_count),
+        }
     };
-    let missing = |named| Match {
-        named,
-        smoothed: None,
-        exact: None,
-        period_count: 0,
-    };
-    let found = super::named::NAMED.iter();
-    found
-        .map(|named| one(named).unwrap_or_else(|| missing(named)))
-        .collect()
+    NAMED.iter().map(one).collect()
 }
 
 /// The branches that leave both at the flip that the copy has next to this speed.
-fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> [Option<&BranchRecord>; 2] {
-    let label = nearest(pair[0], Kind::Flip, v_dr).map(|special| special.label.as_str());
-    pair.map(|branch| {
+fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> Option<[&BranchRecord; 2]> {
+    let label = nearest(pair[0], Kind::Flip, v_dr)?.label.as_str();
+    let [a, b] = pair.map(|branch| {
         let mut below = branch.branches.iter();
-        below.find(|below| label.is_some() && below.from.as_deref() == label)
-    })
+        below.find(|below| below.from.as_deref() == Some(label))
+    });
+    Some([a?, b?])
 }
 
 fn nearest(branch: &BranchRecord, kind: Kind, v_dr: f64) -> Option<&Special> {
