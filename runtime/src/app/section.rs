@@ -18,7 +18,6 @@ use crate::study::{Case, Span};
 const DIGITS: usize = 9;
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Cut {
     /// Points where a state has this value: `v=0.1`, `'v=0.1 down'`, `der(x)=0`; counted `up` unless `down` or `both`
     #[arg(long, value_name = "NAME=VALUE", value_parser = Reading(Written::read))]

@@ -15,7 +15,6 @@ use crate::study::{Along, EquilibriumRecord};
 
 /// List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 #[command(
     after_help = "With --certify, those that cannot be proven are listed with the reason, and the exit code is 1 then"
 )]

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::arguments::Wish;
+use super::Wish;
 use super::exhibit::{Exhibit, Known};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};

@@ -16,7 +16,6 @@ use text::{brief, describe};
 
 /// Show the models, or all that is declared of one
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(in crate::app) struct Arguments {
     /// Which one
     model: Option<String>,

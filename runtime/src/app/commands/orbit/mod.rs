@@ -25,7 +25,6 @@ const MISSED: f64 = 10.0;
 
 /// Find a periodic orbit and judge its stability
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 #[command(
     after_help = "A certificate says within which radius of the start a true orbit begins; the orbit is printed without \
                   one, too, and the exit code is 1 then"

@@ -14,7 +14,6 @@ use crate::app::words::place;
 pub(in crate::app) const NAME: &str = "reproduce";
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(in crate::app) struct Report {
     /// Write files to this folder, long tables row by row
     #[arg(long, value_name = "DIR", default_value = "report")]
@@ -26,7 +25,6 @@ pub(in crate::app) struct Report {
 
 /// Reproduce all tables and figures; also what happens without a command
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(in crate::app) struct Arguments {
     /// Only this part of it
     part: Option<String>,

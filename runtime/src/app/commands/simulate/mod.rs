@@ -18,7 +18,6 @@ pub(super) use answer::drawn;
 
 /// Follow one motion from its start
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(in crate::app) struct Arguments {
     #[command(flatten)]
     subject: Subject,

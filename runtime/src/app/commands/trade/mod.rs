@@ -1,19 +1,55 @@
 //! `trade`: what smoothing costs, and what it gets wrong.
 
-mod arguments;
 mod document;
 mod sheet;
 mod text;
 
+use clap::Args;
+
 use crate::app::answer::Answer;
+use crate::app::arguments::{Period, Subject, Unresumable};
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::request;
+use crate::app::values::{Range, Reading};
 use crate::field::{Design, Kernel};
-use crate::study::trade::Finding;
-pub(in crate::app) use arguments::Arguments;
+use crate::study::trade::{Finding, Scope};
+use crate::study::{Case, Dynamics};
+
+/// Measure what each smoothing gets wrong, and what it costs, against the exact system
+#[derive(Debug, Clone, Args)]
+#[command(
+    after_help = "--smooth restricts this to one copy; with --accuracy the cheapest settings that meet it are sought"
+)]
+pub(in crate::app) struct Arguments {
+    #[command(flatten)]
+    subject: Subject,
+    #[command(flatten)]
+    guess: Period,
+    /// A parameter, to be judged at both A and B: the worst end counts
+    #[arg(long, value_name = "NAME=A..B", value_parser = Reading(Range::read))]
+    along: Option<Range>,
+    #[command(flatten)]
+    resume: Unresumable,
+}
+
+impl Arguments {
+    /// What the trade covers.
+    fn scope(&self, case: &Case) -> Scope {
+        let mut scope = Scope {
+            accuracy: self.subject.accuracy,
+            ..Scope::default()
+        };
+        if let Dynamics::Smoothed(smoothing) = case.dynamics {
+            scope.kernels = vec![smoothing.kernel];
+            scope.sign_sizes = vec![smoothing.size];
+            scope.bump_sizes = vec![smoothing.size];
+        }
+        scope
+    }
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     arguments.resume.refuse()?;
