@@ -1,12 +1,10 @@
 //! A motion in all forms.
 
-use super::picture::picture;
+use super::picture::{Line, lines, picture};
 use crate::app::answer::Answer;
-use crate::app::document::{Document, columns, named};
+use crate::app::document::{Document, named};
 use crate::app::spreadsheet::{Columns, Spreadsheet};
-use crate::app::text::{
-    heading, label, line, number, short, states as named_states, table, time_unit, timed, work,
-};
+use crate::app::text::{heading, label, line, number, short, table, time_unit, timed, work};
 use crate::model::ModelInfo;
 use crate::study::{Case, Trajectory};
 
@@ -39,17 +37,12 @@ pub(in crate::app::commands) fn drawn<'a>(
 
 /// One row for each time.
 fn sheet(info: &ModelInfo, motion: &Trajectory) -> Spreadsheet {
-    let observables = info.observables.iter();
-    let observables = observables.map(|line| label(line.name, line.unit));
-    let forces = info
-        .contacts
-        .iter()
-        .map(|contact| label(contact.name, contact.unit));
+    let all = lines(info, motion);
+    let lines: Vec<&Line> = all.iter().flatten().collect();
+    let heads = lines.iter().map(|line| label(line.name, line.unit));
     let columns = Columns::new()
         .number(timed(info, "t", "s"), |&i: &usize| Some(motion.times[i]))
-        .numbers(named_states(info, ""), |&i, j| Some(motion.states[i][j]))
-        .numbers(observables, |&i, j| Some(motion.observables[i][j]))
-        .numbers(forces, |&i, j| Some(motion.forces[i][j]));
+        .numbers(heads, |&i, j| lines[j].values.get(i).copied());
     columns.sheet(&(0..motion.times.len()).collect::<Vec<_>>())
 }
 
@@ -58,63 +51,42 @@ const DIGITS: usize = 8;
 
 fn describe(info: &ModelInfo, case: &Case, motion: &Trajectory, time: f64) -> String {
     let what = format!("a motion of {}{}", short(time), time_unit(info));
-    let (states, others) = (table(&states(info, motion)), table(&others(info, motion)));
+    let [states, observables, forces] = lines(info, motion);
+    let row = |line: &Line, more: &[Option<&f64>]| {
+        let values = [line.values.first(), line.values.last()];
+        let values = values.iter().chain(more).flatten();
+        let shown = values.map(|&&value| number(value, DIGITS));
+        self::line([label(line.name, line.unit)].into_iter().chain(shown))
+    };
+    let mut text = "state\tstart\tend\tmin\tmax\n".to_owned();
+    for (j, line) in states.iter().enumerate() {
+        text += &row(line, &[motion.min.get(j), motion.max.get(j)]);
+    }
+    let others: String = observables
+        .iter()
+        .chain(&forces)
+        .map(|line| row(line, &[]))
+        .collect();
+    let states = table(&text);
+    let others = match others.as_str() {
+        "" => String::new(),
+        others => table(&format!("quantity\tstart\tend\n{others}")),
+    };
     let (samples, work) = (motion.times.len(), work(&motion.work));
     heading(info, case, &what) + &format!("{states}{others}\n  {samples} samples; {work}\n")
 }
 
-fn states(info: &ModelInfo, motion: &Trajectory) -> String {
-    let mut lines = "state\tstart\tend\tmin\tmax\n".to_owned();
-    let (start, end) = (motion.states.first(), motion.states.last());
-    let columns = [start, end, Some(&motion.min), Some(&motion.max)];
-    for (j, state) in info.states.iter().enumerate() {
-        lines += &row(label(state.name, state.unit), columns, j);
-    }
-    lines
-}
-
-/// Observables and forces at both ends.
-fn others(info: &ModelInfo, motion: &Trajectory) -> String {
-    let mut lines = String::new();
-    for (j, line) in info.observables.iter().enumerate() {
-        let ends = [motion.observables.first(), motion.observables.last()];
-        lines += &row(label(line.name, line.unit), ends, j);
-    }
-    for (j, contact) in info.contacts.iter().enumerate() {
-        let ends = [motion.forces.first(), motion.forces.last()];
-        lines += &row(label(contact.name, contact.unit), ends, j);
-    }
-    if !lines.is_empty() {
-        lines.insert_str(0, "quantity\tstart\tend\n");
-    }
-    lines
-}
-
-/// The value number `j` of each column.
-fn row<const COUNT: usize>(name: String, columns: [Option<&Vec<f64>>; COUNT], j: usize) -> String {
-    let show = |value: Option<&f64>| value.map_or(String::new(), |&value| number(value, DIGITS));
-    let cells = columns.map(|column| show(column.and_then(|values| values.get(j))));
-    line([name].into_iter().chain(cells))
-}
-
 /// A motion, each quantity as one column.
 fn document<'a>(info: &'a ModelInfo, case: &Case, motion: &Trajectory) -> Document<'a> {
-    let observables = info.observables.iter().map(|line| line.name);
-    let forces = info.contacts.iter().map(|contact| contact.name);
+    let [states, observables, forces] = lines(info, motion).map(|lines| {
+        let names = lines.iter().map(|line| line.name);
+        named(names, lines.iter().map(|line| &line.values))
+    });
     Document::case(info, case)
         .put("time", &motion.times)
-        .states("states", columns(&motion.states, info.states.len()))
-        .put(
-            "observables",
-            named(
-                observables,
-                columns(&motion.observables, info.observables.len()),
-            ),
-        )
-        .put(
-            "forces",
-            named(forces, columns(&motion.forces, info.contacts.len())),
-        )
+        .put("states", states)
+        .put("observables", observables)
+        .put("forces", forces)
         .states("state", motion.states.last().into_iter().flatten())
         .states("max", &motion.max)
         .states("min", &motion.min)
