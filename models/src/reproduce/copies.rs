@@ -119,6 +119,11 @@ impl Copies {
         all.chain(costs(&self.exact, "–")).collect()
     }
 
+    /// The orbits of all branches of the copies.
+    pub(super) fn points(&self) -> impl Iterator<Item = &OrbitRecord> {
+        self.copies.iter().flat_map(|(_, copy)| copy.points())
+    }
+
     /// A curve for each copy, and one for the exact system.
     fn curves(&self, of: impl Fn(&Member) -> Vec<[f64; 2]>) -> Vec<Curve> {
         let series = (1..=self.copies.len()).chain([0]);

@@ -1,6 +1,6 @@
 //! What the branches cost, beside what they cost in 1996.
 
-use stickslip::report::{Column, Section, Table};
+use stickslip::report::{Manuscript, ReportError, Section};
 
 use super::branch::Branch;
 use super::words::{count, duration};
@@ -33,31 +33,14 @@ impl Cost {
 }
 
 /// The section on cost.
-pub(super) fn section(costs: Vec<Cost>) -> Section {
-    let heads = ["points", "steps", "*f*", "*f*, *J*", "LU", "Newton", "time"];
-    let columns = std::iter::once(Column::words("branch"))
-        .chain(heads.map(Column::numbers))
-        .chain([Column::numbers("thesis (CPU)")]);
-    let table = Table::new(
-        "cost",
-        "What each branch cost. *Points*: orbits on it. *Steps*: accepted steps of the integrator. *f*: evaluations of \
-         the right-hand side alone; *f*, *J*: with its derivatives with respect to state and parameter. *LU*: \
-         factorisations in implicit steps. *Newton*: iterations of shooting, each one motion once around the orbit. \
-         *Time*: elapsed time of this run, several branches sharing the cores; the counts are the same on every machine.",
-        columns,
-    );
+pub(super) fn section(costs: Vec<Cost>) -> Result<Section, ReportError> {
     let rows = costs.into_iter().map(|cost| {
         let mut row = vec![cost.branch];
         row.extend(cost.cells);
         row.push(cost.thesis.to_owned());
         row
     });
-    Section::new("What it cost")
-        .text(
-            "The thesis gives the processor time of its workstation for each branch; here is what the same branches \
-             cost today. Most of the gap is thirty years of hardware, the rest is method: exact derivatives of the \
-             discretised motion, steps that see the friction layer, and extrema taken from the motion itself instead \
-             of from a grid of output points.",
-        )
-        .table(table.rows(rows))
+    Manuscript::new(include_str!("cost.md"))
+        .rows("cost", rows)
+        .section()
 }

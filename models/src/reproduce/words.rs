@@ -2,15 +2,11 @@
 
 use stickslip::bifurcation::Stability;
 use stickslip::field::Work;
-use stickslip::report::numerals::short;
-use stickslip::report::{Column, Table};
 use stickslip::study::OrbitRecord;
 
 pub(super) use stickslip::report::numerals::{
     count, decimals, duration, power, scientific, significant,
 };
-
-use super::branch::{End, Why};
 
 /// Evaluations of the equations, with or without their derivatives.
 pub(super) const fn evaluations(work: &Work) -> u64 {
@@ -20,29 +16,6 @@ pub(super) const fn evaluations(work: &Work) -> u64 {
 /// The power of ten nearest to a size.
 pub(super) fn exponent(size: f64) -> i32 {
     size.log10().round() as i32
-}
-
-/// Where a branch along `name` ends, and why.
-pub(super) fn ending(end: End, name: &str) -> String {
-    let why = match end.why {
-        Why::Reached => "end of the range",
-        Why::Vanishes => "shrinks to the equilibrium",
-        Why::Folds => "meets an unstable cycle (fold)",
-        Why::Grazes => "comes to rest for an instant (grazing)",
-        Why::GaveUp => "steps become too small",
-    };
-    format!("{name} = {}: {why}", short(end.r))
-}
-
-/// A table of values of the thesis beside ours.
-pub(super) fn beside(name: &str, caption: &str) -> Table {
-    let columns = [
-        Column::words("quantity"),
-        Column::numbers("thesis"),
-        Column::numbers("here"),
-        Column::words("remark"),
-    ];
-    Table::new(name, caption, columns)
 }
 
 /// How many orbits are stable, and what the others are.

@@ -48,6 +48,16 @@ impl<'a> Document<'a> {
         }
     }
 
+    /// One more field, a list of what `one` makes of each finding.
+    pub(super) fn list<T, D: Serialize>(
+        self,
+        name: &str,
+        findings: impl IntoIterator<Item = T>,
+        one: impl FnMut(T) -> D,
+    ) -> Self {
+        self.put(name, findings.into_iter().map(one).collect::<Vec<_>>())
+    }
+
     /// All fields of a record.
     pub(super) fn all(mut self, record: &impl Serialize) -> Self {
         if let Value::Object(fields) = value_of(record) {

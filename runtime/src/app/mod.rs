@@ -1,5 +1,6 @@
 //! The program that `stickslip::app!` makes of declared models.
 
+mod answer;
 mod arguments;
 mod chart;
 mod command;

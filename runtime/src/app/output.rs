@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use super::answer::Answer;
 use super::arguments::{Destination, View};
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
-use super::spreadsheet::{Row, Spreadsheet};
-use crate::report::Figure;
+use super::spreadsheet::Row;
 use crate::report::whole;
 use crate::study::Ended;
 
@@ -52,37 +52,25 @@ impl Output {
         self.view.quiet
     }
 
-    /// Prints an answer, as text or as JSON, and writes it to the folder.
-    pub(super) fn deliver(
-        &self,
-        name: &str,
-        text: &str,
-        document: &impl Serialize,
-        sheets: &[(impl AsRef<str>, Spreadsheet)],
-    ) -> Result<(), Failure> {
-        let document = json(document)?;
-        let mut text = text.to_owned();
-        let mut written = Ok(());
-        if let Some(folder) = &self.out {
-            written = store(folder, name, &document, sheets);
-            if written.is_ok() {
-                text.push_str(&format!("\nwritten to {}\n", folder.display()));
-            }
+    /// Prints an answer, as text or as JSON, and writes it to the folder with its pictures.
+    pub(super) fn deliver(&self, mut answer: Answer<'_>) -> Result<(), Failure> {
+        let document = json(&answer.document)?;
+        let written = self.keep(&answer);
+        if let (Some(folder), true) = (&self.out, written.is_ok()) {
+            answer.text += &format!("\nwritten to {}\n", folder.display());
         }
         // A full disk costs no answer.
-        print(if self.view.json { &document } else { &text }).and(written)
+        print(if self.view.json {
+            &document
+        } else {
+            &answer.text
+        })
+        .and(written)
     }
 
     /// Writes to the folder, if there is one, what is found beside the answer.
-    pub(super) fn keep(
-        &self,
-        name: &str,
-        document: &impl Serialize,
-        sheets: &[(impl AsRef<str>, Spreadsheet)],
-    ) -> Result<(), Failure> {
-        let document = json(document)?;
-        let mut folders = self.out.iter();
-        folders.try_for_each(|folder| store(folder, name, &document, sheets))
+    pub(super) fn keep(&self, answer: &Answer<'_>) -> Result<(), Failure> {
+        self.out.iter().try_for_each(|folder| store(folder, answer))
     }
 
     /// The place of a file in the folder, if there is one.
@@ -93,17 +81,6 @@ impl Output {
     /// A table in the folder, if there is one, that grows row by row.
     pub(super) fn journal(&self, name: &str, head: Row) -> Journal {
         Journal::new(self.path(&format!("{name}.csv")), head)
-    }
-
-    /// Writes figures to the folder, if there is one, each under its name.
-    pub(super) fn draw<'a>(
-        &self,
-        figures: impl IntoIterator<Item = (&'a str, Figure)>,
-    ) -> Result<(), Failure> {
-        for (folder, (name, figure)) in self.out.iter().cycle().zip(figures) {
-            write(&folder.join(format!("{name}.svg")), &figure.svg())?;
-        }
-        Ok(())
     }
 
     /// That a command has come to its end before it was done, and what is there.
@@ -140,17 +117,15 @@ impl Output {
     }
 }
 
-fn store(
-    folder: &Path,
-    name: &str,
-    document: &str,
-    sheets: &[(impl AsRef<str>, Spreadsheet)],
-) -> Result<(), Failure> {
-    for (sheet, content) in sheets {
-        let sheet = sheet.as_ref();
-        write(&folder.join(format!("{sheet}.csv")), &content.text()?)?;
+fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
+    let file = |name: &str, ending: &str| folder.join(format!("{name}.{ending}"));
+    for (name, figure) in &answer.figures {
+        write(&file(name, "svg"), &figure.svg())?;
     }
-    write(&folder.join(format!("{name}.json")), document)
+    for (name, sheet) in &answer.sheets {
+        write(&file(name, "csv"), &sheet.text()?)?;
+    }
+    write(&file(answer.name, "json"), &json(&answer.document)?)
 }
 
 /// Makes a folder, and makes sure before any work that files can be written to it.

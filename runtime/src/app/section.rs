@@ -1,12 +1,12 @@
 //! `--section`: which points of a motion are looked at.
 
 use clap::Args;
-use serde_json::Value;
 
+use super::answer::Answer;
 use super::document::Document;
 use super::failure::{Failure, refuse};
 use super::request::{Request, state};
-use super::spreadsheet::{Spreadsheet, full, head};
+use super::spreadsheet::Columns;
 use super::text::{line, number, states, table, timed};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
@@ -18,7 +18,6 @@ use crate::study::{Case, Span};
 const DIGITS: usize = 9;
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Cut {
     /// Points where a state has this value: `v=0.1`, `'v=0.1 down'`, `der(x)=0`; counted `up` unless `down` or `both`
     #[arg(long, value_name = "NAME=VALUE", value_parser = Reading(Written::read))]
@@ -93,31 +92,31 @@ fn direction(word: &str) -> Result<Direction, Failure> {
     one_of(all, Direction::name, "`--section` knows no direction", word)
 }
 
-/// Points on a section in all forms.
-pub(super) struct Points {
-    pub(super) text: String,
-    pub(super) document: Value,
-    pub(super) sheet: Spreadsheet,
-}
-
-/// Where the motion of a case meets a section, if one is asked for.
-pub(super) fn points(
+/// An answer with the points where the motion of a case meets a section, if one is asked for.
+pub(super) fn with_points<'a>(
+    answer: Answer<'a>,
     asked: &Request<'_>,
     case: &Case,
     section: Option<Section>,
     span: Span,
-) -> Result<Option<Points>, Failure> {
+) -> Result<Answer<'a>, Failure> {
     let Some(section) = section else {
-        return Ok(None);
+        return Ok(answer);
     };
     let info = asked.info;
     let found = asked.entry.crossings(case, section, span);
     let found = found.map_err(|error| asked.failed(error))?;
-    Ok(Some(Points {
-        text: describe(info, &section, &found),
-        document: document(info, &section, &found),
-        sheet: sheet(info, &found),
-    }))
+    let (text, document) = (
+        describe(info, &section, &found),
+        document(info, &section, &found),
+    );
+    let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
+    let columns = Columns::new()
+        .number(timed(info, "t", "s"), |point: &Crossing| Some(point.time))
+        .numbers(states(info, ""), |point, j| point.state.get(j).copied())
+        .column("direction", direction);
+    let answer = answer.part("section", &text, document);
+    Ok(answer.sheet("section", columns.sheet(&found)))
 }
 
 /// The points as a table, under a line that says where they lie.
@@ -139,23 +138,10 @@ fn describe(info: &ModelInfo, section: &Section, points: &[Crossing]) -> String 
     text + &table(&lines)
 }
 
-/// One row for each point.
-fn sheet(info: &ModelInfo, points: &[Crossing]) -> Spreadsheet {
-    let time = std::iter::once(timed(info, "t", "s"));
-    let columns = time.chain(states(info, "")).chain(head(["direction"]));
-    let row = |point: &Crossing| {
-        let values = std::iter::once(&point.time).chain(&point.state);
-        let direction = if point.rising { "up" } else { "down" };
-        values.map(full).chain([direction.to_owned()]).collect()
-    };
-    Spreadsheet::new(columns.collect(), points.iter().map(row))
-}
-
 /// The points as JSON.
-fn document(info: &ModelInfo, section: &Section, points: &[Crossing]) -> Value {
+fn document<'a>(info: &'a ModelInfo, section: &Section, points: &[Crossing]) -> Document<'a> {
     let point = |point: &Crossing| Document::of(info, point).by_state(&["state"]);
     Document::new(info)
         .put("surface", section.describe(info))
-        .put("points", points.iter().map(point).collect::<Vec<_>>())
-        .into()
+        .list("points", points, point)
 }

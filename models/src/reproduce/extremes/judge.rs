@@ -14,31 +14,20 @@ pub(super) fn difference(a: &OrbitRecord, b: &OrbitRecord) -> f64 {
 }
 
 /// What is known of an orbit without computing it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Limit {
     /// Which quantity.
-    pub(super) of: Quantity,
+    pub(super) of: fn(&OrbitRecord) -> f64,
     /// Its value there.
     pub(super) value: f64,
     /// How far from it the true value may be, relative to it.
     pub(super) remainder: f64,
 }
 
-/// A quantity of an orbit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Quantity {
-    /// Its period.
-    Period,
-    /// The largest value of its first state.
-    Max,
-    /// The largest magnitude of its first state.
-    Amplitude,
-}
-
 impl Limit {
     /// A period known but for this relative remainder.
-    pub(super) fn period(value: f64, remainder: f64) -> Self {
-        let of = Quantity::Period;
+    pub(super) const fn period(value: f64, remainder: f64) -> Self {
+        let of = |orbit: &OrbitRecord| orbit.period;
         Self {
             of,
             value,
@@ -46,9 +35,9 @@ impl Limit {
         }
     }
 
-    /// A largest value known but for this relative remainder.
-    pub(super) fn max(value: f64, remainder: f64) -> Self {
-        let of = Quantity::Max;
+    /// A largest value of the first state known but for this relative remainder.
+    pub(super) const fn max(value: f64, remainder: f64) -> Self {
+        let of = |orbit: &OrbitRecord| orbit.max.first().copied().unwrap_or(f64::NAN);
         Self {
             of,
             value,
@@ -56,9 +45,9 @@ impl Limit {
         }
     }
 
-    /// An amplitude known but for this relative remainder.
-    pub(super) fn amplitude(value: f64, remainder: f64) -> Self {
-        let of = Quantity::Amplitude;
+    /// A largest magnitude of the first state known but for this relative remainder.
+    pub(super) const fn amplitude(value: f64, remainder: f64) -> Self {
+        let of = |orbit: &OrbitRecord| orbit.max_abs.first().copied().unwrap_or(f64::NAN);
         Self {
             of,
             value,
@@ -68,12 +57,7 @@ impl Limit {
 
     /// By how much more than the remainder an orbit is off; nothing if it is not.
     pub(super) fn error(&self, orbit: &OrbitRecord) -> f64 {
-        let found = match self.of {
-            Quantity::Period => orbit.period,
-            Quantity::Max => orbit.max.first().copied().unwrap_or(f64::NAN),
-            Quantity::Amplitude => orbit.max_abs.first().copied().unwrap_or(f64::NAN),
-        };
-        let off = (found / self.value - 1.0).abs() - self.remainder;
+        let off = ((self.of)(orbit) / self.value - 1.0).abs() - self.remainder;
         if off.is_nan() { 1.0 } else { off.max(0.0) }
     }
 }

@@ -7,12 +7,13 @@ mod ranges;
 
 use std::path::Path;
 
-use stickslip::report::{Report, ReportError, Written};
-use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, parallel};
+use stickslip::report::{ReportError, Written};
+use stickslip::study::{Case, OrbitRecord, StudyError, parallel};
 
+use super::Part;
 use super::ask::Subject;
 pub(super) use page::section;
-pub use ranges::{Expected, Range, System, ranges};
+pub use ranges::{Expected, Range, ranges};
 
 /// What became of one cell of the map.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,26 +53,14 @@ pub enum Outcome {
 const ACCURACY: f64 = 1e-9;
 const TIGHT: [f64; 3] = [1e-12, 1e-11, 1e-10];
 
-/// Computes the map alone and writes it as a page to the folder `out`; says in words what was written.
-///
-/// # Errors
-/// A file cannot be written.
-pub fn reproduce(out: &Path) -> Result<String, ReportError> {
-    let written = draw(&map(), out)?;
-    Ok(format!("open {} in a browser", written.page.display()))
-}
-
 /// Writes a map as a page to the folder `out`.
 ///
 /// # Errors
 /// A file cannot be written.
 pub fn draw(map: &[(Range, Vec<Cell>)], out: &Path) -> Result<Written, ReportError> {
-    let report = Report {
-        title: "At the extremes".to_owned(),
-        subtitle: "How far answers keep their digits, and what stops them".to_owned(),
-        sections: vec![page::from(map)],
-    };
-    report.write(out)
+    let mut report = Part::Extremes.begin(out)?;
+    report.add(section(map)?)?;
+    Ok(report.written())
 }
 
 /// Every cell of every range.
@@ -81,8 +70,8 @@ pub fn map() -> Vec<(Range, Vec<Cell>)> {
     let places = ranges.iter().enumerate();
     let all: Vec<(usize, f64, Expected)> = places
         .flat_map(|(i, range)| {
-            let cells = range.cells();
-            cells.into_iter().map(move |(value, is)| (i, value, is))
+            let cells = range.cells.iter();
+            cells.map(move |&(value, expected)| (i, value, expected))
         })
         .collect();
     let cells = parallel(&all, |&(i, value, expected)| Cell {
@@ -104,8 +93,7 @@ impl Range {
     /// What becomes of the orbit at this value.
     #[must_use]
     pub fn outcome(&self, value: f64) -> Outcome {
-        let subject = self.system.subject();
-        let case = self.case(&subject, value);
+        let (subject, case) = (&self.subject, self.case(value));
         let orbit = match subject.orbit(&case) {
             Ok(orbit) => orbit,
             Err(error) => {
@@ -122,7 +110,7 @@ impl Range {
             .reduce(f64::max);
         let tight = TIGHT
             .iter()
-            .find_map(|&accuracy| tighter(&subject, &case, &orbit, accuracy));
+            .find_map(|&accuracy| tighter(subject, &case, &orbit, accuracy));
         let tight = tight.map(|tight| (judge::difference(&orbit, &tight), tight.error_estimate));
         let Some(error) = known
             .into_iter()
@@ -141,19 +129,6 @@ impl Range {
             honest: error <= orbit.error_estimate + doubt,
             period: orbit.period,
         }
-    }
-
-    /// The case at this value.
-    fn case(&self, subject: &Subject, value: f64) -> Case {
-        let mut case = Case::declared(subject.info(), Dynamics::Smooth);
-        case.accuracy = ACCURACY;
-        case.dynamics = if subject.info().contacts.is_empty() {
-            Dynamics::Smooth
-        } else {
-            Dynamics::Exact
-        };
-        (self.set)(&mut case, subject.info(), value);
-        case
     }
 }
 

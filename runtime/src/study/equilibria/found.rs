@@ -82,7 +82,7 @@ impl System {
         let (from, to) = along.span();
         let (walked, work) = follow(&family, &first, settings(from, to), &mut take)
             .map_err(StudyError::Equilibrium)?;
-        let mut special = numbered(along, &walked.located);
+        let mut special = numbered(along, &walked);
         if let Some(exact) = self.counterpart(case) {
             for point in &mut special {
                 point.artefact = exact.lacks(along, point);
@@ -190,15 +190,17 @@ impl System {
     }
 }
 
-fn numbered(along: Along, located: &[Located<EquilibriumPoint>]) -> Vec<SpecialEquilibrium> {
+fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<SpecialEquilibrium> {
+    let located = &walked.located;
     let labels = labels(located.iter().map(|found| found.kind));
-    let special = |(found, label): (&Located<EquilibriumPoint>, String)| {
+    let special = |((found, &after), label): ((&Located<EquilibriumPoint>, &usize), String)| {
         let (kind, point) = (found.kind, &found.point);
         let frequency = point.spectrum.critical_frequency();
         let frequency = frequency.filter(|_| kind == Kind::Hopf);
         SpecialEquilibrium {
             kind,
             label,
+            after,
             r: along.value(point.r),
             state: point.state.clone(),
             eigenvalues: point.spectrum.eigenvalues.clone(),
@@ -206,7 +208,12 @@ fn numbered(along: Along, located: &[Located<EquilibriumPoint>]) -> Vec<SpecialE
             artefact: false,
         }
     };
-    located.iter().zip(labels).map(special).collect()
+    located
+        .iter()
+        .zip(&walked.after)
+        .zip(labels)
+        .map(special)
+        .collect()
 }
 
 /// Why a branch ended: the contact whose way of sliding ends is named.

@@ -55,6 +55,9 @@ pub struct SpecialEquilibrium {
     pub kind: Kind,
     /// Kind and number, for instance `HB1`.
     pub label: String,
+    /// How many points of its branch precede it.
+    #[cfg_attr(feature = "app", serde(skip))]
+    pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
     /// Where.

@@ -1,53 +1,69 @@
 //! A diagram as CSV.
 
-use crate::app::spreadsheet::{Row, full, head as words, optional};
-use crate::app::text::{states, timed};
+use crate::app::spreadsheet::{Columns, Row, Spreadsheet};
+use crate::app::text::{followed, states, timed};
+use crate::lyapunov::Lyapunov;
 use crate::model::ModelInfo;
-use crate::study::Slice;
+use crate::study::{Along, DiagramRecord, Slice};
 
-/// The columns of points; `name` is what is followed, with its unit.
-pub(super) fn points_head(info: &ModelInfo, name: &str) -> Row {
-    words(["sweep", name])
-        .into_iter()
-        .chain(states(info, ""))
-        .collect()
+/// The columns of the points at the value `r` of what is followed.
+pub(super) fn points<'a>(
+    info: &ModelInfo,
+    along: &Along,
+    sweep: &'a str,
+    r: f64,
+) -> Columns<'a, Vec<f64>> {
+    Columns::new()
+        .column("sweep", move |_: &Vec<f64>| sweep.to_owned())
+        .number(followed(info, along), move |_| Some(r))
+        .numbers(states(info, ""), |point, j| point.get(j).copied())
+}
+
+/// The columns of the values of a sweep.
+pub(super) fn values<'a>(info: &ModelInfo, along: &Along, sweep: &'a str) -> Columns<'a, Slice> {
+    let exponent = |slice: &Slice| found(slice)?.exponent;
+    let error = move |slice: &Slice| {
+        let error = exponent(slice).and(found(slice))?.error;
+        error.is_finite().then_some(error)
+    };
+    Columns::new()
+        .column("sweep", move |_: &Slice| sweep.to_owned())
+        .number(followed(info, along), |slice| Some(slice.r))
+        .column("motion", |slice| slice.motion.name())
+        .number(timed(info, "lyapunov", "1/s"), exponent)
+        .number(timed(info, "lyapunov_error", "1/s"), error)
+        .numbers(states(info, "min_"), |slice, j| slice.min.get(j).copied())
+        .numbers(states(info, "max_"), |slice, j| slice.max.get(j).copied())
+}
+
+fn found(slice: &Slice) -> Option<&Lyapunov> {
+    slice.lyapunov.as_ref()?.as_ref().ok()
 }
 
 /// One row for each point of a value.
-pub(super) fn points(sweep: &str, slice: &Slice) -> impl Iterator<Item = Row> {
-    slice.points.iter().map(move |point| {
-        let values = std::iter::once(&slice.r).chain(point).map(full);
-        std::iter::once(sweep.to_owned()).chain(values).collect()
-    })
+pub(super) fn rows(info: &ModelInfo, along: &Along, sweep: &str, slice: &Slice) -> Vec<Row> {
+    let columns = points(info, along, sweep, slice.r);
+    slice
+        .points
+        .iter()
+        .map(|point| columns.row(point))
+        .collect()
 }
 
-/// The columns of values; `name` is what is followed, with its unit.
-pub(super) fn values_head(info: &ModelInfo, name: &str) -> Row {
-    let mut head = words(["sweep", name, "motion"]);
-    head.extend(["lyapunov", "lyapunov_error"].map(|name| timed(info, name, "1/s")));
-    for prefix in ["min_", "max_"] {
-        head.extend(states(info, prefix));
-    }
-    head
-}
-
-/// One row for a value of so many states.
-pub(super) fn value(sweep: &str, slice: &Slice, states: usize) -> Row {
-    let found = slice
-        .lyapunov
-        .as_ref()
-        .and_then(|found| found.as_ref().ok());
-    let exponent = found.and_then(|found| found.exponent);
-    let error = exponent.and(found.map(|found| found.error));
-    let mut row = vec![
-        sweep.to_owned(),
-        full(&slice.r),
-        slice.motion.name(),
-        optional(exponent),
-        optional(error.filter(|error| error.is_finite())),
-    ];
-    for side in [&slice.min, &slice.max] {
-        row.extend((0..states).map(|j| optional(side.get(j).copied())));
-    }
-    row
+/// All points, and all values.
+pub(super) fn sheets(info: &ModelInfo, record: &DiagramRecord) -> [Spreadsheet; 2] {
+    let (along, sweeps) = (&record.along, || record.sweeps.iter());
+    let points = sweeps().flat_map(|sweep| {
+        let slices = sweep.slices.iter();
+        slices.flat_map(|slice| rows(info, along, sweep.name, slice))
+    });
+    let values = sweeps().flat_map(|sweep| {
+        let columns = values(info, along, sweep.name);
+        let slices = sweep.slices.iter();
+        slices.map(move |slice| columns.row(slice))
+    });
+    [
+        Spreadsheet::new(self::points(info, along, "", 0.0).head(), points),
+        Spreadsheet::new(self::values(info, along, "").head(), values),
+    ]
 }

@@ -60,12 +60,12 @@ impl Drawn<'_> {
             "law": name, "name": law.name, "doc": law.doc.trim(), "contact": place,
             "stick": law.stick, "slip": law.slip,
             "parameters": known.parameters(), "values": known.values(),
-            "limit_at_rest": curve.at_rest, "limit_of_sliding": curve.at_start,
+            "limit_at_rest": curve.limits[0], "limit_of_sliding": curve.limits[1],
             "smoothing": curve.smoothing.map(|smoothing| smoothing.to_string()),
             "units": { "speed": speed, "force": force, "copy": force },
             "curve": {
                 "speed": column(|sample| Some(sample.speed)),
-                "force": column(|sample| sample.force),
+                "force": column(|sample| Some(sample.force)),
                 "copy": column(|sample| sample.copy),
             },
         })
@@ -85,7 +85,7 @@ impl Drawn<'_> {
             let points = points(|sample| sample.copy);
             report::Curve::line(smoothing.to_string(), 1, points)
         });
-        let exact = report::Curve::line(self.law.name, 0, points(|sample| sample.force));
+        let exact = report::Curve::line(self.law.name, 0, points(|sample| Some(sample.force)));
         let panel = Panel::new(
             Axis::new(&with_unit("relative speed", speed)).from(-curve.speed, curve.speed),
             Axis::new(&with_unit("friction force opposing it", force)),
@@ -95,10 +95,10 @@ impl Drawn<'_> {
 }
 
 fn rows(curve: &Curve) -> String {
-    let at_rest = number(curve.at_rest, DIGITS);
+    let at_rest = number(curve.limits[0], DIGITS);
     let mut lines = line(curve.heads()) + &format!("at rest\tup to {at_rest}\n");
-    for sample in curve.samples() {
-        let numbers = [Some(sample.speed), sample.force, sample.copy];
+    for sample in curve.shown() {
+        let numbers = [Some(sample.speed), Some(sample.force), sample.copy];
         let shown = numbers.into_iter().flatten();
         lines += &line(shown.map(|value| number(value, DIGITS)));
     }

@@ -2,7 +2,7 @@
 
 use heck::ToKebabCase;
 
-use super::arguments::Wish;
+use super::Wish;
 use super::curve::Curve;
 use super::drawn::Drawn;
 use super::exhibit::Exhibit;

@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::arguments::Wish;
+use super::Wish;
 use super::exhibit::{Exhibit, Known};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
-use crate::app::spreadsheet::{Spreadsheet, full, head};
+use crate::app::spreadsheet::{Columns, Spreadsheet};
 use crate::app::text::{line, number, table};
 use crate::memory::MemoryLawInfo;
 use crate::report::{self, Axis, Figure, Panel};
@@ -114,9 +114,11 @@ fn figure(name: &str, loops: &[Loop]) -> Figure {
 }
 
 fn sheet(loops: &[Loop]) -> Spreadsheet {
+    let heads = ["speed (m/s)", "displacement (m)", "force (N)"].map(str::to_owned);
+    let columns = Columns::new().numbers(heads, |row: &[f64; 3], j| Some(row[j]));
     let rows = loops.iter().flat_map(|one| {
-        let row = |[place, force]: &[f64; 2]| vec![full(&one.speed), full(place), full(force)];
-        one.points.iter().map(row)
+        let points = one.points.iter();
+        points.map(|[place, force]| [one.speed, *place, *force])
     });
-    Spreadsheet::new(head(["speed (m/s)", "displacement (m)", "force (N)"]), rows)
+    columns.sheet(&rows.collect::<Vec<_>>())
 }

@@ -13,36 +13,44 @@ const CURVES: usize = 6;
 const SAMPLES: usize = 2000;
 
 /// A quantity along the motion.
-struct Line<'a> {
-    name: &'static str,
-    unit: Option<Unit>,
-    values: &'a [Vec<f64>],
-    column: usize,
+pub(super) struct Line {
+    pub(super) name: &'static str,
+    pub(super) unit: Option<Unit>,
+    pub(super) values: Vec<f64>,
+}
+
+/// The states, observables and friction forces along the motion.
+pub(super) fn lines(info: &ModelInfo, motion: &Trajectory) -> [Vec<Line>; 3] {
+    let states = info.states.iter().map(|one| (one.name, one.unit));
+    let observables = info.observables.iter().map(|one| (one.name, one.unit));
+    let forces = info.contacts.iter().map(|one| (one.name, one.unit));
+    [
+        along(states, &motion.states),
+        along(observables, &motion.observables),
+        along(forces, &motion.forces),
+    ]
+}
+
+fn along(
+    named: impl Iterator<Item = (&'static str, Option<Unit>)>,
+    rows: &[Vec<f64>],
+) -> Vec<Line> {
+    let column = |j: usize| rows.iter().filter_map(|row| row.get(j).copied()).collect();
+    let line = |(j, (name, unit))| Line {
+        name,
+        unit,
+        values: column(j),
+    };
+    named.enumerate().map(line).collect()
 }
 
 /// The motion as a figure.
-pub(in crate::app) fn picture(info: &ModelInfo, motion: &Trajectory) -> Figure {
-    let states = info.states.iter().enumerate().map(|(column, state)| Line {
-        name: state.name,
-        unit: state.unit,
-        values: &motion.states,
-        column,
-    });
-    let forces = info
-        .contacts
-        .iter()
-        .enumerate()
-        .map(|(column, contact)| Line {
-            name: contact.name,
-            unit: contact.unit,
-            values: &motion.forces,
-            column,
-        });
-    let (states, forces): (Vec<_>, Vec<_>) = (states.collect(), forces.collect());
-    let mut figure = Figure::new("", info.name, String::new()).columns(2);
-    for lines in alike(&states).iter().chain(&alike(&forces)) {
-        figure = figure.panel(against_time(info, motion, lines));
-    }
+pub(super) fn picture(info: &ModelInfo, motion: &Trajectory) -> Figure {
+    let [states, _, forces] = lines(info, motion);
+    let groups = alike(&states).into_iter().chain(alike(&forces));
+    let panels = groups.map(|lines| against_time(info, motion, &lines));
+    let figure = Figure::new("", info.name, String::new()).columns(2);
+    let mut figure = panels.fold(figure, Figure::panel);
     if let [first, second, ..] = states.as_slice() {
         figure = figure.panel(plane(first, second));
     }
@@ -50,11 +58,11 @@ pub(in crate::app) fn picture(info: &ModelInfo, motion: &Trajectory) -> Figure {
 }
 
 /// Groups of lines with the same unit; without units, each line by itself.
-fn alike<'a, 'b>(lines: &'b [Line<'a>]) -> Vec<Vec<&'b Line<'a>>> {
-    let mut groups: Vec<Vec<&Line<'_>>> = Vec::new();
+fn alike(lines: &[Line]) -> Vec<Vec<&Line>> {
+    let mut groups: Vec<Vec<&Line>> = Vec::new();
     for line in lines {
-        let text = |line: &Line<'_>| line.unit.map(|unit| unit.text);
-        let fits = |group: &&mut Vec<&Line<'_>>| {
+        let text = |line: &Line| line.unit.map(|unit| unit.text);
+        let fits = |group: &&mut Vec<&Line>| {
             line.unit.is_some() && text(group[0]) == text(line) && group.len() < CURVES
         };
         match groups.iter_mut().find(fits) {
@@ -65,31 +73,26 @@ fn alike<'a, 'b>(lines: &'b [Line<'a>]) -> Vec<Vec<&'b Line<'a>>> {
     groups
 }
 
-fn against_time(info: &ModelInfo, motion: &Trajectory, lines: &[&Line<'_>]) -> Panel {
+fn against_time(info: &ModelInfo, motion: &Trajectory, lines: &[&Line]) -> Panel {
     let names: Vec<&str> = lines.iter().map(|line| line.name).collect();
     let y = axis(&names.join(", "), lines.first().and_then(|line| line.unit));
     let several = lines.len() > 1;
     lines.iter().enumerate().fold(
         Panel::new(Axis::new(&timed(info, "time", "s")), y),
         |panel, (series, line)| {
-            let points = motion.times.iter().zip(line.values);
-            let points = points.map(|(t, row)| [*t, row[line.column]]);
+            let points = motion.times.iter().zip(&line.values);
+            let points = points.map(|(t, value)| [*t, *value]);
             let label = if several { line.name } else { "" };
             panel.curve(Curve::line(label, series, thinned(points)))
         },
     )
 }
 
-fn plane(first: &Line<'_>, second: &Line<'_>) -> Panel {
-    let points = first
-        .values
-        .iter()
-        .map(|row| [row[first.column], row[second.column]]);
-    Panel::new(axis(first.name, first.unit), axis(second.name, second.unit)).curve(Curve::line(
-        "",
-        0,
-        points.collect(),
-    ))
+fn plane(first: &Line, second: &Line) -> Panel {
+    let points = first.values.iter().zip(&second.values);
+    let points = points.map(|(x, y)| [*x, *y]).collect();
+    let [x, y] = [first, second].map(|line| axis(line.name, line.unit));
+    Panel::new(x, y).curve(Curve::line("", 0, points))
 }
 
 /// Every so many points, and the last.
