@@ -27,6 +27,10 @@ pub enum Kind {
     VanishingSegment,
     /// A complex pair of eigenvalues crosses the imaginary axis: periodic orbits begin at this equilibrium.
     Hopf,
+    /// Two pairs of eigenvalues collide on the imaginary axis and leave it to both sides: modes of vibration couple.
+    Flutter,
+    /// Two pairs of multipliers collide on the unit circle and leave it to both sides, being of opposite signature.
+    Krein,
     /// The relative speed of a contact reaches zero at an equilibrium: its mode ends.
     BoundaryEquilibrium,
     /// The quadratic coefficient of a fold vanishes: its curve turns back in both variables at once.
@@ -75,6 +79,8 @@ impl Kind {
             Self::AddingSliding => "adding-sliding",
             Self::VanishingSegment => "vanishing-segment",
             Self::Hopf => "hopf",
+            Self::Flutter => "flutter",
+            Self::Krein => "krein-collision",
             Self::BoundaryEquilibrium => "boundary-equilibrium",
             Self::Cusp => "cusp",
             Self::FoldFlip => "fold-flip",
@@ -101,6 +107,8 @@ impl Kind {
             Self::AddingSliding => "AS",
             Self::VanishingSegment => "VS",
             Self::Hopf => "HB",
+            Self::Flutter => "FL",
+            Self::Krein => "KC",
             Self::BoundaryEquilibrium => "BE",
             Self::Cusp => "CP",
             Self::FoldFlip => "LPPD",
@@ -116,7 +124,7 @@ impl Kind {
     pub(super) const fn jump(self) -> Option<i64> {
         match self {
             Self::Fold | Self::Flip | Self::BranchPoint | Self::SymmetryBreaking => Some(1),
-            Self::Torus | Self::Hopf => Some(2),
+            Self::Torus | Self::Hopf | Self::Flutter | Self::Krein => Some(2),
             _ => None,
         }
     }

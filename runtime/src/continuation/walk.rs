@@ -189,6 +189,7 @@ impl<F: Followed> Walk<'_, F> {
         let Some(before) = self.points.last() else {
             return Verdict::GoOn;
         };
+        point.inherit(before);
         if self.followed.strays(point) {
             return self.astray(point);
         }

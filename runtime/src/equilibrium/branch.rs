@@ -30,7 +30,8 @@ pub fn follow(
     let problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = DVector::from_column_slice(&from.state);
     let started = continuation::Branch::start(problem, z, settings)?;
-    let mut branch = Reading::new(Equilibria, started, settings);
+    let order = from.state.len();
+    let mut branch = Reading::new(Equilibria { order }, started, settings);
     let walked = walk(&mut branch, watch);
     let mut work = branch.work();
     work += walked.searched;
@@ -48,7 +49,9 @@ pub fn settings(from: f64, to: f64) -> Settings {
 
 /// Reads equilibria off their unknowns.
 #[derive(Clone)]
-struct Equilibria;
+struct Equilibria {
+    order: usize,
+}
 
 impl Reader for Equilibria {
     type Problem = EquilibriumProblem;
@@ -65,11 +68,12 @@ impl Reader for Equilibria {
             r: point.r,
             slope: point.tangent[point.z.len()],
             determinant: EquilibriumPoint::determinant_of(&velocity.jacobian),
+            critical: None,
         }
     }
 
     fn monitors(&self) -> Monitors<'_, EquilibriumPoint> {
-        monitors()
+        monitors(self.order)
     }
 
     fn straight(&self, ends: [&EquilibriumPoint; 2]) -> bool {

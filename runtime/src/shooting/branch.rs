@@ -188,7 +188,7 @@ impl Followed for OrbitBranch {
     }
 
     fn monitors(&self) -> Monitors<'_, Orbit> {
-        monitors()
+        monitors(self.branch.problem.magnitude.len())
     }
 
     fn accuracy(&self) -> f64 {

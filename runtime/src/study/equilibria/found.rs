@@ -194,15 +194,13 @@ fn numbered(along: Along, located: &[Located<EquilibriumPoint>]) -> Vec<SpecialE
     let labels = labels(located.iter().map(|found| found.kind));
     let special = |(found, label): (&Located<EquilibriumPoint>, String)| {
         let (kind, point) = (found.kind, &found.point);
-        let frequency = point.spectrum.critical_frequency();
-        let frequency = frequency.filter(|_| kind == Kind::Hopf);
         SpecialEquilibrium {
             kind,
             label,
             r: along.value(point.r),
             state: point.state.clone(),
             eigenvalues: point.spectrum.eigenvalues.clone(),
-            period: frequency.map(|omega| std::f64::consts::TAU / omega),
+            period: point.frequency().map(|omega| std::f64::consts::TAU / omega),
             artefact: false,
         }
     };

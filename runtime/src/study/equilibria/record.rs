@@ -54,7 +54,7 @@ pub struct Extent {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "app", derive(serde::Serialize))]
 pub struct SpecialEquilibrium {
-    /// What changes: `fold`, `hopf`, `branch-point` or `boundary-equilibrium`.
+    /// What changes: `fold`, `hopf`, `flutter`, `branch-point` or `boundary-equilibrium`.
     pub kind: Kind,
     /// Kind and number, for instance `HB1`.
     pub label: String,
@@ -65,7 +65,7 @@ pub struct SpecialEquilibrium {
     /// Eigenvalues there.
     #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::pairs"))]
     pub eigenvalues: Vec<Complex<f64>>,
-    /// Period of the small orbits that begin at a Hopf point.
+    /// Period of the small orbits that begin at a Hopf point, or of the vibration that grows from flutter.
     pub period: Option<f64>,
     /// Whether only the smooth copy has it.
     pub artefact: bool,
