@@ -3,12 +3,15 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exponents::exponents;
-use crate::linear::eigenvalues;
+use super::growth::{Growth, Growths};
+use crate::linear::{Eigenvalue, eigenvalues};
 use crate::motion::Factor;
 use crate::words::words;
 
 /// Moduli below this share of the largest entry of the section map are not resolved by it.
 const RESOLVED: f64 = 1e-9;
+/// Errors of the section map that are allowed for.
+const MARGIN: f64 = 10.0;
 
 words! {
     /// What the multipliers say of a periodic orbit.
@@ -33,8 +36,10 @@ pub struct Floquet {
     pub trivial_error: f64,
     /// The verdict.
     pub stability: Stability,
-    /// Number of multipliers outside the unit circle.
+    /// Number of multipliers outside the unit circle, beyond their errors.
     pub unstable: usize,
+    /// Their logarithms with their errors, fastest growth first.
+    pub growths: Growths,
 }
 
 /// Judges an orbit from its monodromy matrix `monodromy`, the velocity `velocity` at its start,
@@ -53,8 +58,16 @@ pub fn floquet(
     let trivial_error = (monodromy * velocity - velocity).norm() / velocity.norm();
     let section = section_map(monodromy, velocity);
     let size = section.amax();
-    let mut found = eigenvalues(&section);
-    found.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+    let uncertainty = MARGIN * accuracy.max(trivial_error) * size.max(1.0);
+    let mut all = eigenvalues(&section);
+    let order = |a: &Eigenvalue, b: &Eigenvalue| {
+        let (a, b) = (a.value, b.value);
+        b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im))
+    };
+    all.sort_by(order);
+    let errors = all.iter().map(|one| one.error(0.0) + uncertainty);
+    let errors: Vec<f64> = errors.collect();
+    let mut found: Vec<Complex<f64>> = all.iter().map(|one| one.value).collect();
     let zeros = zeros.min(found.len());
     let live = found.len() - zeros;
     found[live..].fill(Complex::new(0.0, 0.0));
@@ -68,15 +81,26 @@ pub fn floquet(
     {
         supplement(&mut found, &mut logs, trace, factors);
     }
-    let uncertainty = accuracy.max(trivial_error) * size.max(1.0);
-    let (stability, unstable) = judge(&found, uncertainty);
+    let growth = |(multiplier, error): (&Complex<f64>, &f64)| growth(*multiplier, *error);
+    let growths = Growths::new(found.iter().zip(&errors).map(growth).collect());
     Floquet {
         multipliers: found,
         log_moduli: logs,
         trivial_error,
-        stability,
-        unstable,
+        stability: growths.stability(),
+        unstable: growths.growing(),
+        growths,
     }
+}
+
+/// ln μ, real where the multiplier is, whatever its sign; its error is to the rate as that of μ to its way to the circle.
+fn growth(multiplier: Complex<f64>, error: f64) -> Growth {
+    let (size, real) = (multiplier.norm(), multiplier.im == 0.0);
+    let turn = if real { 0.0 } else { multiplier.arg() };
+    let (rate, way) = (size.ln(), size - 1.0);
+    let slope = if way == 0.0 { 1.0 } else { rate / way };
+    let error = if size > 0.0 { error * slope } else { 0.0 };
+    Growth::new(Complex::new(rate, turn), error)
 }
 
 /// DP = Qᵀ Φ Q with Q an orthonormal basis of the complement of f, which is normal to the section.
@@ -129,27 +153,6 @@ fn supplement(
         };
         *multiplier = Complex::new(signed, 0.0);
     }
-}
-
-fn judge(multipliers: &[Complex<f64>], uncertainty: f64) -> (Stability, usize) {
-    let outside = multipliers
-        .iter()
-        .filter(|multiplier| multiplier.norm() > 1.0)
-        .count();
-    let clearly = multipliers
-        .iter()
-        .any(|multiplier| multiplier.norm() > 1.0 + 10.0 * uncertainty);
-    let near = multipliers
-        .iter()
-        .any(|multiplier| (multiplier.norm() - 1.0).abs() <= 10.0 * uncertainty);
-    let stability = if clearly {
-        Stability::Unstable
-    } else if near {
-        Stability::Undecided
-    } else {
-        Stability::Stable
-    };
-    (stability, outside)
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 mod ending;
 mod exponents;
 mod floquet;
+mod growth;
 mod monitors;
 mod periodic;
 pub mod test_function;
@@ -12,5 +13,6 @@ pub mod test_function;
 pub use crate::continuation::Kind;
 pub use ending::explain;
 pub use floquet::{Floquet, Stability, floquet};
+pub use growth::{Growth, Growths};
 pub use monitors::monitors;
 pub use periodic::{Margin, PeriodicPoint};

@@ -1,8 +1,9 @@
 //! What is looked for on a branch of periodic orbits.
 
 use super::Kind;
+use super::growth::Growths;
 use super::periodic::{Margin, PeriodicPoint};
-use super::test_function::{flip, fold, is_torus, torus};
+use super::test_function::{flip, fold};
 use crate::continuation::{Monitor, Monitors, Spot, Verdict, changes};
 
 /// A doubled orbit whose halves differ by this share of what they did has met the orbit that it doubles.
@@ -12,12 +13,12 @@ const NO_ASYMMETRY: f64 = 1e-3;
 /// A margin that has shrunk to this share of its largest value vanishes at a change of word.
 const SHRUNK: f64 = 1e-2;
 
-/// The monitors of smooth bifurcations, and what tells the others apart.
+/// The monitors of smooth bifurcations of orbits with this many multipliers, and what tells the others apart.
 ///
 /// A doubled orbit may meet the one from which it branches: there both of its halves become one, and beyond, its branch
 /// only runs back.
 #[must_use]
-pub fn monitors<'a, P: PeriodicPoint + 'a>() -> Monitors<'a, P> {
+pub fn monitors<'a, P: PeriodicPoint + 'a>(multipliers: usize) -> Monitors<'a, P> {
     let branch_point = Monitor::new(Kind::BranchPoint, closed)
         .only_if(|ends| !turns(ends))
         .judged(|[from, _], at: &P| {
@@ -30,22 +31,45 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>() -> Monitors<'a, P> {
                 Verdict::Special(Kind::BranchPoint)
             })
         });
-    let torus =
-        Monitor::new(Kind::Torus, |p: &P| torus(&p.floquet().multipliers)).judged(|_, at| {
-            is_torus(&at.floquet().multipliers).then_some(Verdict::Special(Kind::Torus))
-        });
     let turn = Monitor::new(Kind::Fold, P::slope)
         .only_if(|ends| critical(ends) || asymmetry(ends).is_finite())
         .judged(turn);
+    let mut named = vec![branch_point, Monitor::new(Kind::Flip, opened), turn];
+    for k in 0..multipliers {
+        named.extend([torus(k), krein(k)]);
+    }
     Monitors {
-        named: vec![
-            branch_point,
-            Monitor::new(Kind::Flip, |p: &P| flip(&p.floquet().multipliers)),
-            torus,
-            turn,
-        ],
+        named,
         change: word_change,
     }
+}
+
+/// Where multiplier k, one of a pair, passes through the unit circle.
+fn torus<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
+    Monitor::new(Kind::Torus, move |p: &P| growths(p).crossing(k))
+        .only_if(move |ends| {
+            let growths = ends.map(growths);
+            let real = critical(ends) || changes(opened(ends[0]), opened(ends[1]));
+            Growths::may_cross(growths, k) && (Growths::may_turn(growths, k) || !real)
+        })
+        .judged(move |_, at| {
+            let turn = growths(at).get(k)?.turn;
+            (turn != 0.0).then_some(Verdict::Special(Kind::Torus))
+        })
+}
+
+/// Where multiplier k and another one collide on the unit circle and leave it.
+fn krein<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
+    Monitor::new(Kind::Krein, move |p: &P| growths(p).collision(k))
+        .only_if(move |ends| Growths::may_collide(ends.map(growths), k))
+}
+
+fn growths<P: PeriodicPoint>(point: &P) -> &Growths {
+    &point.floquet().growths
+}
+
+fn opened<P: PeriodicPoint>(point: &P) -> f64 {
+    flip(&point.floquet().multipliers)
 }
 
 fn closed<P: PeriodicPoint>(point: &P) -> f64 {

@@ -27,6 +27,10 @@ words! {
         VanishingSegment = "vanishing-segment",
         /// A complex pair of eigenvalues crosses the imaginary axis: periodic orbits begin at this equilibrium.
         Hopf = "hopf",
+        /// Two pairs of eigenvalues collide on the imaginary axis and leave it to both sides: modes of vibration couple.
+        Flutter = "flutter",
+        /// Two pairs of multipliers collide on the unit circle and leave it to both sides, being of opposite signature.
+        Krein = "krein-collision",
         /// The relative speed of a contact reaches zero at an equilibrium: its mode ends.
         BoundaryEquilibrium = "boundary-equilibrium",
         /// The quadratic coefficient of a fold vanishes: its curve turns back in both variables at once.
@@ -62,6 +66,8 @@ impl Kind {
             Self::AddingSliding => "AS",
             Self::VanishingSegment => "VS",
             Self::Hopf => "HB",
+            Self::Flutter => "FL",
+            Self::Krein => "KC",
             Self::BoundaryEquilibrium => "BE",
             Self::Cusp => "CP",
             Self::FoldFlip => "LPPD",
@@ -77,7 +83,7 @@ impl Kind {
     pub(super) const fn jump(self) -> Option<i64> {
         match self {
             Self::Fold | Self::Flip | Self::BranchPoint | Self::SymmetryBreaking => Some(1),
-            Self::Torus | Self::Hopf => Some(2),
+            Self::Torus | Self::Hopf | Self::Flutter | Self::Krein => Some(2),
             _ => None,
         }
     }

@@ -15,6 +15,7 @@ pub enum Verdict {
 
 type Test<'a, P> = Box<dyn Fn(&P) -> f64 + 'a>;
 type Applies<'a, P> = Box<dyn Fn([&P; 2]) -> bool + 'a>;
+type Mark<'a, P> = Box<dyn Fn(&mut P) + 'a>;
 type Judge<'a, P> = Box<dyn Fn([&P; 2], &P) -> Option<Verdict> + 'a>;
 
 /// A function of a point that changes sign where something happens.
@@ -22,6 +23,7 @@ pub struct Monitor<'a, P> {
     pub(super) test: Test<'a, P>,
     applies: Applies<'a, P>,
     judge: Judge<'a, P>,
+    mark: Mark<'a, P>,
 }
 
 impl<'a, P> Monitor<'a, P> {
@@ -31,6 +33,7 @@ impl<'a, P> Monitor<'a, P> {
             test: Box::new(test),
             applies: Box::new(|_| true),
             judge: Box::new(move |_, _| Some(Verdict::Special(kind))),
+            mark: Box::new(|_| {}),
         }
     }
 
@@ -48,13 +51,21 @@ impl<'a, P> Monitor<'a, P> {
         self
     }
 
+    /// The same, where the point at the zero is told of it.
+    #[must_use]
+    pub fn marked(mut self, mark: impl Fn(&mut P) + 'a) -> Self {
+        self.mark = Box::new(mark);
+        self
+    }
+
     /// Whether it changes sign between two points, and counts there.
     pub(super) fn crosses(&self, ends: [&P; 2]) -> bool {
         let [from, to] = ends.map(&self.test);
         changes(from, to) && (self.applies)(ends)
     }
 
-    pub(super) fn verdict(&self, ends: [&P; 2], at: &P) -> Option<Verdict> {
+    pub(super) fn verdict(&self, ends: [&P; 2], at: &mut P) -> Option<Verdict> {
+        (self.mark)(at);
         (self.judge)(ends, at)
     }
 }

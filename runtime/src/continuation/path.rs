@@ -22,10 +22,14 @@ pub trait Watched: Clone {
         0
     }
 
-    /// Whether that number is certain; where it is not, no change of it asks for a reason.
-    fn is_certain(&self) -> bool {
-        false
+    /// The number of directions that are neither stable nor unstable as far as their errors tell; `None` if no change of
+    /// these numbers asks for a reason.
+    fn marginal(&self) -> Option<usize> {
+        None
     }
+
+    /// Takes from the point before on its branch what it cannot tell itself.
+    fn inherit(&mut self, _before: &Self) {}
 
     /// What it has cost, if that is told of each point.
     fn work(&mut self) -> Option<&mut Work> {

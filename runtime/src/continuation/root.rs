@@ -2,7 +2,9 @@
 
 use super::path::{Path, Spot, Watched};
 
-const ITERATIONS: usize = 40;
+const ITERATIONS: usize = 120;
+/// Secants after which a bracket that is no half of what it was is halved; once that was so, after each.
+const PATIENCE: usize = 3;
 /// Part of the accuracy asked for at which a point has converged.
 const SETTLED: f64 = 0.01;
 /// Width of a bracket, as a share of the path, at which a point that cannot be found ends the search.
@@ -59,11 +61,16 @@ pub(super) fn zero<Q: Path>(
     let nearer = if low.1.abs() < high.1.abs() { a } else { b };
     let mut best = nearer.clone();
     let (mut width, mut raised) = (high.0 - low.0, None);
+    let (mut secants, mut patience, mut last) = (0, PATIENCE, f64::INFINITY);
     for iteration in 0..ITERATIONS {
-        let slow = iteration % 4 == 3 && high.0 - low.0 > 0.5 * width;
-        if iteration % 4 == 3 {
-            width = high.0 - low.0;
+        let due = secants >= patience;
+        let slow = due && high.0 - low.0 > 0.5 * width;
+        if due {
+            // Of what the secants that follow are to be judged by, halving is no part.
+            width = (high.0 - low.0) * if slow { 0.5 } else { 1.0 };
+            patience = if slow { 1 } else { PATIENCE };
         }
+        secants = if due { 0 } else { secants + 1 };
         let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
         let inside = secant > low.0 && secant < high.0;
         let middle = 0.5 * (low.0 + high.0);
@@ -78,8 +85,10 @@ pub(super) fn zero<Q: Path>(
             Err(error) => return Err(error),
         };
         let value = test(&spot.point);
-        let settled = spot.point.moved(&best.point) <= SETTLED * accuracy;
-        best = spot;
+        // A secant that creeps along a flat stretch moves little as well, but changes nothing.
+        let nears = value.abs() <= 0.5 * last.abs() || (value < 0.0) != (last < 0.0);
+        let settled = spot.point.moved(&best.point) <= SETTLED * accuracy && nears;
+        (best, last) = (spot, value);
         if value == 0.0 || (settled && !slow && iteration > 1) {
             break;
         }
@@ -125,6 +134,16 @@ mod tests {
             self.0 += 1;
             Ok(Number(share))
         }
+    }
+
+    #[test]
+    fn a_root_behind_a_long_flat_stretch_is_found() {
+        let ends = [&Spot::new(0.0, &Number(0.0)), &Spot::new(1.0, &Number(1.0))];
+        let test = |x: &Number| (x.0 - 0.7).max(0.0).sqrt() - 1e-8;
+        let mut line = Line(0);
+        let found = zero(&mut line, ends, test, 1e-12).unwrap();
+        assert!((found.point.0 - 0.7).abs() < 1e-14, "{}", found.point.0);
+        assert!(line.0 < 110, "{}", line.0);
     }
 
     #[test]

@@ -137,6 +137,7 @@ impl<R: Reader> Walk<'_, R> {
         let Some(before) = self.points.last() else {
             return Verdict::GoOn;
         };
+        point.inherit(before);
         if self.followed.reader.strays(point) {
             return self.astray(point);
         }

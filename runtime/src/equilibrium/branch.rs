@@ -28,7 +28,13 @@ pub fn follow(
     let problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = DVector::from_column_slice(&from.state);
     let started = continuation::Branch::start(problem, z, settings)?;
-    Ok(continuation::follow(Equilibria, started, settings, watch))
+    let order = from.state.len();
+    Ok(continuation::follow(
+        Equilibria { order },
+        started,
+        settings,
+        watch,
+    ))
 }
 
 /// How a branch of equilibria is followed: they cost so little that the steps may be short.
@@ -42,7 +48,9 @@ pub fn settings(from: f64, to: f64) -> Settings {
 
 /// Reads equilibria off their unknowns.
 #[derive(Clone)]
-struct Equilibria;
+struct Equilibria {
+    order: usize,
+}
 
 impl Reader for Equilibria {
     type Problem = EquilibriumProblem;
@@ -64,11 +72,12 @@ impl Reader for Equilibria {
             r: point.r,
             slope: point.tangent[point.z.len()],
             determinant: EquilibriumPoint::determinant_of(&velocity.jacobian),
+            critical: None,
         }
     }
 
     fn monitors(&self) -> Monitors<'_, EquilibriumPoint> {
-        monitors()
+        monitors(self.order)
     }
 
     fn straight(&self, ends: [&EquilibriumPoint; 2]) -> bool {

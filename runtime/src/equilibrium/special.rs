@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::Spectrum;
+use crate::bifurcation::Growths;
 use crate::continuation::{Kind, Monitor, Monitors, Verdict, Watched, changes};
 
 /// A point of a branch of equilibria.
@@ -22,6 +23,8 @@ pub struct EquilibriumPoint {
     pub(super) slope: f64,
     /// Sign of the product of all eigenvalues.
     pub(super) determinant: f64,
+    /// Number of the eigenvalue for which it is special.
+    pub(super) critical: Option<usize>,
 }
 
 impl EquilibriumPoint {
@@ -30,6 +33,13 @@ impl EquilibriumPoint {
     pub fn margin(&self) -> Option<(usize, f64)> {
         let margins = self.margins.iter().copied();
         margins.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// |Im λ| of the pair for which it is special, a Hopf point or flutter; `None` if it is neither.
+    #[must_use]
+    pub fn frequency(&self) -> Option<f64> {
+        let critical = self.spectrum.growths.get(self.critical?)?;
+        (critical.turn != 0.0).then_some(critical.turn.abs())
     }
 
     /// Its Jacobian's determinant, of rows of length 1.
@@ -58,32 +68,82 @@ impl Watched for EquilibriumPoint {
         self.spectrum.unstable
     }
 
-    fn is_certain(&self) -> bool {
-        true
+    fn marginal(&self) -> Option<usize> {
+        Some(self.spectrum.growths.marginal())
+    }
+
+    fn inherit(&mut self, before: &Self) {
+        self.spectrum.growths.inherit(&before.spectrum.growths);
     }
 }
 
-/// Folds, Hopf and branch points, and where a contact no longer slides as it did.
-pub(super) fn monitors<'a>() -> Monitors<'a, EquilibriumPoint> {
+/// Folds, branch points, Hopf points and flutter among this many eigenvalues, and where a contact no longer slides as it
+/// did.
+pub(super) fn monitors<'a>(eigenvalues: usize) -> Monitors<'a, EquilibriumPoint> {
     type Point = EquilibriumPoint;
-    // At a sharp corner the tangent alone may point backwards, but no eigenvalue passes zero.
-    let passes = |[from, to]: [&Point; 2]| changes(from.determinant, to.determinant);
-    let hopf = Monitor::new(Kind::Hopf, |point: &Point| point.spectrum.hopf_test());
     let boundary = |point: &Point| point.margin().map_or(f64::INFINITY, |(_, margin)| margin);
-    Monitors::smooth(vec![
+    let mut named = vec![
+        // At a sharp corner the tangent alone may point backwards, but no eigenvalue passes zero.
         Monitor::new(Kind::Fold, Point::slope).only_if(passes),
         Monitor::new(Kind::BranchPoint, |point: &Point| point.determinant)
             .only_if(|ends| !turns(ends)),
-        hopf.judged(|_, at| {
-            let frequency = at.spectrum.critical_frequency();
-            frequency.map(|_| Verdict::Special(Kind::Hopf))
-        }),
         Monitor::new(Kind::BoundaryEquilibrium, boundary)
             .judged(|_, _| Some(Verdict::Last(Kind::BoundaryEquilibrium))),
-    ])
+    ];
+    for k in 0..eigenvalues {
+        named.push(crossing(k).marked(move |point| point.critical = Some(k)));
+        named.push(collision(k).marked(move |point| point.critical = Some(k)));
+        named.push(divergence(k));
+    }
+    Monitors::smooth(named)
+}
+
+/// Where the real part of eigenvalue k passes zero: a Hopf point, or a branch point at which, by symmetry, two real
+/// ones do. A single real one is seen by the determinant.
+fn crossing<'a>(k: usize) -> Monitor<'a, EquilibriumPoint> {
+    let rate = move |point: &EquilibriumPoint| point.spectrum.growths.crossing(k);
+    Monitor::new(Kind::Hopf, rate)
+        .only_if(move |ends| {
+            let growths = ends.map(growths);
+            let may = || Growths::may_turn(growths, k) || !passes(ends);
+            Growths::may_cross(growths, k) && may()
+        })
+        .judged(move |ends, at| {
+            let all = growths(at);
+            match all.get(k)?.turn {
+                0.0 if all.is_double(k) && !passes(ends) => {
+                    Some(Verdict::Special(Kind::BranchPoint))
+                }
+                0.0 => None,
+                _ => Some(Verdict::Special(Kind::Hopf)),
+            }
+        })
+}
+
+/// Where eigenvalue k and another one collide on the imaginary axis and leave it.
+fn collision<'a>(k: usize) -> Monitor<'a, EquilibriumPoint> {
+    let distance = move |point: &EquilibriumPoint| point.spectrum.growths.collision(k);
+    Monitor::new(Kind::Flutter, distance)
+        .only_if(move |ends| Growths::may_collide(ends.map(growths), k))
+}
+
+/// Where, by symmetry, an even number of marginal pairs becomes real: that of an odd number is seen by the determinant.
+fn divergence<'a>(k: usize) -> Monitor<'a, EquilibriumPoint> {
+    let square = move |point: &EquilibriumPoint| point.spectrum.growths.divergence(k);
+    Monitor::new(Kind::BranchPoint, square)
+        .only_if(move |ends| Growths::may_diverge(ends.map(growths), k) && !passes(ends))
+}
+
+fn growths(point: &EquilibriumPoint) -> &Growths {
+    &point.spectrum.growths
+}
+
+/// Whether an odd number of eigenvalues passes zero.
+fn passes([from, to]: [&EquilibriumPoint; 2]) -> bool {
+    changes(from.determinant, to.determinant)
 }
 
 /// Whether the branch turns.
-pub(super) fn turns([from, to]: [&EquilibriumPoint; 2]) -> bool {
-    changes(from.slope, to.slope) && changes(from.determinant, to.determinant)
+pub(super) fn turns(ends: [&EquilibriumPoint; 2]) -> bool {
+    changes(ends[0].slope, ends[1].slope) && passes(ends)
 }

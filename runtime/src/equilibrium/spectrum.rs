@@ -2,18 +2,17 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::bifurcation::Stability;
-use crate::linear::eigenvalues;
-
-/// Real parts below this many rounding errors of the Jacobian have no sign.
-const ROUNDING: f64 = 64.0;
+use crate::bifurcation::{Growth, Growths, Stability};
+use crate::linear::{Eigenvalue, eigenvalues};
 
 /// The eigenvalues of a Jacobian.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
-    /// Largest real part first; empty if they could not be found.
+    /// Largest real part first; one that is zero as far as rounding tells is zero. Empty if they could not be found.
     pub eigenvalues: Vec<Complex<f64>>,
-    /// How many have a positive real part.
+    /// The same with their errors, in the same order.
+    pub growths: Growths,
+    /// How many have a positive real part, beyond rounding.
     pub unstable: usize,
     /// What they say together.
     pub stability: Stability,
@@ -23,7 +22,7 @@ impl Spectrum {
     /// Of an n × n Jacobian.
     #[must_use]
     pub fn of(jacobian: &DMatrix<f64>) -> Self {
-        Self::judged(eigenvalues(jacobian), rounding(jacobian))
+        Self::judged(&eigenvalues(jacobian))
     }
 
     /// The same without the `neutral` eigenvalues that are zero because an equilibrium belongs to a set, and
@@ -31,93 +30,49 @@ impl Spectrum {
     #[must_use]
     pub fn across(jacobian: &DMatrix<f64>, neutral: usize) -> Self {
         let mut all = eigenvalues(jacobian);
-        all.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+        all.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
         all.truncate(jacobian.nrows().saturating_sub(neutral));
-        Self::judged(all, rounding(jacobian))
+        Self::judged(&all)
     }
 
-    fn judged(mut eigenvalues: Vec<Complex<f64>>, rounding: f64) -> Self {
-        eigenvalues.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
-        let count = |wanted: &dyn Fn(f64) -> bool| {
-            eigenvalues.iter().filter(|value| wanted(value.re)).count()
-        };
-        let clearly = count(&|re| re > rounding);
-        let stability = if clearly > 0 {
-            Stability::Unstable
-        } else if count(&|re| re.abs() <= rounding) > 0 {
-            Stability::Undecided
-        } else {
-            Stability::Stable
+    fn judged(all: &[Eigenvalue]) -> Self {
+        let growth = |one: &Eigenvalue| Growth::new(one.value, one.error(f64::EPSILON));
+        let growths = Growths::new(all.iter().map(growth).collect());
+        let value = |one: &Growth| {
+            let re = if one.is_marginal() { 0.0 } else { one.rate };
+            Complex::new(re, one.turn)
         };
         Self {
-            unstable: count(&|re| re > 0.0),
-            stability,
-            eigenvalues,
+            eigenvalues: growths.iter().map(value).collect(),
+            unstable: growths.growing(),
+            stability: growths.stability(),
+            growths,
         }
     }
-
-    /// Π (λᵢ + λⱼ) over i < j, each factor relative to |λᵢ| + |λⱼ|: changes sign at a Hopf point and at a neutral saddle.
-    #[must_use]
-    pub fn hopf_test(&self) -> f64 {
-        let factors = self.pairs().map(|(a, b)| (a + b) / size(a, b));
-        factors.product::<Complex<f64>>().re
-    }
-
-    /// |Im λ| of the pair whose sum is nearest to zero; `None` if that pair is real: a neutral saddle.
-    #[must_use]
-    pub fn critical_frequency(&self) -> Option<f64> {
-        let sum =
-            |pair: &(Complex<f64>, Complex<f64>)| (pair.0 + pair.1).norm() / size(pair.0, pair.1);
-        let nearest = self.pairs().min_by(|a, b| sum(a).total_cmp(&sum(b)))?;
-        let frequency = nearest.0.im.abs();
-        (frequency > 0.0 && nearest.0.im == -nearest.1.im).then_some(frequency)
-    }
-
-    fn pairs(&self) -> impl Iterator<Item = (Complex<f64>, Complex<f64>)> + '_ {
-        let all = &self.eigenvalues;
-        let later = move |i: usize| all[i + 1..].iter().map(move |b| (all[i], *b));
-        (0..all.len()).flat_map(later)
-    }
-}
-
-fn size(a: Complex<f64>, b: Complex<f64>) -> f64 {
-    (a.norm() + b.norm()).max(f64::MIN_POSITIVE)
-}
-
-fn rounding(jacobian: &DMatrix<f64>) -> f64 {
-    ROUNDING * f64::EPSILON * jacobian.norm()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Eigenvalues a ± 2i, 1 and −1: the last two are a neutral saddle unless a is nearer to zero.
-    fn spectrum(a: f64, c: f64) -> Spectrum {
-        let rows = [
-            a, -2.0, 0.0, 0.0, 2.0, a, 0.0, 0.0, 0.0, 0.0, 1.0, 0.3, 0.0, 0.0, 0.0, c,
-        ];
-        Spectrum::of(&DMatrix::from_row_slice(4, 4, &rows))
+    #[test]
+    fn a_centre_is_undecided_in_any_units() {
+        for (unit, stiffness) in [(1.0, 1.0), (1e6, 1.0), (1e-5, 3e12)] {
+            let rows = [0.0, unit, -stiffness / unit, 0.0];
+            let centre = Spectrum::of(&DMatrix::from_row_slice(2, 2, &rows));
+            assert_eq!(centre.stability, Stability::Undecided);
+            assert_eq!((centre.unstable, centre.growths.marginal()), (0, 2));
+            assert_eq!(centre.eigenvalues[0].re, 0.0);
+        }
     }
 
     #[test]
-    fn a_pair_that_crosses_changes_the_sign_of_the_test() {
-        let (before, after) = (spectrum(-1e-3, -3.0), spectrum(1e-3, -3.0));
-        assert!(before.hopf_test() * after.hopf_test() < 0.0);
-        assert_eq!((before.unstable, after.unstable), (1, 3));
-        assert!((after.critical_frequency().unwrap() - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_neutral_saddle_has_no_frequency() {
-        let (before, after) = (spectrum(-0.5, -1.001), spectrum(-0.5, -0.999));
-        assert!(before.hopf_test() * after.hopf_test() < 0.0);
-        assert_eq!(after.critical_frequency(), None);
-    }
-
-    #[test]
-    fn a_centre_is_undecided() {
-        let centre = Spectrum::of(&DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -1.0, 0.0]));
-        assert_eq!(centre.stability, Stability::Undecided);
+    fn weak_damping_is_seen_in_any_units() {
+        for (unit, stiffness) in [(1.0, 1.0), (1e6, 1.0), (1e-5, 3e12)] {
+            let damping = 1e-8 * f64::sqrt(stiffness);
+            let rows = [0.0, unit, -stiffness / unit, -damping];
+            let centre = Spectrum::of(&DMatrix::from_row_slice(2, 2, &rows));
+            assert_eq!(centre.stability, Stability::Stable, "{unit}");
+        }
     }
 }

@@ -29,6 +29,8 @@ pub type OrbitBranch = Reading<Orbits>;
 /// Reads periodic orbits off their unknowns.
 #[derive(Debug, Clone)]
 pub struct Orbits {
+    /// Number of states.
+    order: usize,
     /// Relative accuracy of an orbit.
     accuracy: f64,
 }
@@ -77,7 +79,8 @@ impl OrbitBranch {
 
     /// The orbits of a branch of which the first point has been found.
     pub(super) fn begin(started: Started<OrbitProblem>, accuracy: f64) -> Self {
-        Self::new(Orbits { accuracy }, started, accuracy)
+        let order = started.0.problem.magnitude.len();
+        Self::new(Orbits { order, accuracy }, started, accuracy)
     }
 }
 
@@ -116,7 +119,7 @@ impl Reader for Orbits {
     }
 
     fn monitors(&self) -> Monitors<'_, Orbit> {
-        monitors()
+        monitors(self.order)
     }
 
     /// A shorter orbit, gone around twice: the step went past where the branch meets the one from which it doubles.

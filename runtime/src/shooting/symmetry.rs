@@ -230,5 +230,5 @@ fn changes_sign(symmetry: &DMatrix<f64>, map: &DMatrix<f64>, fixed: f64) -> bool
 /// How far each eigenvalue is from a number.
 fn distances(matrix: &DMatrix<f64>, from: f64) -> Vec<f64> {
     let all = eigenvalues(matrix).into_iter();
-    all.map(|value| (value - from).norm()).collect()
+    all.map(|one| (one.value - from).norm()).collect()
 }

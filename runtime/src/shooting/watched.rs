@@ -1,7 +1,7 @@
 //! What is watched of an orbit along its branch.
 
 use super::orbit::Orbit;
-use crate::bifurcation::{Floquet, Kind, Margin, PeriodicPoint, Stability};
+use crate::bifurcation::{Floquet, Kind, Margin, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
 use crate::field::exact::Mode as ContactMode;
@@ -21,8 +21,12 @@ impl Watched for Orbit {
         self.floquet.unstable
     }
 
-    fn is_certain(&self) -> bool {
-        self.floquet.stability != Stability::Undecided
+    fn marginal(&self) -> Option<usize> {
+        Some(self.floquet.growths.marginal())
+    }
+
+    fn inherit(&mut self, before: &Self) {
+        self.floquet.growths.inherit(&before.floquet.growths);
     }
 
     fn work(&mut self) -> Option<&mut Work> {

@@ -101,7 +101,7 @@ fn only(branch: &Walked<EquilibriumPoint, FlowError>, kind: Kind) -> (f64, f64) 
     let found: Vec<_> = branch.located.iter().map(|found| found.kind).collect();
     assert_eq!(found, [kind]);
     let spot = &branch.located[0].point;
-    let frequency = spot.spectrum.critical_frequency().unwrap_or(0.0);
+    let frequency = spot.frequency().unwrap_or(0.0);
     (spot.r, frequency)
 }
 

@@ -5,4 +5,5 @@ mod branch;
 mod curves;
 mod diagram;
 mod equilibria;
+mod margins;
 mod orbits;

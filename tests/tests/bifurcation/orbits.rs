@@ -35,6 +35,47 @@ model! {
 }
 
 model! {
+    /// The unit circle at the pace 1.7, beside which two modes of vibration couple: they collide at μ = 3/4, with equal
+    /// dampers c at (3/4)(1 + 2 c²).
+    pub struct Squealing {
+        state x = 1.0;
+        state v = 0.0;
+        state p = 0.0;
+        state q = 0.0;
+        state dp = 0.0;
+        state dq = 0.0;
+        param mu = 0.3;
+        param c = 0.0;
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - 1.7 * v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + 1.7 * x;
+        der(p) = dp;
+        der(q) = dq;
+        der(dp) = -2.0 * p - (1.0 - mu * 4.0 / 3.0) * q - c * dp;
+        der(dq) = -p - 2.0 * q - c * dq;
+    }
+}
+
+model! {
+    /// Two equal, undamped masses beside the unit circle, pressed against each other by p: their second mode buckles at
+    /// p = 1, and its multipliers before that are double −1 and double 1 at times.
+    pub struct Undamped {
+        state x = 1.0;
+        state v = 0.0;
+        state a = 0.0;
+        state b = 0.0;
+        state da = 0.0;
+        state db = 0.0;
+        param p = -0.3;
+        der(x) = x * (1.0 - powi(x, 2) - powi(v, 2)) - v;
+        der(v) = v * (1.0 - powi(x, 2) - powi(v, 2)) + x;
+        der(a) = da;
+        der(b) = db;
+        der(da) = -1.1 * a + p * (a - b);
+        der(db) = -1.1 * b + p * (b - a);
+    }
+}
+
+model! {
     /// The unit circle, beside which one state grows at the rate 0.1 and another decays at the rate p.
     pub struct Saddle {
         state x = 1.0;
@@ -196,6 +237,44 @@ fn a_fold_is_located_and_turned() {
 #[test]
 fn a_pair_that_leaves_the_circle_is_a_torus_point() {
     shows(&branch!(Torus, 0, -0.1, 0.15, TAU), &[("NS1", 0.0)]);
+}
+
+#[test]
+fn modes_that_couple_beside_an_orbit_collide_on_the_circle() {
+    let branch = branch!(Squealing, 0, 0.3, 1.2, TAU / 1.7);
+    shows(&branch, &[("KC1", 0.75)]);
+    assert_eq!(branch.ended.word(), "reached-end");
+    shows(
+        &branch!(Squealing, 0, 1.2, 0.3, TAU / 1.7),
+        &[("KC1", 0.75)],
+    );
+}
+
+/// The closed form with c = 0.01 in both dampers, and no margin left.
+#[test]
+fn damped_modes_beside_an_orbit_lose_it_by_a_torus() {
+    let model = System::of::<Squealing, _>();
+    let mut case = Case::declared(model.info(), Dynamics::Smooth);
+    case.start = Some(vec![1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    case.period = Some(TAU / 1.7);
+    case.parameters = vec![0.3, 0.01];
+    case.along = Some(Along {
+        design: Design::Parameter(0),
+        from: 0.3,
+        to: 1.2,
+    });
+    let branch = model.branch(&case, &mut |_| ControlFlow::Continue(()));
+    shows(
+        &branch.expect("a branch"),
+        &[("NS1", 0.75 * (1.0 + 2.0 * 0.01 * 0.01))],
+    );
+}
+
+#[test]
+fn margins_of_stability_end_no_branch() {
+    let branch = branch!(Undamped, 0, -0.3, 0.3, TAU);
+    shows(&branch, &[]);
+    assert_eq!(branch.ended.word(), "reached-end");
 }
 
 #[test]

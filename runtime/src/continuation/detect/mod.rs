@@ -7,7 +7,7 @@ use super::monitor::{Monitor, Verdict};
 use super::path::{Path, Spot, Watched};
 use super::root::zero;
 
-/// Where a step is divided; the second where the number of unstable directions is not certain at the first.
+/// Where a step is divided; the second where more directions are marginal at the first than at the ends.
 const MIDDLES: [f64; 2] = [0.5, 0.4];
 /// Halvings of a step after which a change stays unexplained.
 const HALVINGS: u32 = 12;
@@ -116,8 +116,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         }
     }
 
-    /// A point between two others at which the number of unstable directions is certain, if there is one: where it is not,
-    /// every change would pass as explained.
+    /// A point between two others at which no more directions are marginal, if there is one: where they are, every change
+    /// would pass as explained.
     fn middle(
         &mut self,
         from: &Spot<Q::Point>,
@@ -130,11 +130,12 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         };
         let [first, second] = MIDDLES;
         let middle = divided(first)?;
-        if middle.point.is_certain() {
+        let most = from.point.marginal().min(to.point.marginal());
+        let certain = |spot: &Spot<Q::Point>| spot.point.marginal() <= most;
+        if certain(&middle) {
             return Ok(middle);
         }
         let beside: Result<_, Q::Error> = divided(second);
-        let certain = |spot: &Spot<Q::Point>| spot.point.is_certain();
         Ok(beside.ok().filter(certain).unwrap_or(middle))
     }
 
@@ -169,8 +170,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             if !monitor.crosses(points) {
                 continue;
             }
-            let at = zero(self.path, ends, &monitor.test, self.accuracy)?;
-            match monitor.verdict(points, &at.point) {
+            let mut at = zero(self.path, ends, &monitor.test, self.accuracy)?;
+            match monitor.verdict(points, &mut at.point) {
                 Some(Verdict::Special(kind)) => located.push(Located::between(kind, ends, at)),
                 Some(Verdict::Last(kind)) => located.push(Located {
                     last: true,
@@ -193,13 +194,19 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     }
 }
 
-/// Whether the special points account for the change in the number of unstable directions. Where that number is not
-/// certain, they do, and where the branch ends: beyond, it is none or only runs back.
+/// Whether the special points account for the change in the number of unstable directions. Where it may be a marginal one
+/// that has only got a sign, they do, and where the branch ends: beyond, it is none or only runs back. Marginal ones that
+/// part into as many stable as unstable ones have met.
 fn explains<P: Watched>(events: &Events<P>, from: &P, to: &P) -> bool {
-    if !(from.is_certain() && to.is_certain()) || events.located.iter().any(|event| event.last) {
+    let change = to.unstable() as i64 - from.unstable() as i64;
+    let lost = match (from.marginal(), to.marginal()) {
+        (Some(from), Some(to)) => from as i64 - to as i64,
+        _ => return true,
+    };
+    let known = lost == 0 || lost == 2 * change;
+    if !known || events.located.iter().any(|event| event.last) {
         return true;
     }
-    let change = to.unstable() as i64 - from.unstable() as i64;
     let jumps = events.located.iter().filter_map(|event| event.kind.jump());
     let sums = jumps.fold(vec![0], |sums, jump| {
         let both = |sum: &i64| [sum - jump, sum + jump];

@@ -20,10 +20,9 @@ impl Watched for Point {
         self.multipliers.iter().filter(|mu| mu.abs() > 1.0).count()
     }
 
-    fn is_certain(&self) -> bool {
-        self.multipliers
-            .iter()
-            .all(|mu| (mu.abs() - 1.0).abs() >= 1e-9)
+    fn marginal(&self) -> Option<usize> {
+        let near = |mu: &&f64| (mu.abs() - 1.0).abs() < 1e-9;
+        Some(self.multipliers.iter().filter(near).count())
     }
 }
 

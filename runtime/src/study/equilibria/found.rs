@@ -195,8 +195,6 @@ fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<S
     let labels = labels(located.iter().map(|found| found.kind));
     let special = |((found, &after), label): ((&Located<EquilibriumPoint>, &usize), String)| {
         let (kind, point) = (found.kind, &found.point);
-        let frequency = point.spectrum.critical_frequency();
-        let frequency = frequency.filter(|_| kind == Kind::Hopf);
         SpecialEquilibrium {
             kind,
             label,
@@ -204,7 +202,7 @@ fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<S
             r: along.value(point.r),
             state: point.state.clone(),
             eigenvalues: point.spectrum.eigenvalues.clone(),
-            period: frequency.map(|omega| std::f64::consts::TAU / omega),
+            period: point.frequency().map(|omega| std::f64::consts::TAU / omega),
             artefact: false,
         }
     };

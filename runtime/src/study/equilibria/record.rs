@@ -51,7 +51,7 @@ pub struct Extent {
 /// A point of a branch of equilibria where something changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SpecialEquilibrium {
-    /// What changes: `fold`, `hopf`, `branch-point` or `boundary-equilibrium`.
+    /// What changes: `fold`, `hopf`, `flutter`, `branch-point` or `boundary-equilibrium`.
     pub kind: Kind,
     /// Kind and number, for instance `HB1`.
     pub label: String,
@@ -64,7 +64,7 @@ pub struct SpecialEquilibrium {
     pub state: Vec<f64>,
     /// Eigenvalues there.
     pub eigenvalues: Vec<Complex<f64>>,
-    /// Period of the small orbits that begin at a Hopf point.
+    /// Period of the small orbits that begin at a Hopf point, or of the vibration that grows from flutter.
     pub period: Option<f64>,
     /// Whether only the smooth copy has it.
     pub artefact: bool,

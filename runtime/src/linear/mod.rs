@@ -1,0 +1,25 @@
+//! A vector field with its first derivatives, and the eigenvalues of matrices with their errors.
+
+mod balance;
+mod eigenvalue;
+
+pub(crate) use eigenvalue::{Eigenvalue, eigenvalues};
+
+/// A field and its first derivatives at one state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Linear<const N: usize> {
+    /// f.
+    pub f: [f64; N],
+    /// ∂fᵢ/∂yⱼ in row i and column j.
+    pub jacobian: [[f64; N]; N],
+    /// ∂f/∂r.
+    pub design: [f64; N],
+}
+
+impl<const N: usize> Linear<N> {
+    /// Trace of the Jacobian: the rate at which volumes grow (Liouville).
+    #[must_use]
+    pub fn trace(&self) -> f64 {
+        (0..N).map(|i| self.jacobian[i][i]).sum()
+    }
+}
