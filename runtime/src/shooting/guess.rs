@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::pin::Pin;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Place};
 use crate::poincare::radian;
@@ -26,6 +27,8 @@ pub struct Guess {
     pub period: f64,
     /// Half the extent of each state on the way.
     pub magnitude: Vec<f64>,
+    /// What is held in neutral directions.
+    pub pins: Vec<Pin>,
 }
 
 /// Where a settling motion ended.
@@ -185,6 +188,7 @@ impl Watch {
                     place,
                     period,
                     magnitude: self.magnitude(),
+                    pins: Vec::new(),
                 });
             }
         }

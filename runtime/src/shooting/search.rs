@@ -53,6 +53,7 @@ pub fn closest(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitE
             place: start,
             period,
             magnitude,
+            pins: Vec::new(),
         };
         return converge(family, r, &guess, search);
     }
@@ -133,7 +134,7 @@ fn neutral(family: &Family, r: f64, guess: &Guess) -> bool {
         .and_then(|(mut problem, unknowns)| problem.evaluate(&unknowns, r));
     shot.is_ok_and(|shot| {
         let (monodromy, _) = shot.extra.monodromy();
-        let multipliers = floquet(&monodromy, &shot.extra.velocity.f, None, 0, &[], NEUTRAL);
+        let multipliers = floquet(&monodromy, &shot.extra.velocity.f, None, 0, &[], 0, NEUTRAL);
         let one = Complex::new(1.0, 0.0);
         let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
         shot.residual.norm() <= CLOSED && multipliers.multipliers.iter().any(near)

@@ -47,7 +47,7 @@ pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilib
 pub use error::StudyError;
 pub use law::{Characteristic, Hysteresis, Shown, Specimen};
 pub use motion::Trajectory;
-pub use orbit::{CertifiedOrbit, OrbitRecord};
+pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::System;
 pub use trade::{End, TradeRecord};

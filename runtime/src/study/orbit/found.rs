@@ -1,6 +1,6 @@
 //! The periodic orbit of a case.
 
-use super::record::{CertifiedOrbit, OrbitRecord};
+use super::record::{CertifiedOrbit, Held, OrbitRecord};
 use super::sought::Sought;
 use crate::motion::word;
 use crate::shooting::{Guess, Orbit, certify};
@@ -57,6 +57,11 @@ impl Sought<'_> {
             period_count: orbit.period_count,
             section: orbit.section.clone(),
             floquet: orbit.floquet.clone(),
+            held: orbit
+                .pins
+                .iter()
+                .map(|pin| Held::new(pin, self.system.info()))
+                .collect(),
             word: rubs.then(|| word(self.system.info(), &orbit.segments)),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,

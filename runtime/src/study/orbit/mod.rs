@@ -5,5 +5,5 @@ mod record;
 mod seed;
 mod sought;
 
-pub use record::{CertifiedOrbit, OrbitRecord};
+pub use record::{CertifiedOrbit, Held, OrbitRecord};
 pub(in crate::study) use sought::Sought;

@@ -194,6 +194,7 @@ impl Copies<'_> {
             },
             period: shooting.period,
             magnitude: shooting.magnitude(),
+            pins: Vec::new(),
         }
     }
 

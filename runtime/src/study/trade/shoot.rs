@@ -92,6 +92,7 @@ pub(super) fn near(family: &Family, r: f64, shooting: &Shooting) -> Result<Guess
         place: family.at(r)?.place(&shooting.state)?,
         period: shooting.period,
         magnitude: shooting.magnitude(),
+        pins: Vec::new(),
     })
 }
 
@@ -152,6 +153,7 @@ pub(super) fn follow(
                 },
                 period: last.extra.period,
                 magnitude: half_extents(&min, &max, &vec![1.0; min.len()]),
+                pins: Vec::new(),
             };
             Ok((guess, branch.problem.work))
         }

@@ -32,6 +32,7 @@ pub(in crate::app::commands) fn document<'a>(
         .put("log_abs_multipliers", &floquet.log_moduli)
         .put("trivial_multiplier_error", trivial)
         .put("stability", floquet.stability.name())
+        .put("held", &orbit.held)
         .put("word", &orbit.word)
         .units()
         .put("residual", orbit.residual)
@@ -121,6 +122,18 @@ fn multipliers(orbit: &OrbitRecord) -> String {
             below if below < 0.0 => format!("{re} - {im}i\t{log}\n"),
             _ => format!("{re} + {im}i\t{log}\n"),
         };
+    }
+    for held in &orbit.held {
+        let value = number(held.value, digits(orbit.error_estimate));
+        let (what, how) = (
+            &held.combination,
+            if held.conserved {
+                "never changes"
+            } else {
+                "is free"
+            },
+        );
+        lines += &format!("1 (neutral: {what} {how}; held at {value})\t0\n");
     }
     lines
 }
