@@ -1,7 +1,7 @@
 //! Neutral directions: orbits beside an orbit that are orbits too, and the condition that singles one out.
 //!
-//! Where a combination of the states never changes, or where nothing depends on a state, Φ − I is singular at every
-//! orbit: h_z v = 0 and u h_z = 0 with v no fold's direction, since h_r lacks u, too. With a condition c·x = b on the
+//! Where a combination of the states never changes, or no rate depends on where the states are along a shift, Φ − I is
+//! singular at every orbit: h_z v = 0 and u h_z = 0 with v no fold's direction, since h_r lacks u, too. With a condition c·x = b on the
 //! start, u c is added to h_z and u (c·x − b) to h: then h_z is regular, and as u h vanishes of itself, both h = 0 and
 //! c·x = b hold where the sum does.
 
@@ -13,7 +13,7 @@ use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem, correct};
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow};
+use crate::motion::{Family, Flow, Velocity};
 
 /// Tolerance with which it is told whether a direction is neutral.
 const SHARP: f64 = 1e-12;
@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-8;
 /// A condition c·x = b on the start of an orbit in a neutral direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pin {
-    /// c, its largest entry in units of the states being 1.
+    /// c, its largest entry being 1 or −1, its first positive.
     pub combination: Vec<f64>,
     /// b.
     pub value: f64,
@@ -122,7 +122,15 @@ fn neutral(family: Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let chosen = if conserved {
         constant
     } else {
-        rows(null.iter().map(|&i| vt.row(i).transpose()).collect())
+        let free = |&i: &usize| vt.row(i).transpose();
+        let shifts = null.iter().map(free);
+        if !shifts
+            .clone()
+            .all(|shift| is_free(flow.as_ref(), &shift, &guess.magnitude, &at.extra))
+        {
+            return None;
+        }
+        rows(shifts.collect())
     };
     let pins: Vec<Pin> = chosen
         .into_iter()
@@ -151,47 +159,66 @@ fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<
     matrix
 }
 
-/// Combinations of the states with few entries that span these rows, given in units of the states.
+/// Combinations of the states with few entries that span these rows, given in units of the states: of each the largest
+/// entry is 1 or −1, and the first is positive.
 fn combinations(mut rows: DMatrix<f64>, magnitude: &[f64]) -> Vec<Vec<f64>> {
-    let mut pivots = Vec::new();
     for i in 0..rows.nrows() {
         let pivot = rows.row(i).transpose().iamax();
         let head = rows[(i, pivot)];
-        if head == 0.0 {
-            continue;
-        }
-        pivots.push((i, pivot));
-        let row = rows.row(i) / head;
+        let row = rows.row(i) / if head == 0.0 { 1.0 } else { head };
         rows.set_row(i, &row);
         for other in (0..rows.nrows()).filter(|&other| other != i) {
             let change = rows.row(other) - &row * rows[(other, pivot)];
             rows.set_row(other, &change);
         }
     }
-    let entry = |i: usize, pivot: usize, j: usize| {
-        let share = rows[(i, j)];
-        let c = share * magnitude[pivot] / magnitude[j];
-        if share.abs() > ROUNDING { c } else { 0.0 }
-    };
-    let row =
-        |(i, pivot): (usize, usize)| (0..magnitude.len()).map(|j| entry(i, pivot, j)).collect();
-    pivots.into_iter().map(row).collect()
+    rows.row_iter()
+        .map(|row| {
+            let heard = |share: f64| if share.abs() > ROUNDING { share } else { 0.0 };
+            let entry = |j: usize| heard(row[j]) / magnitude[j];
+            normalised((0..magnitude.len()).map(entry).collect())
+        })
+        .collect()
+}
+
+fn normalised(combination: Vec<f64>) -> Vec<f64> {
+    let largest = combination
+        .iter()
+        .fold(0.0_f64, |most, c| most.max(c.abs()));
+    let first = combination.iter().find(|c| **c != 0.0);
+    let size = largest.copysign(first.copied().unwrap_or(1.0));
+    combination.iter().map(|c| c / size).collect()
 }
 
 /// Whether a combination of the states has no rate anywhere on the way.
 fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) -> bool {
-    let passages = shot.passages.iter();
-    let extrema = passages.flat_map(|passage| &passage.extrema);
+    everywhere(flow, shot, |velocity| {
+        let terms = || combination.iter().zip(&velocity.f).map(|(c, f)| c * f);
+        let size: f64 = terms().map(f64::abs).sum();
+        terms().sum::<f64>().abs() <= ROUNDING * size
+    })
+}
+
+/// Whether no rate depends on where the states are along a shift, given in units of the unknowns, anywhere on the way.
+fn is_free(flow: &dyn Flow, shift: &DVector<f64>, magnitude: &[f64], shot: &Shot) -> bool {
+    everywhere(flow, shot, |velocity| {
+        velocity.jacobian.row_iter().all(|row| {
+            let terms = || (0..magnitude.len()).map(|j| row[j] * shift[j] * magnitude[j]);
+            let size = (0..magnitude.len()).map(|j| (row[j] * magnitude[j]).abs());
+            terms().sum::<f64>().abs() <= ROUNDING * size.sum::<f64>()
+        })
+    })
+}
+
+/// Whether something holds of the field where the motion begins, and where any state turns.
+fn everywhere(flow: &dyn Flow, shot: &Shot, holds: impl Fn(&Velocity) -> bool) -> bool {
+    let extrema = shot.passages.iter().flat_map(|passage| &passage.extrema);
     let states = extrema.map(|extremum| &extremum.state);
     std::iter::once(&shot.start.state)
         .chain(states)
         .all(|state| {
             let velocity = flow.place(state).and_then(|place| flow.velocity(&place));
-            velocity.is_ok_and(|velocity| {
-                let terms = || combination.iter().zip(&velocity.f).map(|(c, f)| c * f);
-                let size: f64 = terms().map(f64::abs).sum();
-                terms().sum::<f64>().abs() <= ROUNDING * size
-            })
+            velocity.is_ok_and(|velocity| holds(&velocity))
         })
 }
 

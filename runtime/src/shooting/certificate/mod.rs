@@ -111,6 +111,11 @@ pub fn certify(
     orbit: &Guess,
     accuracy: f64,
 ) -> Result<Certificate, Uncertified> {
+    // What is singled out by a condition only is no isolated orbit.
+    let orbit = &Guess {
+        pins: Vec::new(),
+        ..orbit.clone()
+    };
     let tolerance = Tolerance::for_accuracy(accuracy).times(TIGHTER);
     let mut loose = Equations::new(family, r, orbit, tolerance)?;
     let tolerance = tolerance.times(TIGHTER);
