@@ -35,28 +35,14 @@ pub fn returns<const N: usize, const C: usize>(
     plant: &impl Plant<N, C>,
     tolerance: f64,
 ) -> Motion<N> {
-    let start = std::array::from_fn(|j| orbit.state[j]);
+    let start: [f64; N] = std::array::from_fn(|j| orbit.state[j]);
     let motion = follow(plant, start, (0.0, orbit.period), 1e-12);
-    for j in 0..N {
-        let size = orbit.max_abs[j];
-        close(
-            motion.state[j],
-            start[j],
-            tolerance * size,
-            "where it comes back",
-        );
-        close(
-            motion.max[j],
-            orbit.max[j],
-            tolerance * size,
-            "largest value",
-        );
-        close(
-            motion.min[j],
-            orbit.min[j],
-            tolerance * size,
-            "smallest value",
-        );
+    for (j, place) in start.iter().enumerate() {
+        let near =
+            |found, expected, what| close(found, expected, tolerance * orbit.max_abs[j], what);
+        near(motion.state[j], *place, "where it comes back");
+        near(motion.max[j], orbit.max[j], "largest value");
+        near(motion.min[j], orbit.min[j], "smallest value");
     }
     motion
 }
