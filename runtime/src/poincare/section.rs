@@ -1,5 +1,7 @@
 //! Sections as data.
 
+use crate::model::ModelInfo;
+
 /// A surface in phase space, and the direction in which crossings of it count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
@@ -41,6 +43,18 @@ impl Default for Section {
             surface: Surface::Rate(0),
             direction: Direction::Up,
         }
+    }
+}
+
+impl Section {
+    /// That of a model: where the phase of its drive begins anew, or, without a drive, der(first state) = 0, upwards.
+    #[must_use]
+    pub fn usual(info: &ModelInfo) -> Self {
+        let strobe = |state| Self {
+            surface: Surface::Level { state, value: 0.0 },
+            direction: Direction::Up,
+        };
+        info.drive.map_or_else(Self::default, strobe)
     }
 }
 

@@ -3,8 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::app::document::{Document, columns, value_of};
+use crate::app::section::unmet;
 use crate::lyapunov::Lyapunov;
 use crate::model::ModelInfo;
+use crate::poincare::Section;
 use crate::study::{Case, DiagramRecord, Motion, Slice, SweepRecord};
 
 /// A diagram; of one that was interrupted, how many values are not there.
@@ -14,7 +16,10 @@ pub(super) fn document<'a>(
     record: &DiagramRecord,
 ) -> Document<'a> {
     let sweep = |sweep: &SweepRecord| {
-        let values = sweep.slices.iter().map(|slice| value(info, slice));
+        let values = sweep
+            .slices
+            .iter()
+            .map(|slice| value(info, &record.diagram.section, slice));
         json!({ "sweep": sweep.name, "values": values.collect::<Vec<_>>() })
     };
     let missing = (record.missing > 0).then(|| json!({ "missing": record.missing }));
@@ -32,11 +37,15 @@ pub(super) fn document<'a>(
 }
 
 /// One value of the design variable, its points as one column for each state.
-fn value<'a>(info: &'a ModelInfo, slice: &Slice) -> Document<'a> {
-    let (period_count, reason) = match &slice.motion {
-        Motion::Periodic(count) => (Some(count), None),
-        Motion::Failed(reason) => (None, Some(reason)),
-        Motion::Aperiodic | Motion::Rest | Motion::Elsewhere => (None, None),
+fn value<'a>(info: &'a ModelInfo, section: &Section, slice: &Slice) -> Document<'a> {
+    let period_count = match &slice.motion {
+        Motion::Periodic(count) => Some(count),
+        _ => None,
+    };
+    let reason = match (&slice.motion, &slice.silence) {
+        (Motion::Failed(reason), _) => Some(reason.clone()),
+        (_, Some(silence)) => Some(unmet(info, section, silence)),
+        _ => None,
     };
     Document::new(info)
         .put("r", slice.r)

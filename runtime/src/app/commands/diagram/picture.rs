@@ -4,16 +4,21 @@ use crate::app::chart::{along_axis, axis};
 use crate::app::text::timed;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
-use crate::study::{DiagramRecord, Motion, Slice, SweepRecord};
+use crate::study::{DiagramRecord, Slice, SweepRecord};
 
 /// The points over the design variable, state number `shown` upwards; exponents below them where there are any.
 pub(super) fn picture(info: &ModelInfo, record: &DiagramRecord, shown: usize) -> Figure {
     let section = record.diagram.section.describe(info);
     let title = format!("{}: points on the section {section}", info.command);
-    let caption = format!(
+    let mut caption = format!(
         "{} values; {} crossings left out, then {} noted at each. Where sweeps differ, there is more than one attractor.",
         record.diagram.values, record.diagram.settle, record.diagram.points
     );
+    let slices = record.sweeps.iter().flat_map(|sweep| &sweep.slices);
+    let empty = slices.filter(|slice| slice.points.is_empty()).count();
+    if empty > 0 {
+        caption += &format!(" At {empty} of them no point is seen: the table says why.");
+    }
     let state = info.states.get(shown);
     let x = || {
         let (from, to) = (record.along.from, record.along.to);
@@ -35,11 +40,7 @@ pub(super) fn picture(info: &ModelInfo, record: &DiagramRecord, shown: usize) ->
 
 /// The points of a value, each once where they repeat.
 fn dots(slice: &Slice, shown: usize) -> Vec<[f64; 2]> {
-    let different = match slice.motion {
-        Motion::Periodic(count) => count,
-        _ => slice.points.len(),
-    };
-    let points = slice.points.iter().take(different);
+    let points = slice.points.iter().take(slice.different);
     points
         .filter_map(|point| Some([slice.r, *point.get(shown)?]))
         .collect()

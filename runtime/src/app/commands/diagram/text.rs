@@ -1,7 +1,9 @@
 //! A diagram as text.
 
+use crate::app::section::unmet;
 use crate::app::text::{followed, heading, number, table, work};
 use crate::model::ModelInfo;
+use crate::poincare::Silence;
 use crate::study::{Case, DiagramRecord, Slice};
 
 /// Digits shown of the design variable.
@@ -20,7 +22,28 @@ pub(super) fn describe(info: &ModelInfo, case: &Case, record: &DiagramRecord) ->
     }
     let count: usize = record.sweeps.iter().map(|sweep| sweep.slices.len()).sum();
     let tail = format!("\n  {count} values; {}\n", work(&record.work()));
-    heading(info, case, &what) + &table(&lines) + &tail
+    heading(info, case, &what) + &table(&lines) + &elsewhere(info, record) + &tail
+}
+
+/// What `elsewhere` means, at the first value of each sweep where it is said.
+fn elsewhere(info: &ModelInfo, record: &DiagramRecord) -> String {
+    let name = record.along.name(info);
+    let section = &record.diagram.section;
+    let first = |slices: &[Slice]| {
+        let mut seen = slices
+            .iter()
+            .filter_map(|slice| Some((slice.r, slice.silence.clone()?)));
+        seen.next()
+    };
+    let sentence = |(r, silence): (f64, Silence)| {
+        let why = unmet(info, section, &silence);
+        format!("\n  elsewhere: at {name} = {}, {why}\n", number(r, DIGITS))
+    };
+    let all = record
+        .sweeps
+        .iter()
+        .filter_map(|sweep| first(&sweep.slices));
+    all.map(sentence).collect()
 }
 
 /// Neighbouring values with the same kind of motion.
