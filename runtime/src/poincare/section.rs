@@ -1,7 +1,5 @@
 //! Sections as data.
 
-use crate::model::ModelInfo;
-
 /// A surface in phase space, and the direction in which crossings of it count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
@@ -47,14 +45,14 @@ impl Default for Section {
 }
 
 impl Section {
-    /// That of a model: where the phase of its drive begins anew, or, without a drive, der(first state) = 0, upwards.
+    /// Where the phase of the drive begins anew, if a state is one; else der(first state) = 0, upwards.
     #[must_use]
-    pub fn usual(info: &ModelInfo) -> Self {
+    pub fn usual(phase: Option<usize>) -> Self {
         let strobe = |state| Self {
             surface: Surface::Level { state, value: 0.0 },
             direction: Direction::Up,
         };
-        info.drive.map_or_else(Self::default, strobe)
+        phase.map_or_else(Self::default, strobe)
     }
 }
 

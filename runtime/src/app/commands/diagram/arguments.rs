@@ -69,7 +69,10 @@ impl Arguments {
     /// What is to be drawn.
     pub(super) fn diagram(&self, info: &ModelInfo) -> Result<Diagram, Failure> {
         Ok(Diagram {
-            section: self.cut.of(info)?.unwrap_or_else(|| Section::usual(info)),
+            section: self
+                .cut
+                .of(info)?
+                .unwrap_or_else(|| Section::usual(info.drive)),
             sweep: self.sweep,
             values: self.values,
             settle: self.settle,
