@@ -18,6 +18,7 @@ pub use smooth::SmoothFlow;
 use borsh::{BorshDeserialize, BorshSerialize};
 
 use crate::field::Work;
+use crate::integrate::gauss;
 
 /// The motion of a system: smooth and exact systems are both just flows.
 pub trait Flow<const N: usize> {
@@ -81,7 +82,7 @@ pub struct Velocity<const N: usize> {
 }
 
 /// What a passage shall report beyond its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, BorshSerialize, BorshDeserialize)]
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
@@ -91,6 +92,8 @@ pub struct Want {
     pub path: bool,
     /// The factors of Φ, for multipliers that would underflow in their product.
     pub factors: bool,
+    /// Nodes of a quadrature over the motion, in panels no longer than this time; none if it is 0.
+    pub panel: f64,
 }
 
 /// One motion from a place to another.
@@ -108,6 +111,8 @@ pub struct Passage<const N: usize, Mode> {
     pub events: Vec<Event<N>>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample<N>>,
+    /// Nodes of a quadrature over the motion, if wanted: Gauss's, within each step.
+    pub nodes: Vec<Node<N>>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm<N, Mode>,
     /// What it cost.
@@ -219,4 +224,32 @@ pub struct Sample<const N: usize> {
     pub time: f64,
     /// State at that time.
     pub state: [f64; N],
+}
+
+/// A node of a quadrature over a motion: the integral of a function is the sum of its values, each times its weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node<const N: usize> {
+    /// Time from the beginning of the passage.
+    pub time: f64,
+    /// Weight, in units of time.
+    pub weight: f64,
+    /// State at that time.
+    pub state: [f64; N],
+}
+
+/// The nodes of a step of length `length` from `time`; `probe` is the step map at a fraction of the step.
+pub(crate) fn nodes<const N: usize>(
+    want: Want,
+    (time, length): (f64, f64),
+    found: &mut Vec<Node<N>>,
+    mut probe: impl FnMut(f64) -> [f64; N],
+) {
+    if want.panel > 0.0 {
+        let panels = (length / want.panel).ceil().max(1.0) as u32;
+        found.extend(gauss(panels).map(|(theta, weight)| Node {
+            time: time + theta * length,
+            weight: weight * length,
+            state: probe(theta),
+        }));
+    }
 }

@@ -45,6 +45,8 @@ pub struct Passage {
     pub events: Vec<Event>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample>,
+    /// Nodes of a quadrature over the motion, if wanted.
+    pub nodes: Vec<Node>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm,
     /// What it cost.
@@ -143,6 +145,17 @@ pub struct Sample {
     pub state: Vec<f64>,
 }
 
+/// A node of a quadrature over a motion: the integral of a function is the sum of its values, each times its weight.
+#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct Node {
+    /// Time from the beginning of the passage.
+    pub time: f64,
+    /// Weight, in units of time.
+    pub weight: f64,
+    /// State at that time.
+    pub state: Vec<f64>,
+}
+
 /// Something that happened at a contact.
 #[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Event {
@@ -188,6 +201,7 @@ impl Passage {
             segments: passage.segments.iter().map(segment).collect(),
             events: passage.events.iter().map(Event::from).collect(),
             path: passage.path.iter().map(Sample::from).collect(),
+            nodes: passage.nodes.iter().map(Node::from).collect(),
             calm: Calm {
                 place: Place::of(&passage.calm.place, &modes),
                 low: passage.calm.low.to_vec(),
@@ -251,6 +265,16 @@ impl<const N: usize> From<&flow::Event<N>> for Event {
             time: event.time,
             state: event.state.to_vec(),
             rate: event.rate,
+        }
+    }
+}
+
+impl<const N: usize> From<&flow::Node<N>> for Node {
+    fn from(node: &flow::Node<N>) -> Self {
+        Self {
+            time: node.time,
+            weight: node.weight,
+            state: node.state.to_vec(),
         }
     }
 }

@@ -3,7 +3,8 @@
 use crate::field::{Field, Stops, Work};
 use crate::flow::extrema::extrema;
 use crate::flow::{
-    Calm, Derivatives, Extremum, Factor, FlowError, Passage, Place, Sample, Segment, Want, strobes,
+    Calm, Derivatives, Extremum, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want,
+    nodes, strobes,
 };
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Accepted, Carried, IntegrationError, Look, Motion, Radau};
@@ -27,6 +28,7 @@ pub(super) struct Record<const N: usize> {
     pub(super) extrema: Vec<Extremum<N>>,
     pub(super) factors: Vec<Factor<N>>,
     pub(super) path: Vec<Sample<N>>,
+    pub(super) nodes: Vec<Node<N>>,
     pub(super) calm: Calm<N, ()>,
     pub(super) work: Work,
 }
@@ -50,6 +52,7 @@ impl<const N: usize> Record<N> {
             extrema: Vec::new(),
             factors: Vec::new(),
             path,
+            nodes: Vec::new(),
             calm: Calm::at(Place { state, mode: () }),
             work: Work::default(),
         }
@@ -65,6 +68,9 @@ impl<const N: usize> Record<N> {
         let (time, length) = (self.since + step.time(), step.length());
         self.time = time + length;
         self.stay(length);
+        nodes(self.want, (time, length), &mut self.nodes, |theta| {
+            step.step_map(theta * length)
+        });
         if !(self.want.extrema || self.want.path) {
             return;
         }
@@ -134,10 +140,17 @@ impl<const N: usize> Record<N> {
                 |theta| Some(radau.probe(step, theta)?.0),
             );
         }
-        self.draw(offset + step.time, step.step, |theta| {
+        let inside = |theta: f64| {
             let increment = step.collocation.at(theta);
             std::array::from_fn(|j| step.start[j] + increment[j])
+        };
+        let span = (offset + step.time, step.step);
+        nodes(self.want, span, &mut self.nodes, |theta| {
+            radau
+                .probe(step, theta)
+                .map_or_else(|| inside(theta), |(state, _)| state)
         });
+        self.draw(span.0, span.1, inside);
     }
 
     pub(super) fn stay(&mut self, length: f64) {
@@ -198,6 +211,7 @@ impl<const N: usize> Record<N> {
                 duration: time,
             }],
             path: self.path,
+            nodes: self.nodes,
             calm: self.calm,
             events: Vec::new(),
             work: self.work,

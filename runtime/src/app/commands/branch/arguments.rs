@@ -4,8 +4,11 @@ use clap::Args;
 
 use crate::app::arguments::{Period, Resume, Subject, Way};
 use crate::app::failure::{Failure, refuse};
+use crate::app::harmonics::Harmonics;
+use crate::app::request::state;
 use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
+use crate::model::ModelInfo;
 use crate::study::{Beginning, Case, Switch};
 
 /// Follow a periodic orbit along a parameter, or along the size of the smoothing
@@ -27,6 +30,11 @@ pub(in crate::app) struct Arguments {
     /// How many switches deep: 1 without --depth
     #[arg(long, value_name = "N", value_parser = Reading(depth))]
     depth: Option<usize>,
+    #[command(flatten)]
+    pub(in crate::app) harmonics: Harmonics,
+    /// The states that the table and the picture show, for instance `x1,x2`; the first without --show
+    #[arg(long, value_name = "NAME,..")]
+    show: Option<String>,
     #[command(flatten)]
     pub(in crate::app) curve: Curve,
     #[command(flatten)]
@@ -56,6 +64,15 @@ impl Arguments {
             Failure::usage(message)
         })
     }
+}
+
+/// What the table and the picture show of a branch.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(in crate::app) struct Shown {
+    /// Of these states the extent, and amplitude and phase,
+    pub(in crate::app) states: Vec<usize>,
+    /// at these harmonics.
+    pub(in crate::app) orders: Vec<usize>,
 }
 
 /// Where the branch begins.
@@ -108,12 +125,24 @@ fn depth(option: &str, word: &str) -> Result<usize, Failure> {
 
 impl Arguments {
     /// The case with the beginning of its branch, and with the branches to switch to.
-    pub(super) fn of(&self, mut case: Case) -> Result<Case, Failure> {
+    pub(super) fn of(&self, info: &ModelInfo, mut case: Case) -> Result<Case, Failure> {
+        case.harmonics = self.harmonics.of(info);
         case.switch = self.switch()?;
         case.beginning = self.beginning(&case)?;
         Ok(match case.beginning {
             Beginning::At(value) => case.at(value),
             Beginning::End | Beginning::Hopf => case,
+        })
+    }
+
+    /// What is shown.
+    pub(in crate::app) fn shown(&self, info: &ModelInfo) -> Result<Shown, Failure> {
+        let names = self.show.iter().flat_map(|names| names.split(','));
+        let states = names.map(|name| state(info, name.trim()));
+        let states = states.collect::<Result<Vec<usize>, Failure>>()?;
+        Ok(Shown {
+            states: if states.is_empty() { vec![0] } else { states },
+            orders: self.harmonics.of(info),
         })
     }
 

@@ -16,23 +16,25 @@ use crate::app::request::{Request, request};
 use crate::app::resume::Question;
 use crate::app::trail::Trail;
 use crate::study::{BranchRecord, Ended, OrbitRecord};
-pub(in crate::app) use arguments::Arguments;
+pub(in crate::app) use arguments::{Arguments, Shown};
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let range = arguments.range()?;
     let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
-    asked.case = arguments.of(asked.case)?;
+    let shown = arguments.shown(asked.info)?;
+    asked.case = arguments.of(asked.info, asked.case)?;
     let progress = Progress::along(&asked.output);
-    let question = Question::new(app.version, asked.info, &asked.case);
+    let question =
+        Question::new(app.version, asked.info, &asked.case).exactly("`--harmonics`", &shown.orders);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
-    let mut watch = |point: &OrbitRecord| found(&mut trail, point);
+    let mut watch = |point: &OrbitRecord| found(&asked, &mut trail, point);
     let branch = passages
         .recorded(asked.entry)
         .branch(&asked.case, &mut watch);
     let branch = branch.map_err(|error| asked.failed(error))?;
     drop(progress);
-    deliver(&asked, &branch)?;
+    deliver(&asked, &branch, &shown)?;
     passages.discard();
     let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word(), ended.reason);
     if let Some(ended) = branch.unlocated() {
@@ -45,14 +47,18 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
 /// The orbits of a branch as they are found.
 pub(super) fn trail<'a>(asked: &Request<'_>, progress: &'a Progress) -> Result<Trail<'a>, Failure> {
     let along = asked.along()?;
-    let head = sheet::head(asked.info, &along);
+    let head = sheet::head(asked.info, &along, &asked.case.harmonics);
     Ok(Trail::new(asked, along, "branch", head, progress))
 }
 
 /// One more orbit of a branch.
-pub(super) fn found(trail: &mut Trail<'_>, point: &OrbitRecord) -> ControlFlow<()> {
+pub(super) fn found(
+    asked: &Request<'_>,
+    trail: &mut Trail<'_>,
+    point: &OrbitRecord,
+) -> ControlFlow<()> {
     match point.r {
-        Some(r) => trail.reach(r, sheet::row(point)),
+        Some(r) => trail.reach(r, sheet::row(point, asked.info, &asked.case.harmonics)),
         None => ControlFlow::Continue(()),
     }
 }
@@ -61,12 +67,21 @@ pub(super) fn found(trail: &mut Trail<'_>, point: &OrbitRecord) -> ControlFlow<(
 ///
 /// # Errors
 /// It was interrupted, or the answer cannot be written.
-pub(super) fn deliver(asked: &Request<'_>, branch: &BranchRecord) -> Result<(), Failure> {
+pub(super) fn deliver(
+    asked: &Request<'_>,
+    branch: &BranchRecord,
+    shown: &Shown,
+) -> Result<(), Failure> {
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let document = document::document(info, case, branch);
-    let drawn = output.draw([("branch", picture::picture(info, branch))]);
-    let text = text::describe(info, case, branch);
-    output.deliver("branch", &text, &document, &sheet::sheets(info, branch))?;
+    let drawn = output.draw([("branch", picture::picture(info, branch, shown))]);
+    let text = text::describe(info, case, branch, shown);
+    output.deliver(
+        "branch",
+        &text,
+        &document,
+        &sheet::sheets(info, branch, &shown.orders),
+    )?;
     drawn?;
     if branch.is_interrupted() {
         let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
@@ -76,9 +91,17 @@ pub(super) fn deliver(asked: &Request<'_>, branch: &BranchRecord) -> Result<(), 
 }
 
 /// Writes a branch to the folder, if there is one, beside the answer.
-pub(super) fn keep(asked: &Request<'_>, branch: &BranchRecord) -> Result<(), Failure> {
+pub(super) fn keep(
+    asked: &Request<'_>,
+    branch: &BranchRecord,
+    shown: &Shown,
+) -> Result<(), Failure> {
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let document = document::document(info, case, branch);
-    output.draw([("branch", picture::picture(info, branch))])?;
-    output.keep("branch", &document, &sheet::sheets(info, branch))
+    output.draw([("branch", picture::picture(info, branch, shown))])?;
+    output.keep(
+        "branch",
+        &document,
+        &sheet::sheets(info, branch, &shown.orders),
+    )
 }

@@ -1,41 +1,90 @@
 //! A branch, with those that leave it, as a figure.
 
+use std::f64::consts::TAU;
+
+use super::arguments::Shown;
 use crate::app::chart::{Chart, Mark, Point, along_axis, axis};
+use crate::app::harmonics::{harmonic, names};
 use crate::app::text::timed;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, OrbitRecord, Special};
 
-/// The extent of the first state, and the period.
-pub(super) fn picture(info: &ModelInfo, branch: &BranchRecord) -> Figure {
-    let parameter = along_axis(info, &branch.along);
-    let first = info.states.first();
-    let name = format!("max |{}|", first.map_or("", |state| state.name));
-    let extent = axis(&name, first.and_then(|state| state.unit));
+/// The extent of the states that are shown, and the period; below them amplitudes and phases.
+pub(super) fn picture(info: &ModelInfo, branch: &BranchRecord, shown: &Shown) -> Figure {
+    let mut figure = Figure::new("", info.name, String::new()).columns(2);
+    for &j in &shown.states {
+        figure = figure.panel(extent(info, branch, j));
+    }
     let period = Axis::new(&timed(info, "period", "s"));
-    let mut extents = Chart::new(Panel::new(parameter.clone(), extent));
-    let mut periods = Chart::new(Panel::new(parameter, period));
-    let largest = |values: &[f64]| values.first().copied().unwrap_or(0.0);
+    let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
     for one in branch.all() {
-        extents.add(
-            &points(one, |orbit| largest(&orbit.max_abs)),
-            marks(one, |special| largest(&special.max_abs)),
-        );
         periods.add(
-            &points(one, |orbit| orbit.period),
+            &points(one, |orbit| Some(orbit.period)),
             marks(one, |special| special.period),
         );
     }
-    Figure::new("", info.name, String::new())
-        .columns(2)
-        .panel(extents.panel())
-        .panel(periods.panel())
+    figure = figure.panel(periods.panel());
+    for &j in &shown.states {
+        for &order in &shown.orders {
+            for panel in response(info, branch, order, j) {
+                figure = figure.panel(panel);
+            }
+        }
+    }
+    figure
 }
 
-fn points(branch: &BranchRecord, shown: impl Fn(&OrbitRecord) -> f64) -> Vec<Point> {
+fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
+    let state = info.states.get(j);
+    let name = format!("max |{}|", state.map_or("", |state| state.name));
+    let extent = axis(&name, state.and_then(|state| state.unit));
+    let mut extents = Chart::new(Panel::new(along_axis(info, &branch.along), extent));
+    for one in branch.all() {
+        extents.add(
+            &points(one, |orbit| orbit.max_abs.get(j).copied()),
+            marks(one, |special| {
+                special.max_abs.get(j).copied().unwrap_or(0.0)
+            }),
+        );
+    }
+    extents.panel()
+}
+
+/// Amplitude and phase of a state at a harmonic.
+fn response(info: &ModelInfo, branch: &BranchRecord, order: usize, j: usize) -> [Panel; 2] {
+    let [mut amplitudes, mut phases] = names(info, order, j).map(|name| {
+        Chart::new(Panel::new(
+            along_axis(info, &branch.along),
+            Axis::new(&name),
+        ))
+    });
+    for one in branch.all() {
+        let amplitude = |orbit: &OrbitRecord| Some(harmonic(orbit, order)?.amplitude[j]);
+        let mut before = None;
+        let phase = |orbit: &OrbitRecord| {
+            let known = harmonic(orbit, order)?;
+            let certain = known.amplitude[j] > known.error[j];
+            let next = certain.then(|| unwrapped(known.phase[j], before))?;
+            before = Some(next);
+            before
+        };
+        amplitudes.add(&points(one, amplitude), Vec::new());
+        phases.add(&points(one, phase), Vec::new());
+    }
+    [amplitudes.panel(), phases.panel()]
+}
+
+/// A phase, so many turns away that it goes on from the one before.
+fn unwrapped(phase: f64, before: Option<f64>) -> f64 {
+    let before = before.unwrap_or(phase);
+    phase + ((before - phase) / TAU).round() * TAU
+}
+
+fn points(branch: &BranchRecord, mut shown: impl FnMut(&OrbitRecord) -> Option<f64>) -> Vec<Point> {
     let point = |orbit: &OrbitRecord| {
         Some(Point {
-            at: [orbit.r?, shown(orbit)],
+            at: [orbit.r?, shown(orbit)?],
             beside: orbit.period,
             stability: orbit.floquet.stability,
         })

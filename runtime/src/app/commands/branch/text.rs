@@ -1,13 +1,20 @@
 //! A branch as text.
 
-use crate::app::text::{digits, followed, heading, label, number, table, timed};
+use super::arguments::Shown;
+use crate::app::harmonics;
+use crate::app::text::{digits, followed, heading, label, line, number, table, timed};
 use crate::model::ModelInfo;
 use crate::study::{BranchRecord, Case, OrbitRecord};
 
-pub(super) fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
+pub(super) fn describe(
+    info: &ModelInfo,
+    case: &Case,
+    branch: &BranchRecord,
+    shown: &Shown,
+) -> String {
     let name = branch.along.name(info);
     let what = format!("a branch of periodic orbits along {name}");
-    let mut text = heading(info, case, &what) + &table(&points(info, branch));
+    let mut text = heading(info, case, &what) + &table(&points(info, branch, shown));
     if !branch.special.is_empty() {
         text += &format!("\n{}", special(info, branch));
     }
@@ -23,28 +30,38 @@ pub(super) fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> 
     text
 }
 
-fn points(info: &ModelInfo, branch: &BranchRecord) -> String {
-    let first = info.states.first();
-    let largest = first.map(|state| label(&format!("max |{}|", state.name), state.unit));
-    let mut lines = format!(
-        "{}\t{}\t{}\t|multiplier|\tstability\n",
-        followed(info, &branch.along),
-        timed(info, "period", "s"),
-        largest.unwrap_or_default(),
-    );
-    lines.extend(branch.points.iter().map(point));
-    lines
+fn points(info: &ModelInfo, branch: &BranchRecord, shown: &Shown) -> String {
+    let mut head = vec![followed(info, &branch.along), timed(info, "period", "s")];
+    for &j in &shown.states {
+        let state = info.states.get(j);
+        let name = state.map_or("", |state| state.name);
+        head.push(label(
+            &format!("max |{name}|"),
+            state.and_then(|state| state.unit),
+        ));
+        let orders = shown.orders.iter();
+        head.extend(orders.flat_map(|&order| harmonics::names(info, order, j)));
+    }
+    head.extend(["|multiplier|", "stability"].map(str::to_owned));
+    let lines = branch.points.iter().map(|orbit| point(orbit, shown));
+    line(head) + &lines.collect::<String>()
 }
 
-fn point(orbit: &OrbitRecord) -> String {
+fn point(orbit: &OrbitRecord, shown: &Shown) -> String {
     let digits = digits(orbit.error_estimate).min(9);
-    let shown = |value: Option<f64>| value.map_or(String::new(), |value| number(value, digits));
-    let extent = orbit.max_abs.first().copied();
-    let [r, period, extent] = [orbit.r, Some(orbit.period), extent].map(shown);
+    let value = |value: Option<f64>| value.map_or(String::new(), |value| number(value, digits));
+    let mut row = vec![value(orbit.r), value(Some(orbit.period))];
+    for &j in &shown.states {
+        row.push(value(orbit.max_abs.get(j).copied()));
+        for &order in &shown.orders {
+            let known = harmonics::harmonic(orbit, order);
+            row.extend(known.map_or_else(Default::default, |one| harmonics::shown(one, j)));
+        }
+    }
     let multiplier = orbit.floquet.multipliers.first();
-    let multiplier = multiplier.map_or(String::new(), |largest| number(largest.norm(), 5));
-    let stability = orbit.floquet.stability.name();
-    format!("{r}\t{period}\t{extent}\t{multiplier}\t{stability}\n")
+    row.push(multiplier.map_or(String::new(), |largest| number(largest.norm(), 5)));
+    row.push(orbit.floquet.stability.name().to_owned());
+    line(row)
 }
 
 /// The special points, if there are any.

@@ -50,6 +50,8 @@ pub(in crate::app) fn perform(
     let info = asked.info;
     let (case, scope) = plane(info, and, arguments, asked.case)?;
     asked.case = case;
+    let shown = arguments.shown(info)?;
+    asked.case.harmonics.clone_from(&shown.orders);
     let progress = Progress::along(&asked.output);
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &scope.and)
@@ -59,7 +61,7 @@ pub(in crate::app) fn perform(
     let mut orbits = branch::trail(&asked, &progress)?;
     let mut points = Trail::new(&asked, scope.and, "curve", head.clone(), &progress);
     let mut watch = |finding: CurveFinding<'_>| match finding {
-        CurveFinding::Orbit(orbit) => branch::found(&mut orbits, orbit),
+        CurveFinding::Orbit(orbit) => branch::found(&asked, &mut orbits, orbit),
         CurveFinding::Point(point) => points.reach(point.q, sheet::row(point)),
     };
     let curve = passages
@@ -68,10 +70,10 @@ pub(in crate::app) fn perform(
     drop(progress);
     let curve = match curve {
         Ok(Curved::Followed(curve)) => curve,
-        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch),
+        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch, &shown),
         Err(error) => return Err(asked.failed(error)),
     };
-    deliver(&asked, &curve, head)?;
+    deliver(&asked, &curve, head, &shown)?;
     if !curve.ended.is_interrupted() {
         passages.discard();
     }
@@ -79,9 +81,14 @@ pub(in crate::app) fn perform(
     asked.output.close("curve", &curve.ended, &found)
 }
 
-fn deliver(asked: &Request<'_>, curve: &CurveRecord, head: Row) -> Result<(), Failure> {
+fn deliver(
+    asked: &Request<'_>,
+    curve: &CurveRecord,
+    head: Row,
+    shown: &branch::Shown,
+) -> Result<(), Failure> {
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let kept = branch::keep(asked, &curve.branch);
+    let kept = branch::keep(asked, &curve.branch, shown);
     let drawn = output.draw([("curve", picture::picture(info, curve))]);
     let rows = curve.points.iter().map(sheet::row);
     output.deliver(

@@ -3,6 +3,7 @@
 use clap::Args;
 
 use crate::app::arguments::{Period, Subject};
+use crate::app::harmonics::Harmonics;
 use crate::app::section::Cut;
 
 /// Find a periodic orbit and judge its stability
@@ -19,6 +20,8 @@ pub(in crate::app) struct Arguments {
     pub(super) guess: Period,
     #[command(flatten)]
     pub(super) cut: Cut,
+    #[command(flatten)]
+    pub(super) harmonics: Harmonics,
     /// How near a true orbit is, by Newton and Kantorovich: a posteriori, not rigorous
     #[arg(long)]
     pub(super) certify: bool,

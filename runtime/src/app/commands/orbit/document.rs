@@ -1,6 +1,7 @@
 //! An orbit as JSON.
 
 use crate::app::document::{Document, pairs};
+use crate::app::harmonics;
 use crate::model::ModelInfo;
 use crate::study::OrbitRecord;
 
@@ -26,6 +27,7 @@ pub(in crate::app) fn document<'a>(info: &'a ModelInfo, orbit: &OrbitRecord) -> 
         .put("trivial_multiplier_error", trivial)
         .put("stability", floquet.stability.name())
         .put("word", &orbit.word)
+        .maybe("harmonics", harmonics::document(info, orbit))
         .units()
         .put("residual", orbit.residual)
         .put("error_estimate", orbit.error_estimate)

@@ -21,7 +21,8 @@ pub(in crate::app) use document::document;
 const MISSED: f64 = 10.0;
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
-    let asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    let mut asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    asked.case.harmonics = arguments.harmonics.of(asked.info);
     let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
     let section = arguments.cut.of(info)?;
     let failed = |error| asked.failed(error);

@@ -1,5 +1,6 @@
 //! An orbit as text.
 
+use crate::app::harmonics;
 use crate::app::text::{digits, heading, label, line, number, table, time_unit, work};
 use crate::model::ModelInfo;
 use crate::study::{Case, OrbitRecord};
@@ -9,11 +10,13 @@ pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> St
     let tables = [
         period(info, orbit),
         states(info, orbit),
+        harmonics::lines(info, orbit),
         multipliers(orbit),
         quality(info, orbit),
     ];
-    heading(info, case, &format!("a periodic orbit, {stability}"))
-        + &tables.map(|lines| table(&lines)).join("\n")
+    let tables = tables.iter().filter(|lines| !lines.is_empty());
+    let tables: Vec<String> = tables.map(|lines| table(lines)).collect();
+    heading(info, case, &format!("a periodic orbit, {stability}")) + &tables.join("\n")
 }
 
 fn period(info: &ModelInfo, orbit: &OrbitRecord) -> String {

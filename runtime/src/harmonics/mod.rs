@@ -1,0 +1,124 @@
+//! Harmonics of periodic motions: how far, and how late, each state swings at a multiple of the drive's frequency.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Complex;
+
+use crate::flow::{FlowError, Want};
+use crate::integrate::Tolerance;
+use crate::motion::{Family, Flow, Node, Place};
+
+/// Angle of the highest harmonic, and of the motion itself, over a panel of six nodes: their error is far below rounding.
+const PANEL: f64 = 1.0;
+/// Tolerance of the motion over which harmonics are integrated, over that of the one with which it is compared.
+const TIGHTER: f64 = 0.1;
+/// What is reported over what two runs differ by: they share part of their errors.
+const DOUBT: f64 = 1.5;
+/// Rounding error of an integral, relative to the extent of a state.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// One harmonic of a periodic motion: each state holds the summand A cos(h φ + θ).
+///
+/// φ is the phase of the drive; without one, 2π t / T from the start of the orbit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Harmonic {
+    /// h.
+    pub order: usize,
+    /// A of each state.
+    pub amplitude: Vec<f64>,
+    /// θ of each state, in radians, above −π up to π: negative for a state that lags behind cos(h φ).
+    pub phase: Vec<f64>,
+    /// Estimated error of the complex amplitude A exp(iθ) of each state, in the units of the state.
+    pub error: Vec<f64>,
+}
+
+/// The harmonics of these orders of the orbit of `family` at r that begins at `place` and has this period; its
+/// integration is held to `tolerance`, and to a tighter one for comparison.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub fn harmonics(
+    family: &Family,
+    r: f64,
+    (place, period): (&Place, f64),
+    orders: &[usize],
+    tolerance: Tolerance,
+) -> Result<Vec<Harmonic>, FlowError> {
+    let at = |tolerance: Tolerance| family.with_tolerance(tolerance).at(r);
+    let (rough, fine) = (at(tolerance)?, at(tolerance.times(TIGHTER))?);
+    let highest = orders.iter().copied().max().unwrap_or(0) as f64;
+    let rate = match fine.phase() {
+        Some(phase) => fine.velocity(place)?.f[phase],
+        None => TAU / period,
+    };
+    let panel = PANEL / ((1.0 + highest) * rate);
+    let rough = Motion::follow(rough.as_ref(), place, period, 2.0 * panel)?;
+    let fine = Motion::follow(fine.as_ref(), place, period, panel)?;
+    let harmonic = |&order: &usize| {
+        let (other, found) = (rough.amplitudes(order), fine.amplitudes(order));
+        let error = |(j, (a, b)): (usize, (&Complex<f64>, &Complex<f64>))| {
+            DOUBT * (a - b).norm() + ROUNDING * fine.extent(j)
+        };
+        Harmonic {
+            order,
+            error: found.iter().zip(&other).enumerate().map(error).collect(),
+            amplitude: found.iter().map(|c| c.norm()).collect(),
+            phase: found.iter().map(|c| c.arg()).collect(),
+        }
+    };
+    Ok(orders.iter().map(harmonic).collect())
+}
+
+/// A periodic motion at the nodes of a quadrature.
+struct Motion {
+    period: f64,
+    phase: Option<usize>,
+    start: Vec<f64>,
+    nodes: Vec<Node>,
+}
+
+impl Motion {
+    fn follow(flow: &dyn Flow, place: &Place, period: f64, panel: f64) -> Result<Self, FlowError> {
+        let want = Want {
+            panel,
+            ..Want::default()
+        };
+        Ok(Self {
+            period,
+            phase: flow.phase(),
+            start: place.state.clone(),
+            nodes: flow.advance(place, period, want)?.nodes,
+        })
+    }
+
+    /// The complex amplitude A exp(iθ) of each state at this harmonic.
+    ///
+    /// What a state is at the start has no harmonics, and is left out before it cancels.
+    fn amplitudes(&self, order: usize) -> Vec<Complex<f64>> {
+        let mut sums = vec![Complex::new(0.0, 0.0); self.start.len()];
+        for node in &self.nodes {
+            let angle = match self.phase {
+                Some(phase) => node.state[phase],
+                None => TAU * node.time / self.period,
+            };
+            let turned =
+                Complex::from_polar(2.0 * node.weight / self.period, -angle * order as f64);
+            for (j, sum) in sums.iter_mut().enumerate() {
+                *sum += turned * (node.state[j] - self.start[j]);
+            }
+        }
+        if let Some(phase) = self.phase {
+            sums[phase] = Complex::new(0.0, 0.0);
+        }
+        sums
+    }
+
+    /// How far a state goes from its start.
+    fn extent(&self, j: usize) -> f64 {
+        let values = self.nodes.iter().map(|node| node.state[j] - self.start[j]);
+        values.fold(0.0, |most, value| most.max(value.abs()))
+    }
+}
+
+#[cfg(test)]
+mod tests;
