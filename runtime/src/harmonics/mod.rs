@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::Complex;
+use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
@@ -11,9 +11,11 @@ use crate::motion::{Family, Flow, Node, Place};
 /// Angle of the highest harmonic, and of the motion itself, over a panel of six nodes: their error is far below rounding.
 const PANEL: f64 = 1.0;
 /// Tolerance of the motion over which harmonics are integrated, over that of the one with which it is compared.
-const TIGHTER: f64 = 0.1;
+const TIGHTER: f64 = 0.01;
 /// What is reported over what two runs differ by: they share part of their errors.
 const DOUBT: f64 = 1.5;
+/// Directions in which a disturbance lasts for longer than this many turns say nothing of where an orbit begins.
+const LASTING: f64 = 1e7;
 /// Rounding error of an integral, relative to the extent of a state.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -52,12 +54,12 @@ pub fn harmonics(
         None => TAU / period,
     };
     let panel = PANEL / ((1.0 + highest) * rate);
-    let rough = Motion::follow(rough.as_ref(), place, period, 2.0 * panel)?;
-    let fine = Motion::follow(fine.as_ref(), place, period, panel)?;
+    let rough = Motion::around(rough.as_ref(), place, period, 2.0 * panel)?;
+    let fine = Motion::around(fine.as_ref(), place, period, panel)?;
     let harmonic = |&order: &usize| {
         let (other, found) = (rough.amplitudes(order), fine.amplitudes(order));
         let error = |(j, (a, b)): (usize, (&Complex<f64>, &Complex<f64>))| {
-            DOUBT * (a - b).norm() + ROUNDING * fine.extent(j)
+            DOUBT * (a - b).norm() + fine.gap[j].abs() + ROUNDING * fine.extent(j)
         };
         Harmonic {
             order,
@@ -75,19 +77,43 @@ struct Motion {
     phase: Option<usize>,
     start: Vec<f64>,
     nodes: Vec<Node>,
+    /// By how much each state misses its start when it comes back.
+    gap: DVector<f64>,
 }
 
 impl Motion {
+    /// Once around the orbit of this flow near `place`: under a drive, whose period is certain, from one correction of
+    /// that place, if it brings the motion closer to where it began.
+    fn around(flow: &dyn Flow, place: &Place, period: f64, panel: f64) -> Result<Self, FlowError> {
+        let given = Self::follow(flow, place, period, panel)?;
+        if flow.phase().is_none() {
+            return Ok(given);
+        }
+        let corrected = corrected(flow, place, period, &given.gap)?;
+        let corrected = corrected.map(|place| Self::follow(flow, &place, period, panel));
+        Ok(match corrected {
+            Some(Ok(other)) if other.gap.norm() < given.gap.norm() => other,
+            _ => given,
+        })
+    }
+
     fn follow(flow: &dyn Flow, place: &Place, period: f64, panel: f64) -> Result<Self, FlowError> {
         let want = Want {
             panel,
             ..Want::default()
         };
+        let passage = flow.advance(place, period, want)?;
+        let mut gap =
+            DVector::from_vec(passage.end.state) - DVector::from_column_slice(&place.state);
+        if let Some(phase) = flow.phase() {
+            gap[phase] = 0.0;
+        }
         Ok(Self {
             period,
             phase: flow.phase(),
             start: place.state.clone(),
-            nodes: flow.advance(place, period, want)?.nodes,
+            nodes: passage.nodes,
+            gap,
         })
     }
 
@@ -118,6 +144,37 @@ impl Motion {
         let values = self.nodes.iter().map(|node| node.state[j] - self.start[j]);
         values.fold(0.0, |most, value| most.max(value.abs()))
     }
+}
+
+/// The place from which, to first order, the motion comes back; `None` where that is not known.
+fn corrected(
+    flow: &dyn Flow,
+    place: &Place,
+    period: f64,
+    gap: &DVector<f64>,
+) -> Result<Option<Place>, FlowError> {
+    let want = Want {
+        derivatives: true,
+        ..Want::default()
+    };
+    let passage = flow.advance(place, period, want)?;
+    let Some(derivatives) = passage.derivatives else {
+        return Ok(None);
+    };
+    let order = gap.len();
+    let stays = DMatrix::identity(order, order) - derivatives.state;
+    let svd = stays.svd(true, true);
+    let step = svd.solve(gap, svd.singular_values.max() / LASTING).ok();
+    let step = step.filter(|step| step.iter().all(|change| change.is_finite()));
+    Ok(step.map(|step| Place {
+        state: place
+            .state
+            .iter()
+            .zip(&step)
+            .map(|(x, change)| x + change)
+            .collect(),
+        modes: place.modes.clone(),
+    }))
 }
 
 #[cfg(test)]

@@ -178,7 +178,11 @@ impl Failed {
             }));
         }
         let newton = matches!(error, OrbitError::Newton(_));
-        self.last = Some(error);
+        // An orbit on which the motion does not stay says more than one that was not reached.
+        let passed = matches!(self.last, Some(OrbitError::Passed { .. }));
+        if !(passed && newton) {
+            self.last = Some(error);
+        }
         if newton && self.count.is_power_of_two() {
             let orbit = calmly(family, r, guess, search)?.ok()?;
             self.taken(family, r, guess, (orbit, search)).ok().map(Ok)

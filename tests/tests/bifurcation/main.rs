@@ -6,3 +6,4 @@ mod curves;
 mod diagram;
 mod equilibria;
 mod orbits;
+mod scales;

@@ -53,9 +53,11 @@ impl Sought<'_> {
         let around = (&orbit.place, orbit.period);
         let tolerance = Tolerance::for_accuracy(self.case.accuracy);
         let mut found = harmonics(&family, orbit.r, around, orders, tolerance)?;
+        // The period of a driven orbit is certain, and its start has been corrected.
+        let doubt = self.family.phase().map_or(orbit.error_estimate, |_| 0.0);
         for harmonic in &mut found {
             for (error, size) in harmonic.error.iter_mut().zip(orbit.magnitude()) {
-                *error += orbit.error_estimate * size;
+                *error += doubt * size;
             }
         }
         Ok(found)
