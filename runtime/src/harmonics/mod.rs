@@ -162,7 +162,11 @@ fn corrected(
         return Ok(None);
     };
     let order = gap.len();
-    let stays = DMatrix::identity(order, order) - derivatives.state;
+    let mut stays = DMatrix::identity(order, order) - derivatives.state;
+    // The phase of a drive comes back by itself.
+    if let Some(phase) = flow.phase() {
+        stays.column_mut(phase).fill(0.0);
+    }
     let svd = stays.svd(true, true);
     let step = svd.solve(gap, svd.singular_values.max() / LASTING).ok();
     let step = step.filter(|step| step.iter().all(|change| change.is_finite()));

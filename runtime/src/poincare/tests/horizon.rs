@@ -62,7 +62,7 @@ friction_law! {
     }
 }
 
-fn smooth<M: Model<N>, const N: usize>(model: &M) -> SmoothFlow<M, N> {
+pub(super) fn smooth<M: Model<N>, const N: usize>(model: &M) -> SmoothFlow<M, N> {
     let field = SmoothField::new(model, None, Default::default()).unwrap();
     SmoothFlow::new(field, Tolerance::for_accuracy(1e-9))
 }

@@ -1,4 +1,5 @@
 mod horizon;
+mod inside;
 
 use std::f64::consts::{FRAC_PI_6, PI, TAU};
 
