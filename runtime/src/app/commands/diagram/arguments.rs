@@ -17,7 +17,8 @@ use crate::study::{Diagram, Sweep};
 #[group(skip)]
 #[command(
     after_help = "A sweep begins each value where the one before ended, and so stays with its attractor; `--sweep fresh` \
-                  begins each at the start. Nothing depends on the number of threads"
+                  begins each at the start. Nothing depends on the number of threads. A model with a drive is looked at \
+                  once in each turn of it, unless `--section` says otherwise; its period-n counts turns of the drive"
 )]
 pub(in crate::app) struct Arguments {
     #[command(flatten)]
