@@ -12,6 +12,7 @@ mod record;
 mod setting;
 mod slice;
 mod sweep;
+mod watched;
 
 pub use known::Known;
 pub use parallel::{parallel, parallel_on};

@@ -2,6 +2,8 @@
 
 use crate::bifurcation::Floquet;
 use crate::field::Work;
+use crate::flow::FlowError;
+use crate::harmonics::Harmonic;
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::question::Dynamics;
 
@@ -30,6 +32,8 @@ pub struct OrbitRecord {
     pub section: Vec<Vec<f64>>,
     /// Multipliers and what they say.
     pub floquet: Floquet,
+    /// Its harmonics, those that the case asks for.
+    pub harmonics: Result<Vec<Harmonic>, FlowError>,
     /// The modes that it runs through, for exact dynamics.
     pub word: Option<String>,
     /// Norm of the shooting residual, relative to the extents of the states.
