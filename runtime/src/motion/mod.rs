@@ -10,6 +10,7 @@ pub(crate) mod exact;
 mod extent;
 mod family;
 mod modes;
+mod node;
 mod passage;
 mod smooth;
 mod tape;
@@ -20,9 +21,10 @@ pub use enclosure::{Enclosed, Enclosure};
 pub use extent::half_extents;
 pub use family::{Family, Flows};
 pub use modes::{Modes, sticking, word};
+pub use node::Node;
 pub(crate) use passage::fixed;
 pub use passage::{
-    Calm, Derivatives, Event, Extremum, Factor, Node, Passage, Place, Sample, Segment, Velocity,
+    Calm, Derivatives, Event, Extremum, Factor, Passage, Place, Sample, Segment, Velocity,
 };
 pub use tape::{Note, Tape};
 

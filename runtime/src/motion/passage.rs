@@ -3,7 +3,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use nalgebra::{DMatrix, DVector};
 
-use super::{Modes, written};
+use super::{Modes, Node, written};
 use crate::field::Work;
 use crate::field::exact::Mode;
 use crate::flow::{self, EventKind};
@@ -145,17 +145,6 @@ pub struct Sample {
     pub state: Vec<f64>,
 }
 
-/// A node of a quadrature over a motion: the integral of a function is the sum of its values, each times its weight.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
-pub struct Node {
-    /// Time from the beginning of the passage.
-    pub time: f64,
-    /// Weight, in units of time.
-    pub weight: f64,
-    /// State at that time.
-    pub state: Vec<f64>,
-}
-
 /// Something that happened at a contact.
 #[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Event {
@@ -265,16 +254,6 @@ impl<const N: usize> From<&flow::Event<N>> for Event {
             time: event.time,
             state: event.state.to_vec(),
             rate: event.rate,
-        }
-    }
-}
-
-impl<const N: usize> From<&flow::Node<N>> for Node {
-    fn from(node: &flow::Node<N>) -> Self {
-        Self {
-            time: node.time,
-            weight: node.weight,
-            state: node.state.to_vec(),
         }
     }
 }
