@@ -137,7 +137,7 @@ impl Failed {
         guess: &Guess,
         (orbit, search): (Orbit, &Search),
     ) -> Result<Orbit, OrbitError> {
-        if self.meant == Meant::First || stays(family, r, guess, (&orbit, search))? {
+        if self.meant == Meant::First || stays(family, r, guess, (&orbit, &search.start))? {
             return Ok(orbit);
         }
         Err(OrbitError::Passed {

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::kind::Motion;
 use super::setting::Diagram;
-use super::slice::Motion;
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};
