@@ -7,7 +7,7 @@ use crate::integrate::event::Bernstein;
 
 const ITERATIONS: usize = 12;
 /// Relative change over a step below which a state is at rest.
-const FLAT: f64 = 1e-13;
+pub(crate) const FLAT: f64 = 1e-13;
 
 /// Follows the sign of every rate from step to step.
 pub(crate) struct Turning<const N: usize> {

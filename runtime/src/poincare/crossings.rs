@@ -3,10 +3,9 @@
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
-use serde::Serialize;
-
+use super::crossing::Crossing;
 use super::horizon::{Horizon, Patience, Silence};
-use super::meeting::side;
+use super::meeting::{Meeting, side};
 use super::radian;
 use super::reach::Reach;
 use super::section::{Section, Surface};
@@ -22,26 +21,15 @@ const STEPS: u64 = 5_000;
 /// A phase this close to that of the section, in radians, is on it.
 const ON: f64 = 1e-12;
 
-/// A point where a motion crosses a section.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Crossing {
-    /// When, from the beginning of the motion.
-    pub time: f64,
-    /// Whether the function that vanishes there grows.
-    pub rising: bool,
-    /// Where; the phase of a drive between 0 and 2π.
-    pub state: Vec<f64>,
-}
-
 /// The crossings of a motion with a section, in the order of time; an iterator over them.
 ///
 /// It ends with its [`Horizon`]. A motion that begins on the section has not crossed it. A section that is a phase of
 /// the drive is met once in each of its turns.
 pub struct Crossings<'f> {
-    pub(super) flow: &'f dyn Flow,
+    flow: &'f dyn Flow,
     section: Section,
     horizon: Horizon,
-    pub(super) place: Place,
+    place: Place,
     time: f64,
     chunk: f64,
     ended: bool,
@@ -255,8 +243,15 @@ impl<'f> Crossings<'f> {
         for (until, there) in stops {
             let side = side(there, state, level);
             if side * self.side <= 0.0 && self.arrived.is_none() && self.side != 0.0 {
-                let surface = (state, level, -self.side);
-                let (time, place) = self.meet(surface, from, (until, there))?;
+                let meeting = Meeting {
+                    flow: self.flow,
+                    place: &self.place,
+                    state,
+                    level,
+                    rise: -self.side,
+                    work: &mut self.work,
+                };
+                let (time, place) = meeting.between(from, (until, there))?;
                 self.arrived = Some((self.time + time, place));
             }
             if side == 0.0 {

@@ -1,19 +1,31 @@
 //! Where between two times a motion has a level.
 
-use super::crossings::Crossings;
+use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::Place;
+use crate::motion::{Flow, Place};
 
 /// A state this close to a level, in units of its rounding, lies on it.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const ITERATIONS: usize = 80;
 
-impl Crossings<'_> {
-    /// The time and state, between two times of the passage, at which the state comes to the level from below (`rise` = 1) or
-    /// above (-1): by Newton's method on the motion itself, kept inside by halving. Of a motion that rests on the level before it goes on, its arrival.
-    pub(super) fn meet(
-        &mut self,
-        (index, level, rise): (usize, f64, f64),
+/// A motion that comes to a level.
+pub(super) struct Meeting<'a> {
+    pub(super) flow: &'a dyn Flow,
+    /// Where the passage begins in which it does.
+    pub(super) place: &'a Place,
+    /// The state that has the level, and the level.
+    pub(super) state: usize,
+    pub(super) level: f64,
+    /// Whether from below (1) or from above (-1).
+    pub(super) rise: f64,
+    pub(super) work: &'a mut Work,
+}
+
+impl Meeting<'_> {
+    /// The time and state, between two times of the passage, at which the state comes to the level: by Newton's method
+    /// on the motion itself, kept inside by halving. Of a motion that rests on the level before it goes on, its arrival.
+    pub(super) fn between(
+        mut self,
         from: f64,
         until: (f64, &[f64]),
     ) -> Result<(f64, Vec<f64>), FlowError> {
@@ -21,6 +33,7 @@ impl Crossings<'_> {
         if from > 0.0 {
             low.1 = self.ahead(&low.1, from)?;
         }
+        let (index, level) = (self.state, self.level);
         let lack = |state: &[f64]| state[index] - level;
         let (mut high, mut best) = (until.0, (until.0, until.1.to_vec()));
         let mut time = secant((low.0, lack(&low.1.state)), (high, lack(&best.1)));
@@ -39,7 +52,7 @@ impl Crossings<'_> {
             if arrived && slope != 0.0 {
                 break;
             }
-            if !arrived && short * rise < 0.0 {
+            if !arrived && short * self.rise < 0.0 {
                 low = (time, place);
             } else {
                 high = time;
@@ -51,7 +64,7 @@ impl Crossings<'_> {
 
     fn ahead(&mut self, from: &Place, time: f64) -> Result<Place, FlowError> {
         let passage = self.flow.advance(from, time, Want::default())?;
-        self.work += passage.work;
+        *self.work += passage.work;
         Ok(passage.end)
     }
 }

@@ -3,6 +3,7 @@
 //! Crossings are located on the motion itself, between extrema that the flow has located: no grid of
 //! samples decides what is found.
 
+mod crossing;
 mod crossings;
 mod horizon;
 mod meeting;
@@ -12,7 +13,8 @@ mod section;
 mod span;
 mod turns;
 
-pub use crossings::{Crossing, Crossings};
+pub use crossing::Crossing;
+pub use crossings::Crossings;
 pub use horizon::{Horizon, Reason, Silence};
 pub use recurrence::recurrence;
 pub use section::{Direction, Section, Surface};

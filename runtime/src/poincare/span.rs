@@ -1,6 +1,7 @@
 //! The crossings of a motion within a time, or once around an orbit.
 
-use super::crossings::{Crossing, Crossings};
+use super::crossing::Crossing;
+use super::crossings::Crossings;
 use super::horizon::Horizon;
 use super::section::{Direction, Section};
 use crate::flow::FlowError;

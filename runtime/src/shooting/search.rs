@@ -75,12 +75,8 @@ pub fn settled(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitE
 
 fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit, OrbitError> {
     let magnitude = magnitude_of(&search.start);
-    let loose = |magnitude: &[f64]| {
-        family
-            .with_tolerance(Tolerance::for_accuracy(ROUGH))
-            .with_magnitude(magnitude)
-            .at(r)
-    };
+    let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
+    let loose = |magnitude: &[f64]| rough.with_magnitude(magnitude).at(r);
     let start = loose(&magnitude)?.place(&search.start)?;
     if let Some(period) = search.period {
         let guess = Guess {
@@ -141,7 +137,7 @@ impl Failed {
         guess: &Guess,
         (orbit, search): (Orbit, &Search),
     ) -> Result<Orbit, OrbitError> {
-        if self.meant == Meant::First || stays(family, r, guess, (&orbit, search))? {
+        if self.meant == Meant::First || stays(family, r, guess, (&orbit, &search.start))? {
             return Ok(orbit);
         }
         Err(OrbitError::Passed {

@@ -3,7 +3,6 @@
 use super::error::OrbitError;
 use super::guess::Guess;
 use super::orbit::Orbit;
-use super::search::Search;
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};
@@ -18,17 +17,17 @@ const FALL: f64 = 0.5;
 /// Most turns around the orbit for which it is watched.
 const LAPS: f64 = 1000.0;
 
-/// Whether the motion stays on the orbit that was found near its return: it begins there, or is drawn to it.
+/// Whether the motion from `start` stays on the orbit that was found near its return: it begins there, or is drawn to it.
 pub(super) fn stays(
     family: &Family,
     r: f64,
     guess: &Guess,
-    (orbit, search): (&Orbit, &Search),
+    (orbit, start): (&Orbit, &[f64]),
 ) -> Result<bool, OrbitError> {
     let family = family.with_magnitude(&guess.magnitude);
     let flow = family.at(r)?;
     if orbit.floquet.stability == Stability::Unstable {
-        return Ok(begins(flow.as_ref(), &search.start, guess, orbit)?);
+        return Ok(begins(flow.as_ref(), start, guess, orbit)?);
     }
     Ok(approaches(flow.as_ref(), guess, orbit)?)
 }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::kind::Motion;
 use super::setting::Diagram;
 use super::watched::Watched;
 use crate::equilibrium::Spectrum;
@@ -38,35 +39,6 @@ pub struct Slice {
     pub lyapunov: Option<Result<Lyapunov, String>>,
     /// What it cost.
     pub work: Work,
-}
-
-/// The kind of a motion, as far as its points on a section tell.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Motion {
-    /// It comes back after this many points; of a driven system, after this many turns of its drive.
-    Periodic(usize),
-    /// It has not come back within half of the points taken.
-    Aperiodic,
-    /// It rests.
-    Rest,
-    /// It moves, but does not meet the section.
-    Elsewhere,
-    /// It could not be followed; why.
-    Failed(String),
-}
-
-impl Motion {
-    /// In a word or two: `period-3`, `aperiodic`, `rest`, `elsewhere`, `failed`.
-    #[must_use]
-    pub fn name(&self) -> String {
-        match self {
-            Self::Periodic(count) => format!("period-{count}"),
-            Self::Aperiodic => "aperiodic".to_owned(),
-            Self::Rest => "rest".to_owned(),
-            Self::Elsewhere => "elsewhere".to_owned(),
-            Self::Failed(_) => "failed".to_owned(),
-        }
-    }
 }
 
 /// Makes slices of a family.

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::kind::Motion;
 use super::setting::Diagram;
-use super::slice::Motion;
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};
@@ -51,10 +51,7 @@ impl Watched {
         let (motion, different) = match (rests, &silence) {
             (true, _) => (Motion::Rest, 1),
             (false, Some(_)) => (Motion::Elsewhere, 0),
-            (false, None) => match returns() {
-                Some(count) => (Motion::Periodic(turns(flow, &place, &times, count)?), count),
-                None => (Motion::Aperiodic, points.len()),
-            },
+            (false, None) => counted(flow, &place, &times, returns(), points.len())?,
         };
         match motion {
             Motion::Rest => points = vec![place.state.clone()],
@@ -107,6 +104,21 @@ fn bounds(crossings: &Crossings<'_>, silence: Option<&Silence>) -> (Vec<f64>, Ve
         Some(silence) => (silence.low.clone(), silence.high.clone()),
         None => crossings.range(),
     }
+}
+
+/// A motion that comes back after this many points, if it does, of so many taken, and how many of these are different.
+fn counted(
+    flow: &dyn Flow,
+    place: &Place,
+    times: &[f64],
+    returns: Option<usize>,
+    taken: usize,
+) -> Result<(Motion, usize), FlowError> {
+    let Some(count) = returns else {
+        return Ok((Motion::Aperiodic, taken));
+    };
+    let turns = turns(flow, place, times, count)?;
+    Ok((Motion::Periodic(turns), count))
 }
 
 /// The n of a motion that comes back after this many points: of a driven one, how often the drive turns meanwhile.
