@@ -7,6 +7,7 @@ mod command;
 mod commands;
 mod document;
 mod failure;
+mod harmonics;
 mod interrupt;
 mod journal;
 mod offer;

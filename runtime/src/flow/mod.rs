@@ -19,6 +19,7 @@ pub use smooth::SmoothFlow;
 use serde::{Deserialize, Serialize};
 
 use crate::field::Work;
+use crate::integrate::gauss;
 
 /// A field, with its derivatives.
 pub type Velocity<const N: usize> = passage::Velocity<[f64; N], [[f64; N]; N]>;
@@ -30,6 +31,8 @@ pub type Factor<const N: usize> = passage::Factor<[[f64; N]; N]>;
 pub type Extremum<const N: usize> = passage::Extremum<[f64; N]>;
 /// A state on a motion.
 pub type Sample<const N: usize> = passage::Sample<[f64; N]>;
+/// A node of a quadrature over a motion.
+pub type Node<const N: usize> = passage::Node<[f64; N]>;
 /// Something that happened at a contact.
 pub type Event<const N: usize> = passage::Event<[f64; N]>;
 
@@ -82,7 +85,7 @@ pub struct Place<const N: usize, Mode> {
 }
 
 /// What a passage shall report beyond its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
@@ -92,6 +95,8 @@ pub struct Want {
     pub path: bool,
     /// The factors of Φ, for multipliers that would underflow in their product.
     pub factors: bool,
+    /// Nodes of a quadrature over the motion, in panels no longer than this time; none if it is 0.
+    pub panel: f64,
 }
 
 /// One motion from a place to another.
@@ -109,6 +114,8 @@ pub struct Passage<const N: usize, Mode> {
     pub events: Vec<Event<N>>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample<N>>,
+    /// Nodes of a quadrature over the motion, if wanted: Gauss's, within each step.
+    pub nodes: Vec<Node<N>>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm<N, Mode>,
     /// What it cost.
@@ -171,4 +178,21 @@ pub struct Segment<Mode> {
     pub mode: Mode,
     /// Its duration.
     pub duration: f64,
+}
+
+/// The nodes of a step of length `length` from `time`; `probe` is the step map at a fraction of the step.
+pub(crate) fn nodes<const N: usize>(
+    want: Want,
+    (time, length): (f64, f64),
+    found: &mut Vec<Node<N>>,
+    mut probe: impl FnMut(f64) -> [f64; N],
+) {
+    if want.panel > 0.0 {
+        let panels = (length / want.panel).ceil().max(1.0) as u32;
+        found.extend(gauss(panels).map(|(theta, weight)| Node {
+            time: time + theta * length,
+            weight: weight * length,
+            state: probe(theta),
+        }));
+    }
 }

@@ -67,6 +67,17 @@ pub struct Sample<S> {
     pub state: S,
 }
 
+/// A node of a quadrature over a motion: the integral of a function is the sum of its values, each times its weight.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Node<S> {
+    /// Time from the beginning of the passage.
+    pub time: f64,
+    /// Weight, in units of time.
+    pub weight: f64,
+    /// State at that time.
+    pub state: S,
+}
+
 /// Something that happened at a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Event<S> {

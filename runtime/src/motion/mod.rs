@@ -21,7 +21,7 @@ pub use family::{Family, Flows};
 pub use modes::{Modes, sticking, word};
 pub(crate) use passage::fixed;
 pub use passage::{
-    Calm, Derivatives, Event, Extremum, Factor, Passage, Place, Sample, Segment, Velocity,
+    Calm, Derivatives, Event, Extremum, Factor, Node, Passage, Place, Sample, Segment, Velocity,
 };
 pub use tape::{Note, Tape};
 

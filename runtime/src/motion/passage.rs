@@ -17,6 +17,8 @@ pub type Factor = passage::Factor<DMatrix<f64>>;
 pub type Extremum = passage::Extremum<Vec<f64>>;
 /// A state on a motion.
 pub type Sample = passage::Sample<Vec<f64>>;
+/// A node of a quadrature over a motion.
+pub type Node = passage::Node<Vec<f64>>;
 /// Something that happened at a contact.
 pub type Event = passage::Event<Vec<f64>>;
 
@@ -44,6 +46,8 @@ pub struct Passage {
     pub events: Vec<Event>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample>,
+    /// Nodes of a quadrature over the motion, if wanted.
+    pub nodes: Vec<Node>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm,
     /// What it cost.
@@ -101,6 +105,7 @@ impl Passage {
             segments: passage.segments.iter().map(segment).collect(),
             events: passage.events.iter().map(event).collect(),
             path: passage.path.iter().map(sample).collect(),
+            nodes: passage.nodes.iter().map(node).collect(),
             calm: Calm {
                 place: Place::of(&passage.calm.place, &modes),
                 low: passage.calm.low.to_vec(),
@@ -156,6 +161,14 @@ fn event<const N: usize>(event: &flow::Event<N>) -> Event {
         time: event.time,
         state: event.state.to_vec(),
         rate: event.rate,
+    }
+}
+
+fn node<const N: usize>(node: &flow::Node<N>) -> Node {
+    Node {
+        time: node.time,
+        weight: node.weight,
+        state: node.state.to_vec(),
     }
 }
 

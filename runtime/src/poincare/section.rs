@@ -47,6 +47,18 @@ impl Default for Section {
     }
 }
 
+impl Section {
+    /// Where the phase of the drive begins anew, if a state is one; else der(first state) = 0, upwards.
+    #[must_use]
+    pub fn usual(phase: Option<usize>) -> Self {
+        let strobe = |state| Self {
+            surface: Surface::Level { state, value: 0.0 },
+            direction: Direction::Up,
+        };
+        phase.map_or_else(Self::default, strobe)
+    }
+}
+
 impl Surface {
     /// The state that it is about.
     #[must_use]

@@ -11,8 +11,6 @@ use crate::poincare::radian;
 const PATIENCE: usize = 3000;
 /// Most steps of the integrator that are spent on it.
 const STEPS: u64 = 500_000;
-/// Longest period sought, in crossings of the section.
-const LONGEST: usize = 32;
 /// Chunks without a crossing after which the motion is no oscillation.
 const SILENCE: u32 = 60;
 /// An oscillation this small, relative to its first swing, has settled on an equilibrium.
@@ -42,13 +40,15 @@ pub enum Settled<T> {
     Neither(f64),
 }
 
-/// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest.
+/// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest; guesses have
+/// periods of up to `longest` crossings of the section.
 ///
 /// # Errors
 /// The motion cannot be followed.
 pub fn settle<T>(
     flow: &dyn Flow,
     start: Place,
+    longest: usize,
     mut accept: impl FnMut(&Guess) -> Option<T>,
 ) -> Result<Settled<T>, FlowError> {
     let mut chunk = radian(flow, &start)?;
@@ -65,7 +65,7 @@ pub fn settle<T>(
         } else {
             silent = 0;
         }
-        for guess in watch.guesses(flow)? {
+        for guess in watch.guesses(flow, longest)? {
             if let Some(orbit) = accept(&guess) {
                 return Ok(Settled::Orbit(orbit));
             }
@@ -174,11 +174,11 @@ impl Watch {
     }
 
     /// New returns to the section that are close enough; later ones must be closer.
-    fn guesses(&mut self, flow: &dyn Flow) -> Result<Vec<Guess>, FlowError> {
+    fn guesses(&mut self, flow: &dyn Flow, longest: usize) -> Result<Vec<Guess>, FlowError> {
         let mut guesses = Vec::new();
         for last in self.offered..self.minima.len() {
             let here = &self.minima[last];
-            let close = (1..=LONGEST.min(last)).find(|&k| {
+            let close = (1..=longest.min(last)).find(|&k| {
                 self.distance(&here.state, &self.minima[last - k].state) < self.closeness
             });
             if let Some(k) = close {

@@ -32,6 +32,7 @@ pub(crate) struct ExactRound<M: Model<N>, const N: usize> {
 const DERIVATIVES: Want = Want {
     derivatives: true,
     factors: false,
+    panel: 0.0,
     extrema: false,
     path: false,
 };

@@ -18,6 +18,7 @@ const DERIVATIVES: Want = Want {
     extrema: false,
     path: false,
     factors: false,
+    panel: 0.0,
 };
 
 /// A time in which every subject slides, and those with friction stick and slide again.

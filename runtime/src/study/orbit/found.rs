@@ -1,7 +1,11 @@
 //! The periodic orbit of a case.
 
-use super::record::{CertifiedOrbit, Held, OrbitRecord};
+use super::held::Held;
+use super::record::{CertifiedOrbit, OrbitRecord};
 use super::sought::Sought;
+use crate::flow::FlowError;
+use crate::harmonics::{Harmonic, harmonics};
+use crate::integrate::Tolerance;
 use crate::motion::word;
 use crate::shooting::{Guess, Orbit, certify};
 use crate::study::error::StudyError;
@@ -40,6 +44,26 @@ impl System {
 }
 
 impl Sought<'_> {
+    /// The harmonics of an orbit that the case asks for; their errors are also those of the orbit.
+    fn harmonics(&self, orbit: &Orbit) -> Result<Vec<Harmonic>, FlowError> {
+        let orders = &self.case.harmonics;
+        if orders.is_empty() {
+            return Ok(Vec::new());
+        }
+        let family = self.family.with_magnitude(&orbit.magnitude());
+        let around = (&orbit.place, orbit.period);
+        let tolerance = Tolerance::for_accuracy(self.case.accuracy);
+        let mut found = harmonics(&family, orbit.r, around, orders, tolerance)?;
+        // The period of a driven orbit is certain, and its start has been corrected.
+        let doubt = self.family.phase().map_or(orbit.error_estimate, |_| 0.0);
+        for harmonic in &mut found {
+            for (error, size) in harmonic.error.iter_mut().zip(orbit.magnitude()) {
+                *error += doubt * size;
+            }
+        }
+        Ok(found)
+    }
+
     /// The orbit as it is reported.
     pub(in crate::study) fn record(&self, orbit: &Orbit) -> OrbitRecord {
         let r = self.case.along.map(|along| along.value(orbit.r));
@@ -62,6 +86,7 @@ impl Sought<'_> {
                 .iter()
                 .map(|pin| Held::new(pin, self.system.info()))
                 .collect(),
+            harmonics: self.harmonics(orbit),
             word: rubs.then(|| word(self.system.info(), &orbit.segments)),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,

@@ -1,9 +1,11 @@
 //! What is reported of a periodic orbit.
 
+use super::held::Held;
 use crate::bifurcation::Floquet;
 use crate::field::Work;
-use crate::model::ModelInfo;
-use crate::shooting::{Certificate, Pin, Uncertified};
+use crate::flow::FlowError;
+use crate::harmonics::Harmonic;
+use crate::shooting::{Certificate, Uncertified};
 use crate::study::question::Dynamics;
 
 /// A periodic orbit as it is reported, whatever model it belongs to.
@@ -33,6 +35,8 @@ pub struct OrbitRecord {
     pub floquet: Floquet,
     /// What is held in neutral directions, in which orbits beside it are orbits too.
     pub held: Vec<Held>,
+    /// Its harmonics, those that the case asks for.
+    pub harmonics: Result<Vec<Harmonic>, FlowError>,
     /// The modes that it runs through, for exact dynamics.
     pub word: Option<String>,
     /// Norm of the shooting residual, relative to the extents of the states.
@@ -41,45 +45,6 @@ pub struct OrbitRecord {
     pub error_estimate: f64,
     /// What it cost.
     pub work: Work,
-}
-
-/// A condition on the start of an orbit that singles it out among its neighbours.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
-pub struct Held {
-    /// A combination of the states, in their names.
-    pub combination: String,
-    /// Its value where the orbit begins.
-    pub value: f64,
-    /// Whether it never changes along the orbit; otherwise the orbit may be shifted along it.
-    pub conserved: bool,
-}
-
-impl Held {
-    /// The condition in the names of the model.
-    pub(in crate::study) fn new(pin: &Pin, info: &ModelInfo) -> Self {
-        let entries = pin.combination.iter().zip(info.states);
-        let terms = entries.filter(|(c, _)| **c != 0.0);
-        let mut combination = String::new();
-        for (c, state) in terms {
-            let sign = match (combination.is_empty(), *c < 0.0) {
-                (true, false) => "",
-                (true, true) => "-",
-                (false, false) => " + ",
-                (false, true) => " - ",
-            };
-            let size = match c.abs() {
-                size if (size - 1.0).abs() < 1e-6 => String::new(),
-                size => format!("{} ", (size * 1e6).round() / 1e6),
-            };
-            combination += &format!("{sign}{size}{}", state.name);
-        }
-        Self {
-            combination,
-            value: pin.value,
-            conserved: pin.conserved,
-        }
-    }
 }
 
 /// An orbit with its certificate, or with the reason for which it has none.

@@ -25,6 +25,8 @@ pub struct Case {
     pub beginning: Beginning,
     /// Which branches that leave it are followed too.
     pub switch: Switch,
+    /// Which harmonics of orbits are wanted: multiples of the drive's frequency, or, without a drive, of the orbit's.
+    pub harmonics: Vec<usize>,
 }
 
 /// Where on the way of its design variable a branch begins.
@@ -96,6 +98,7 @@ impl Case {
             accuracy: 1e-9,
             beginning: Beginning::End,
             switch: Switch::default(),
+            harmonics: Vec::new(),
         }
     }
 

@@ -1,26 +1,32 @@
 //! A branch, with those that leave it, in all forms.
 
+use std::f64::consts::TAU;
+
 use crate::app::answer::Answer;
 use crate::app::chart::{Chart, Mark, Point, along_axis, axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
+use crate::app::harmonics::{harmonic, names, rounded};
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
 use crate::app::text::{digits, followed, heading, label, number, timed};
 use crate::field::Work;
-use crate::model::ModelInfo;
+use crate::model::{ModelInfo, Unit};
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, Case, OrbitRecord, Special};
 
-/// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...
+/// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
+/// states.
 pub(in crate::app::commands) fn answer(
     asked: &Request<'_>,
     branch: &BranchRecord,
+    shown: &[usize],
 ) -> Answer<'static> {
     let (info, case) = (asked.info, &asked.case);
-    let (text, document) = (describe(info, case, branch), document(info, case, branch));
-    let answer = Answer::new("branch", text, document).figure("branch", picture(info, branch));
-    let columns = orbit::columns(info, &branch.along);
+    let text = describe(asked, branch, shown);
+    let answer = Answer::new("branch", text, document(info, case, branch))
+        .figure("branch", picture(asked, branch, shown));
+    let columns = orbit::columns(info, &branch.along, &case.harmonics);
     let all = branch.all().into_iter().enumerate();
     all.fold(answer, |answer, (number, one)| {
         let name = match number {
@@ -31,10 +37,12 @@ pub(in crate::app::commands) fn answer(
     })
 }
 
-fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
+fn describe(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> String {
+    let info = asked.info;
     let name = branch.along.name(info);
     let what = format!("a branch of periodic orbits along {name}");
-    let mut text = heading(info, case, &what) + &shown(info, branch).text(&branch.points);
+    let points = shown(asked, branch, states).text(&branch.points);
+    let mut text = heading(info, &asked.case, &what) + &points;
     if !branch.special.is_empty() {
         text += &format!("\n{}", special(info, branch));
     }
@@ -51,9 +59,12 @@ fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
 }
 
 /// What is shown of its orbits.
-fn shown(info: &ModelInfo, branch: &BranchRecord) -> Columns<'static, OrbitRecord> {
-    let first = info.states.first();
-    let largest = first.map(|state| label(&format!("max |{}|", state.name), state.unit));
+fn shown(
+    asked: &Request<'_>,
+    branch: &BranchRecord,
+    states: &[usize],
+) -> Columns<'static, OrbitRecord> {
+    let info = asked.info;
     let shown = |orbit: &OrbitRecord, value: Option<f64>| {
         let digits = digits(orbit.error_estimate).min(9);
         value.map_or(String::new(), |value| number(value, digits))
@@ -62,20 +73,34 @@ fn shown(info: &ModelInfo, branch: &BranchRecord) -> Columns<'static, OrbitRecor
         let largest = orbit.floquet.multipliers.first();
         largest.map_or(String::new(), |largest| number(largest.norm(), 5))
     };
-    Columns::new()
+    let mut columns = Columns::new()
         .column(followed(info, &branch.along), move |orbit: &OrbitRecord| {
             shown(orbit, orbit.r)
         })
         .column(timed(info, "period", "s"), move |orbit| {
             shown(orbit, Some(orbit.period))
-        })
-        .column(largest.unwrap_or_default(), move |orbit| {
-            shown(orbit, orbit.max_abs.first().copied())
-        })
+        });
+    for &j in states {
+        let (name, unit) = largest(info, j);
+        columns = columns.column(label(&name, unit), move |orbit| {
+            shown(orbit, orbit.max_abs.get(j).copied())
+        });
+        for &order in &asked.case.harmonics {
+            columns = rounded(columns, info, order, j);
+        }
+    }
+    columns
         .column("|multiplier|", multiplier)
         .column("stability", |orbit| {
             orbit.floquet.stability.name().to_owned()
         })
+}
+
+/// What the largest magnitude of a state is called, and its unit.
+fn largest(info: &ModelInfo, j: usize) -> (String, Option<Unit>) {
+    let state = info.states.get(j);
+    let name = format!("max |{}|", state.map_or("", |state| state.name));
+    (name, state.and_then(|state| state.unit))
 }
 
 /// The special points, if there are any.
@@ -98,36 +123,77 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
         .text(&branch.special)
 }
 
-/// The extent of the first state, and the period.
-fn picture(info: &ModelInfo, branch: &BranchRecord) -> Figure {
-    let parameter = along_axis(info, &branch.along);
-    let first = info.states.first();
-    let name = format!("max |{}|", first.map_or("", |state| state.name));
-    let extent = axis(&name, first.and_then(|state| state.unit));
+/// The extent of the states that are shown, and the period; below them amplitudes and phases.
+fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figure {
+    let info = asked.info;
     let period = Axis::new(&timed(info, "period", "s"));
-    let mut extents = Chart::new(Panel::new(parameter.clone(), extent));
-    let mut periods = Chart::new(Panel::new(parameter, period));
-    let largest = |values: &[f64]| values.first().copied().unwrap_or(0.0);
+    let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
     for one in branch.all() {
-        extents.add(
-            &points(one, |orbit| largest(&orbit.max_abs)),
-            marks(one, |special| largest(&special.max_abs)),
-        );
         periods.add(
-            &points(one, |orbit| orbit.period),
+            &points(one, |orbit| Some(orbit.period)),
             marks(one, |special| special.period),
         );
     }
-    Figure::new("", info.name, String::new())
-        .columns(2)
-        .panel(extents.panel())
-        .panel(periods.panel())
+    let extents = states.iter().map(|&j| extent(info, branch, j));
+    let orders = &asked.case.harmonics;
+    let pairs = states
+        .iter()
+        .flat_map(|&j| orders.iter().map(move |&order| (order, j)));
+    let responses = pairs.flat_map(|(order, j)| response(info, branch, order, j));
+    let figure = Figure::new("", info.name, String::new()).columns(2);
+    let panels = extents.chain([periods.panel()]).chain(responses);
+    panels.fold(figure, Figure::panel)
 }
 
-fn points(branch: &BranchRecord, shown: impl Fn(&OrbitRecord) -> f64) -> Vec<Point> {
+fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
+    let (name, unit) = largest(info, j);
+    let parameter = along_axis(info, &branch.along);
+    let mut extents = Chart::new(Panel::new(parameter, axis(&name, unit)));
+    for one in branch.all() {
+        extents.add(
+            &points(one, |orbit| orbit.max_abs.get(j).copied()),
+            marks(one, |special| {
+                special.max_abs.get(j).copied().unwrap_or(0.0)
+            }),
+        );
+    }
+    extents.panel()
+}
+
+/// Amplitude and phase of a state at a harmonic.
+fn response(info: &ModelInfo, branch: &BranchRecord, order: usize, j: usize) -> [Panel; 2] {
+    let [mut amplitudes, mut phases] = names(info, order, j).map(|name| {
+        Chart::new(Panel::new(
+            along_axis(info, &branch.along),
+            Axis::new(&name),
+        ))
+    });
+    for one in branch.all() {
+        let amplitude = |orbit: &OrbitRecord| Some(harmonic(orbit, order)?.amplitude[j]);
+        let mut before = None;
+        let phase = |orbit: &OrbitRecord| {
+            let known = harmonic(orbit, order)?;
+            let certain = known.amplitude[j] > known.error[j];
+            let next = certain.then(|| unwrapped(known.phase[j], before))?;
+            before = Some(next);
+            before
+        };
+        amplitudes.add(&points(one, amplitude), Vec::new());
+        phases.add(&points(one, phase), Vec::new());
+    }
+    [amplitudes.panel(), phases.panel()]
+}
+
+/// A phase, so many turns away that it goes on from the one before.
+fn unwrapped(phase: f64, before: Option<f64>) -> f64 {
+    let before = before.unwrap_or(phase);
+    phase + ((before - phase) / TAU).round() * TAU
+}
+
+fn points(branch: &BranchRecord, mut shown: impl FnMut(&OrbitRecord) -> Option<f64>) -> Vec<Point> {
     let point = |orbit: &OrbitRecord| {
         Some(Point {
-            at: [orbit.r?, shown(orbit)],
+            at: [orbit.r?, shown(orbit)?],
             stability: orbit.floquet.stability,
         })
     };

@@ -7,14 +7,16 @@ use clap::Args;
 use super::orbit;
 use crate::app::arguments::{Period, Resume, Subject, Way};
 use crate::app::failure::{Failure, refuse};
+use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
 use crate::app::passages::Passages;
 use crate::app::progress::Progress;
-use crate::app::request::{Request, request};
+use crate::app::request::{Request, request, state};
 use crate::app::resume::Question;
 use crate::app::trail::Trail;
 use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
+use crate::model::ModelInfo;
 use crate::study::{Beginning, BranchRecord, Case, Ended, OrbitRecord, Switch};
 pub(super) use answer::answer;
 
@@ -36,6 +38,11 @@ pub(in crate::app) struct Arguments {
     /// How many switches deep: 1 without --depth
     #[arg(long, value_name = "N", value_parser = Reading(depth))]
     depth: Option<usize>,
+    #[command(flatten)]
+    pub(in crate::app) harmonics: Harmonics,
+    /// The states that the table and the picture show, for instance `x1,x2`; the first without --show
+    #[arg(long, value_name = "NAME,..")]
+    show: Option<String>,
     #[command(flatten)]
     pub(in crate::app) curve: Curve,
     #[command(flatten)]
@@ -116,13 +123,23 @@ fn depth(option: &str, word: &str) -> Result<usize, Failure> {
 
 impl Arguments {
     /// The case with the beginning of its branch, and with the branches to switch to.
-    pub(super) fn of(&self, mut case: Case) -> Result<Case, Failure> {
+    pub(super) fn of(&self, info: &ModelInfo, mut case: Case) -> Result<Case, Failure> {
+        case.harmonics = self.harmonics.of(info);
         case.switch = self.switch()?;
         case.beginning = self.beginning(&case)?;
         Ok(match case.beginning {
             Beginning::At(value) => case.at(value),
             Beginning::End | Beginning::Hopf => case,
         })
+    }
+
+    /// The states that are shown.
+    pub(in crate::app) fn shown(&self, info: &ModelInfo) -> Result<Vec<usize>, Failure> {
+        let Some(names) = &self.show else {
+            return Ok(vec![0]);
+        };
+        let states = names.split(',').map(|name| state(info, name.trim()));
+        states.collect()
     }
 
     fn switch(&self) -> Result<Switch, Failure> {
@@ -161,9 +178,11 @@ impl Arguments {
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let range = arguments.range()?;
     let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
-    asked.case = arguments.of(asked.case)?;
+    let shown = arguments.shown(asked.info)?;
+    asked.case = arguments.of(asked.info, asked.case)?;
     let progress = Progress::along(&asked.output);
-    let question = Question::new(app.version, asked.info, &asked.case);
+    let question = Question::new(app.version, asked.info, &asked.case)
+        .exactly("`--harmonics`", &asked.case.harmonics);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
     let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);
@@ -172,7 +191,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         .branch(&asked.case, &mut watch);
     let branch = branch.map_err(|error| asked.failed(error))?;
     drop(progress);
-    deliver(&asked, &branch)?;
+    deliver(&asked, &branch, &shown)?;
     passages.discard();
     let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word(), ended.reason);
     if let Some(ended) = branch.unlocated() {
@@ -188,7 +207,7 @@ pub(super) fn trail<'a>(
     progress: &'a Progress,
 ) -> Result<Trail<'a, OrbitRecord>, Failure> {
     let along = asked.along()?;
-    let columns = orbit::columns(asked.info, &along);
+    let columns = orbit::columns(asked.info, &along, &asked.case.harmonics);
     Ok(Trail::new(asked, along, "branch", columns, progress))
 }
 
@@ -196,8 +215,12 @@ pub(super) fn trail<'a>(
 ///
 /// # Errors
 /// It was interrupted, or the answer cannot be written.
-pub(super) fn deliver(asked: &Request<'_>, branch: &BranchRecord) -> Result<(), Failure> {
-    asked.output.deliver(answer(asked, branch))?;
+pub(super) fn deliver(
+    asked: &Request<'_>,
+    branch: &BranchRecord,
+    shown: &[usize],
+) -> Result<(), Failure> {
+    asked.output.deliver(answer(asked, branch, shown))?;
     if branch.is_interrupted() {
         let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
         return Err(asked

@@ -47,6 +47,8 @@ pub(in crate::app) fn perform(
     let info = asked.info;
     let (case, scope) = plane(info, and, arguments, asked.case)?;
     asked.case = case;
+    let shown = arguments.shown(info)?;
+    asked.case.harmonics = arguments.harmonics.of(info);
     let progress = Progress::along(&asked.output);
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &scope.and)
@@ -65,10 +67,12 @@ pub(in crate::app) fn perform(
     drop(progress);
     let curve = match curve {
         Ok(Curved::Followed(curve)) => curve,
-        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch),
+        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch, &shown),
         Err(error) => return Err(asked.failed(error)),
     };
-    let kept = asked.output.keep(&branch::answer(&asked, &curve.branch));
+    let kept = asked
+        .output
+        .keep(&branch::answer(&asked, &curve.branch, &shown));
     asked.output.deliver(answer(info, &asked.case, &curve))?;
     kept?;
     if !curve.ended.is_interrupted() {

@@ -6,9 +6,11 @@ use super::sheet::sheets;
 use crate::app::answer::Answer;
 use crate::app::chart::{along_axis, axis};
 use crate::app::document::{Document, columns, value_of};
+use crate::app::section::unmet;
 use crate::app::text::{followed, heading, number, table, timed, work};
 use crate::lyapunov::Lyapunov;
 use crate::model::ModelInfo;
+use crate::poincare::Section;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
 use crate::study::{Case, DiagramRecord, Motion, Slice, SweepRecord};
 
@@ -44,7 +46,22 @@ fn describe(info: &ModelInfo, case: &Case, record: &DiagramRecord) -> String {
     }
     let count: usize = record.sweeps.iter().map(|sweep| sweep.slices.len()).sum();
     let tail = format!("\n  {count} values; {}\n", work(&record.work()));
-    heading(info, case, &what) + &table(&lines) + &tail
+    heading(info, case, &what) + &table(&lines) + &elsewhere(info, record) + &tail
+}
+
+/// What `elsewhere` means, at the first value of each sweep where it is said.
+fn elsewhere(info: &ModelInfo, record: &DiagramRecord) -> String {
+    let name = record.along.name(info);
+    let sentence = |sweep: &SweepRecord| {
+        let mut seen = sweep.slices.iter();
+        let (r, silence) = seen.find_map(|slice| Some((slice.r, slice.silence.as_ref()?)))?;
+        let (r, why) = (
+            number(r, DIGITS),
+            unmet(info, &record.diagram.section, silence),
+        );
+        Some(format!("\n  elsewhere: at {name} = {r}, {why}\n"))
+    };
+    record.sweeps.iter().filter_map(sentence).collect()
 }
 
 /// Neighbouring values with the same kind of motion.
@@ -75,10 +92,15 @@ fn exponents(run: &[Slice]) -> String {
 fn picture(info: &ModelInfo, record: &DiagramRecord, shown: usize) -> Figure {
     let section = record.diagram.section.describe(info);
     let title = format!("{}: points on the section {section}", info.command);
-    let caption = format!(
+    let mut caption = format!(
         "{} values; {} crossings left out, then {} noted at each. Where sweeps differ, there is more than one attractor.",
         record.diagram.values, record.diagram.settle, record.diagram.points
     );
+    let slices = record.sweeps.iter().flat_map(|sweep| &sweep.slices);
+    let empty = slices.filter(|slice| slice.points.is_empty()).count();
+    if empty > 0 {
+        caption += &format!(" At {empty} of them no point is seen: the table says why.");
+    }
     let state = info.states.get(shown);
     let x = || {
         let (from, to) = (record.along.from, record.along.to);
@@ -100,11 +122,7 @@ fn picture(info: &ModelInfo, record: &DiagramRecord, shown: usize) -> Figure {
 
 /// The points of a value, each once where they repeat.
 fn dots(slice: &Slice, shown: usize) -> Vec<[f64; 2]> {
-    let different = match slice.motion {
-        Motion::Periodic(count) => count,
-        _ => slice.points.len(),
-    };
-    let points = slice.points.iter().take(different);
+    let points = slice.points.iter().take(slice.different);
     points
         .filter_map(|point| Some([slice.r, *point.get(shown)?]))
         .collect()
@@ -123,7 +141,8 @@ fn lines(record: &DiagramRecord) -> Vec<Curve> {
 /// A diagram; of one that was interrupted, how many values are not there.
 fn document<'a>(info: &'a ModelInfo, case: &Case, record: &DiagramRecord) -> Document<'a> {
     let sweep = |sweep: &SweepRecord| {
-        let values = sweep.slices.iter().map(|slice| value(info, slice));
+        let section = &record.diagram.section;
+        let values = sweep.slices.iter().map(|slice| value(info, section, slice));
         json!({ "sweep": sweep.name, "values": values.collect::<Vec<_>>() })
     };
     let missing = (record.missing > 0).then(|| json!({ "missing": record.missing }));
@@ -138,11 +157,15 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, record: &DiagramRecord) -> Doc
 }
 
 /// One value of the design variable, its points as one column for each state.
-fn value<'a>(info: &'a ModelInfo, slice: &Slice) -> Document<'a> {
-    let (period_count, reason) = match &slice.motion {
-        Motion::Periodic(count) => (Some(count), None),
-        Motion::Failed(reason) => (None, Some(reason)),
-        Motion::Aperiodic | Motion::Rest | Motion::Elsewhere => (None, None),
+fn value<'a>(info: &'a ModelInfo, section: &Section, slice: &Slice) -> Document<'a> {
+    let period_count = match &slice.motion {
+        Motion::Periodic(count) => Some(count),
+        _ => None,
+    };
+    let reason = match (&slice.motion, &slice.silence) {
+        (Motion::Failed(reason), _) => Some(reason.clone()),
+        (_, Some(silence)) => Some(unmet(info, section, silence)),
+        _ => None,
     };
     Document::new(info)
         .put("r", slice.r)

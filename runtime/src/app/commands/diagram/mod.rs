@@ -25,7 +25,8 @@ use crate::study::{Along, Case, Diagram, DiagramRecord, Known, Motion, Seen, Sli
 #[derive(Debug, Clone, Args)]
 #[command(
     after_help = "A sweep begins each value where the one before ended, and so stays with its attractor; `--sweep fresh` \
-                  begins each at the start. Nothing depends on the number of threads"
+                  begins each at the start. Nothing depends on the number of threads. A model with a drive is looked at \
+                  once in each turn of it, unless `--section` says otherwise; its period-n counts turns of the drive"
 )]
 pub(in crate::app) struct Arguments {
     #[command(flatten)]
@@ -77,7 +78,10 @@ impl Arguments {
     /// What is to be drawn.
     fn diagram(&self, info: &ModelInfo) -> Result<Diagram, Failure> {
         Ok(Diagram {
-            section: self.cut.of(info)?.unwrap_or_default(),
+            section: self
+                .cut
+                .of(info)?
+                .unwrap_or_else(|| Section::usual(info.drive)),
             sweep: self.sweep,
             values: self.values,
             settle: self.settle,

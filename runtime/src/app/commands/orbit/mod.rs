@@ -8,6 +8,7 @@ use clap::Args;
 use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject};
 use crate::app::failure::Failure;
+use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
 use crate::app::output::Output;
 use crate::app::progress::Progress;
@@ -36,13 +37,16 @@ pub(in crate::app) struct Arguments {
     guess: Period,
     #[command(flatten)]
     cut: Cut,
+    #[command(flatten)]
+    harmonics: Harmonics,
     /// How near a true orbit is, by Newton and Kantorovich: a posteriori, not rigorous
     #[arg(long)]
     certify: bool,
 }
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
-    let asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    let mut asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    asked.case.harmonics = arguments.harmonics.of(asked.info);
     let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
     let section = arguments.cut.of(info)?;
     let failed = |error| asked.failed(error);

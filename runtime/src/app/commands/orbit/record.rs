@@ -1,6 +1,7 @@
 //! An orbit in all forms: as text, as JSON, and as a row of a table.
 
 use crate::app::document::Document;
+use crate::app::harmonics;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{
     digits, followed, heading, label, line, number, states as named, table, time_unit, timed, work,
@@ -34,15 +35,17 @@ pub(in crate::app::commands) fn document<'a>(
         .put("stability", floquet.stability.name())
         .put("held", &orbit.held)
         .put("word", &orbit.word)
+        .maybe("harmonics", harmonics::document(info, orbit))
         .units()
         .put("residual", orbit.residual)
         .put("error_estimate", orbit.error_estimate)
 }
 
-/// Its columns among orbits along a design variable.
+/// Its columns among orbits along a design variable, with those of these harmonics.
 pub(in crate::app::commands) fn columns(
     info: &ModelInfo,
     along: &Along,
+    orders: &[usize],
 ) -> Columns<'static, OrbitRecord> {
     let count = info.states.len().saturating_sub(1);
     let states = |prefix| named(info, prefix);
@@ -51,7 +54,7 @@ pub(in crate::app::commands) fn columns(
         2 => orbit.floquet.log_moduli.get(j / 3).copied().flatten(),
         side => part(&orbit.floquet.multipliers, j / 3 * 2 + side),
     };
-    Columns::new()
+    let columns = Columns::new()
         .number(followed(info, along), |orbit: &OrbitRecord| orbit.r)
         .number(timed(info, "period", "s"), |orbit| Some(orbit.period))
         .column("stability", |orbit| {
@@ -67,7 +70,8 @@ pub(in crate::app::commands) fn columns(
             multiplier,
         )
         .number("residual", |orbit| Some(orbit.residual))
-        .number("error_estimate", |orbit| Some(orbit.error_estimate))
+        .number("error_estimate", |orbit| Some(orbit.error_estimate));
+    harmonics::all(columns, info, orders)
 }
 
 pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {
@@ -75,11 +79,13 @@ pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> St
     let tables = [
         period(info, orbit),
         states(info, orbit),
+        harmonics::lines(info, orbit),
         multipliers(orbit),
         quality(info, orbit),
     ];
-    heading(info, case, &format!("a periodic orbit, {stability}"))
-        + &tables.map(|lines| table(&lines)).join("\n")
+    let tables = tables.iter().filter(|lines| !lines.is_empty());
+    let tables: Vec<String> = tables.map(|lines| table(lines)).collect();
+    heading(info, case, &format!("a periodic orbit, {stability}")) + &tables.join("\n")
 }
 
 fn period(info: &ModelInfo, orbit: &OrbitRecord) -> String {

@@ -1,3 +1,6 @@
+mod horizon;
+mod inside;
+
 use std::f64::consts::{FRAC_PI_6, PI, TAU};
 
 use super::*;
@@ -34,8 +37,8 @@ fn level(value: f64, direction: Direction) -> Section {
 fn times(section: Section, time: f64) -> Vec<f64> {
     let flow = swing();
     let start = flow.place(&[1.0, 0.0]).unwrap();
-    let found = until(&flow, start, section, time).unwrap();
-    found.iter().map(|crossing| crossing.time).collect()
+    let met = until(&flow, start, section, time).unwrap();
+    met.points.iter().map(|crossing| crossing.time).collect()
 }
 
 fn close(found: &[f64], expected: &[f64]) {
@@ -89,7 +92,7 @@ fn an_orbit_that_begins_on_its_section_meets_it_once() {
     };
     for shift in [0.0, 1e-9, -1e-9, 0.3] {
         let start = flow.place(&[f64::cos(shift), -f64::sin(shift)]).unwrap();
-        let found = once_around(&flow, start, down, TAU).unwrap();
+        let found = once_around(&flow, start, down, TAU).unwrap().points;
         assert_eq!(found.len(), 1, "from {shift}: {found:?}");
     }
 }
@@ -106,9 +109,11 @@ fn a_level_that_is_only_touched_is_not_crossed() {
         level(belt.v_dr, Direction::Both),
         60.0,
     )
-    .unwrap();
+    .unwrap()
+    .points;
     assert!(found.is_empty(), "{found:?}");
     let below = until(&flow, start, level(0.5 * belt.v_dr, Direction::Up), 60.0).unwrap();
+    let below = below.points;
     assert!(below.len() > 2, "{below:?}");
 }
 
@@ -116,8 +121,10 @@ fn a_level_that_is_only_touched_is_not_crossed() {
 fn a_motion_at_rest_crosses_nothing() {
     let flow = swing();
     let start = flow.place(&[0.0, 0.0]).unwrap();
-    let mut crossings = Crossings::new(&flow, start, Section::default()).unwrap();
+    let mut crossings =
+        Crossings::new(&flow, start, Section::default(), Horizon::Recurrence).unwrap();
     assert_eq!(crossings.next(), None);
+    assert_eq!(crossings.silence().unwrap().reason, Reason::Rest);
 }
 
 fn points(values: &[f64]) -> Vec<Vec<f64>> {
@@ -126,7 +133,7 @@ fn points(values: &[f64]) -> Vec<Vec<f64>> {
 
 #[test]
 fn recurrence_is_the_least_number_that_repeats() {
-    let after = |values: &[f64], extent: f64| recurrence(&points(values), &[extent], 1e-6);
+    let after = |values: &[f64], extent: f64| recurrence(&points(values), &[extent], None, 1e-6);
     assert_eq!(after(&[1.0, 2.0, 1.0, 3.0].repeat(3), 2.0), Some(4));
     assert_eq!(after(&[1.0, 1.0, 1.0], 1.0), Some(1));
     assert_eq!(after(&[1.0, 2.0, 4.0], 3.0), None);
@@ -137,6 +144,6 @@ fn recurrence_is_the_least_number_that_repeats() {
 #[test]
 fn what_still_settles_has_not_come_back() {
     let points: Vec<Vec<f64>> = (0..64).map(|k| vec![(-0.99_f64).powi(k) * 1e-4]).collect();
-    assert_eq!(recurrence(&points, &[1.0], 1e-5), None);
-    assert_eq!(recurrence(&points, &[1.0], 1e-3), Some(1));
+    assert_eq!(recurrence(&points, &[1.0], None, 1e-5), None);
+    assert_eq!(recurrence(&points, &[1.0], None, 1e-3), Some(1));
 }
