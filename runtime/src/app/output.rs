@@ -11,7 +11,7 @@ use super::arguments::{Destination, View};
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
-use super::spreadsheet::Row;
+use super::spreadsheet::{Row, csv};
 use crate::report::whole;
 use crate::study::Ended;
 
@@ -123,7 +123,7 @@ fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
         write(&file(name, "svg"), &figure.svg())?;
     }
     for (name, sheet) in &answer.sheets {
-        write(&file(name, "csv"), &sheet.text()?)?;
+        write(&file(name, "csv"), &csv(sheet)?)?;
     }
     write(&file(answer.name, "json"), &json(&answer.document)?)
 }

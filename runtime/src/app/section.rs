@@ -6,8 +6,8 @@ use super::answer::Answer;
 use super::document::Document;
 use super::failure::{Failure, refuse};
 use super::request::{Request, state};
-use super::spreadsheet::Columns;
-use super::text::{line, number, states, table, timed};
+use super::spreadsheet::{Columns, full};
+use super::text::{number, states, timed};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
 use crate::model::ModelInfo;
@@ -106,17 +106,23 @@ pub(super) fn with_points<'a>(
     let info = asked.info;
     let found = asked.entry.crossings(case, section, span);
     let found = found.map_err(|error| asked.failed(error))?;
-    let (text, document) = (
-        describe(info, &section, &found),
-        document(info, &section, &found),
-    );
     let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
-    let columns = Columns::new()
-        .number(timed(info, "t", "s"), |point: &Crossing| Some(point.time))
-        .numbers(states(info, ""), |point, j| point.state.get(j).copied())
-        .column("direction", direction);
-    let answer = answer.part("section", &text, document);
-    Ok(answer.sheet("section", columns.sheet(&found)))
+    let sheet = columns(info, |value| full(&value)).column("direction", direction);
+    let document = document(info, &section, &found);
+    let answer = answer.part("section", &describe(info, &section, &found), document);
+    Ok(answer.sheet("section", sheet.sheet(&found)))
+}
+
+/// When and where, numbers as they shall be shown.
+fn columns(info: &ModelInfo, shown: fn(f64) -> String) -> Columns<'static, Crossing> {
+    let time = Columns::new().column(timed(info, "t", "s"), move |point: &Crossing| {
+        shown(point.time)
+    });
+    states(info, "")
+        .enumerate()
+        .fold(time, |columns, (j, head)| {
+            columns.column(head, move |point| shown(point.state[j]))
+        })
 }
 
 /// The points as a table, under a line that says where they lie.
@@ -129,13 +135,7 @@ fn describe(info: &ModelInfo, section: &Section, points: &[Crossing]) -> String 
     if points.is_empty() {
         return text;
     }
-    let time = [timed(info, "t", "s")].into_iter();
-    let mut lines = line(time.chain(states(info, "")));
-    for point in points {
-        let values = std::iter::once(&point.time).chain(&point.state);
-        lines += &line(values.map(|&value| number(value, DIGITS)));
-    }
-    text + &table(&lines)
+    text + &columns(info, |value| number(value, DIGITS)).text(points)
 }
 
 /// The points as JSON.

@@ -1,12 +1,12 @@
 //! A branch, with those that leave it, in all forms.
 
 use crate::app::answer::Answer;
-use crate::app::chart::{Chart, Mark, Point, along_axis, axis};
+use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{digits, followed, heading, label, number, timed};
+use crate::app::text::{followed, heading, number, timed};
 use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Figure, Panel};
@@ -34,7 +34,8 @@ pub(in crate::app::commands) fn answer(
 fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
     let name = branch.along.name(info);
     let what = format!("a branch of periodic orbits along {name}");
-    let mut text = heading(info, case, &what) + &shown(info, branch).text(&branch.points);
+    let mut text =
+        heading(info, case, &what) + &orbit::shown(info, &branch.along).text(&branch.points);
     if !branch.special.is_empty() {
         text += &format!("\n{}", special(info, branch));
     }
@@ -48,34 +49,6 @@ fn describe(info: &ModelInfo, case: &Case, branch: &BranchRecord) -> String {
         );
     }
     text
-}
-
-/// What is shown of its orbits.
-fn shown(info: &ModelInfo, branch: &BranchRecord) -> Columns<'static, OrbitRecord> {
-    let first = info.states.first();
-    let largest = first.map(|state| label(&format!("max |{}|", state.name), state.unit));
-    let shown = |orbit: &OrbitRecord, value: Option<f64>| {
-        let digits = digits(orbit.error_estimate).min(9);
-        value.map_or(String::new(), |value| number(value, digits))
-    };
-    let multiplier = |orbit: &OrbitRecord| {
-        let largest = orbit.floquet.multipliers.first();
-        largest.map_or(String::new(), |largest| number(largest.norm(), 5))
-    };
-    Columns::new()
-        .column(followed(info, &branch.along), move |orbit: &OrbitRecord| {
-            shown(orbit, orbit.r)
-        })
-        .column(timed(info, "period", "s"), move |orbit| {
-            shown(orbit, Some(orbit.period))
-        })
-        .column(largest.unwrap_or_default(), move |orbit| {
-            shown(orbit, orbit.max_abs.first().copied())
-        })
-        .column("|multiplier|", multiplier)
-        .column("stability", |orbit| {
-            orbit.floquet.stability.name().to_owned()
-        })
 }
 
 /// The special points, if there are any.
@@ -109,13 +82,17 @@ fn picture(info: &ModelInfo, branch: &BranchRecord) -> Figure {
     let mut periods = Chart::new(Panel::new(parameter, period));
     let largest = |values: &[f64]| values.first().copied().unwrap_or(0.0);
     for one in branch.all() {
-        extents.add(
-            &points(one, |orbit| largest(&orbit.max_abs)),
-            marks(one, |special| largest(&special.max_abs)),
+        draw(
+            &mut extents,
+            one,
+            |orbit| largest(&orbit.max_abs),
+            |special| largest(&special.max_abs),
         );
-        periods.add(
-            &points(one, |orbit| orbit.period),
-            marks(one, |special| special.period),
+        draw(
+            &mut periods,
+            one,
+            |orbit| orbit.period,
+            |special| special.period,
         );
     }
     Figure::new("", info.name, String::new())
@@ -124,24 +101,22 @@ fn picture(info: &ModelInfo, branch: &BranchRecord) -> Figure {
         .panel(periods.panel())
 }
 
-fn points(branch: &BranchRecord, shown: impl Fn(&OrbitRecord) -> f64) -> Vec<Point> {
-    let point = |orbit: &OrbitRecord| {
-        Some(Point {
-            at: [orbit.r?, shown(orbit)],
-            stability: orbit.floquet.stability,
-        })
+/// Draws a quantity of the orbits of a branch, and of its special points.
+fn draw(
+    chart: &mut Chart,
+    branch: &BranchRecord,
+    of: impl Fn(&OrbitRecord) -> f64,
+    special: impl Fn(&Special) -> f64,
+) {
+    let points = branch.points.iter();
+    let points = points.filter_map(|one| Some(([one.r?, of(one)], one.floquet.stability)));
+    let mark = |one: &Special| Mark {
+        kind: one.kind,
+        label: one.label.clone(),
+        after: one.after,
+        at: [one.r, special(one)],
     };
-    branch.points.iter().filter_map(point).collect()
-}
-
-fn marks(branch: &BranchRecord, shown: impl Fn(&Special) -> f64) -> Vec<Mark> {
-    let mark = |special: &Special| Mark {
-        kind: special.kind,
-        label: special.label.clone(),
-        at: [special.r, shown(special)],
-        after: special.after,
-    };
-    branch.special.iter().map(mark).collect()
+    chart.add(points.collect(), branch.special.iter().map(mark).collect());
 }
 
 /// A branch with those that leave it.

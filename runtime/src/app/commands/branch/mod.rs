@@ -31,8 +31,8 @@ pub(in crate::app) struct Arguments {
     #[arg(long, value_name = "VALUE", value_parser = Reading(From::read))]
     pub(in crate::app) from: Option<From>,
     /// Follow the branches that leave it, too: at flips, branch-points, or all
-    #[arg(long, value_name = "WHERE", value_parser = Reading(Switches::read))]
-    pub(in crate::app) switch: Option<Switches>,
+    #[arg(long, value_name = "WHERE", value_parser = Reading(switches))]
+    pub(super) switch: Option<Switches>,
     /// How many switches deep: 1 without --depth
     #[arg(long, value_name = "N", value_parser = Reading(depth))]
     depth: Option<usize>,
@@ -86,27 +86,27 @@ impl From {
     }
 }
 
-/// The points at which branches that leave are followed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::app) enum Switches {
-    Flips,
-    BranchPoints,
-    All,
-}
+/// What to switch to, by its name.
+pub(super) type Switches = (&'static str, Switch);
 
-impl Switches {
-    pub(in crate::app) const fn name(self) -> &'static str {
-        match self {
-            Self::Flips => "flips",
-            Self::BranchPoints => "branch-points",
-            Self::All => "all",
-        }
-    }
-
-    fn read(option: &str, word: &str) -> Result<Self, Failure> {
-        let all = [Self::Flips, Self::BranchPoints, Self::All];
-        one_of(all, Self::name, &format!("`{option}` knows no"), word)
-    }
+fn switches(option: &str, word: &str) -> Result<Switches, Failure> {
+    let named = |name, flips, branch_points| {
+        let depth = 1;
+        (
+            name,
+            Switch {
+                flips,
+                branch_points,
+                depth,
+            },
+        )
+    };
+    let all = [
+        named("flips", true, false),
+        named("branch-points", false, true),
+        named("all", true, true),
+    ];
+    one_of(all, |(name, _)| name, &format!("`{option}` knows no"), word)
 }
 
 fn depth(option: &str, word: &str) -> Result<usize, Failure> {
@@ -131,10 +131,9 @@ impl Arguments {
             (None, Some(depth)) => refuse!(
                 "`--depth {depth}` says how deep to switch, but not at what: add `--switch flips`"
             ),
-            (Some(at), depth) => Ok(Switch {
-                flips: at != Switches::BranchPoints,
-                branch_points: at != Switches::Flips,
-                depth: depth.unwrap_or(1),
+            (Some((_, switch)), depth) => Ok(Switch {
+                depth: depth.unwrap_or(switch.depth),
+                ..switch
             }),
         }
     }

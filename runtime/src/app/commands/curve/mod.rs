@@ -26,7 +26,7 @@ pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>
             None => Ok(None),
         };
     };
-    let switch = asked.switch.map(|switch| ("switch", switch.name()));
+    let switch = asked.switch.map(|(name, _)| ("switch", name));
     let from = asked.from.as_ref().map(|from| ("from", from.word.as_str()));
     match switch.or(from) {
         Some((other, word)) => refuse!(

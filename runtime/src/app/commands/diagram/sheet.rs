@@ -1,6 +1,6 @@
 //! A diagram as CSV.
 
-use crate::app::spreadsheet::{Columns, Row, Spreadsheet};
+use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
 use crate::app::text::{followed, states, timed};
 use crate::lyapunov::Lyapunov;
 use crate::model::ModelInfo;
@@ -63,7 +63,7 @@ pub(super) fn sheets(info: &ModelInfo, record: &DiagramRecord) -> [Spreadsheet; 
         slices.map(move |slice| columns.row(slice))
     });
     [
-        Spreadsheet::new(self::points(info, along, "", 0.0).head(), points),
-        Spreadsheet::new(self::values(info, along, "").head(), values),
+        headed(self::points(info, along, "", 0.0).head(), points),
+        headed(self::values(info, along, "").head(), values),
     ]
 }

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::proof;
 use crate::app::answer::Answer;
-use crate::app::chart::{Chart, Mark, Point, along_axis, axis};
+use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, time_unit, timed};
@@ -166,20 +166,15 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
     let y = axis(name, first.and_then(|state| state.unit));
     let mut chart = Chart::new(Panel::new(along_axis(info, &branch.along), y));
     let value = |state: &[f64]| state.first().copied().unwrap_or(0.0);
-    let point = |one: &EquilibriumRecord| {
-        Some(Point {
-            at: [one.r?, value(&one.state)],
-            stability: one.stability,
-        })
-    };
     let mark = |one: &SpecialEquilibrium| Mark {
         kind: one.kind,
         label: one.label.clone(),
         at: [one.r, value(&one.state)],
         after: one.after,
     };
-    let points: Vec<Point> = branch.points.iter().filter_map(point).collect();
-    chart.add(&points, branch.special.iter().map(mark).collect());
+    let points = branch.points.iter();
+    let points = points.filter_map(|one| Some(([one.r?, value(&one.state)], one.stability)));
+    chart.add(points.collect(), branch.special.iter().map(mark).collect());
     Figure::new("", info.name, String::new()).panel(chart.panel())
 }
 

@@ -16,7 +16,7 @@ use crate::app::section::{Cut, with_points};
 use crate::app::text::number;
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, choose};
-pub(super) use record::{columns, document};
+pub(super) use record::{columns, document, shown};
 
 use super::simulate;
 

@@ -69,6 +69,37 @@ pub(in crate::app::commands) fn columns(
         .number("error_estimate", |orbit| Some(orbit.error_estimate))
 }
 
+/// Its columns on the terminal.
+pub(in crate::app::commands) fn shown(
+    info: &ModelInfo,
+    along: &Along,
+) -> Columns<'static, OrbitRecord> {
+    let first = info.states.first();
+    let largest = first.map(|state| label(&format!("max |{}|", state.name), state.unit));
+    let shown = |orbit: &OrbitRecord, value: Option<f64>| {
+        let digits = digits(orbit.error_estimate).min(9);
+        value.map_or(String::new(), |value| number(value, digits))
+    };
+    let multiplier = |orbit: &OrbitRecord| {
+        let largest = orbit.floquet.multipliers.first();
+        largest.map_or(String::new(), |largest| number(largest.norm(), 5))
+    };
+    Columns::new()
+        .column(followed(info, along), move |orbit: &OrbitRecord| {
+            shown(orbit, orbit.r)
+        })
+        .column(timed(info, "period", "s"), move |orbit| {
+            shown(orbit, Some(orbit.period))
+        })
+        .column(largest.unwrap_or_default(), move |orbit| {
+            shown(orbit, orbit.max_abs.first().copied())
+        })
+        .column("|multiplier|", multiplier)
+        .column("stability", |orbit| {
+            orbit.floquet.stability.name().to_owned()
+        })
+}
+
 pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {
     let stability = orbit.floquet.stability.name();
     let tables = [

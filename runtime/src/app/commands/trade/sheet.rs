@@ -1,6 +1,6 @@
 //! A trade as CSV.
 
-use crate::app::spreadsheet::{Columns, Row, Spreadsheet};
+use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
 use crate::app::text::timed;
 use crate::field::{Kernel, Work};
 use crate::model::ModelInfo;
@@ -84,8 +84,8 @@ pub(super) fn sheets(info: &ModelInfo, record: &TradeRecord) -> [Spreadsheet; 2]
         curves.flat_map(move |curve| precision_rows(end, curve))
     });
     [
-        Spreadsheet::new(copies(info, 0, Kernel::Arctan).head(), rows),
-        Spreadsheet::new(precision_head(), curves),
+        headed(copies(info, 0, Kernel::Arctan).head(), rows),
+        headed(precision_head(), curves),
     ]
 }
 
