@@ -37,22 +37,23 @@ impl<'a, T: 'a> Columns<'a, T> {
     }
 
     /// One more column.
-    pub(super) fn column(
+    pub(super) fn column<S: Into<String>>(
         mut self,
         head: impl Into<String>,
-        cell: impl Fn(&T) -> String + 'a,
+        cell: impl Fn(&T) -> S + 'a,
     ) -> Self {
+        let cell = move |finding: &T| cell(finding).into();
         self.0.push((head.into(), Box::new(cell)));
         self
     }
 
     /// One more column of numbers with all their digits, empty where there is none.
-    pub(super) fn number(
+    pub(super) fn number<V: Into<Option<f64>>>(
         self,
         head: impl Into<String>,
-        value: impl Fn(&T) -> Option<f64> + 'a,
+        value: impl Fn(&T) -> V + 'a,
     ) -> Self {
-        self.column(head, move |finding| optional(value(finding)))
+        self.column(head, move |finding| optional(value(finding).into()))
     }
 
     /// One more such column for each head, which `value` is told the number of.

@@ -29,13 +29,13 @@ pub(super) fn columns(info: &ModelInfo, ranges: [&Along; 2]) -> Columns<'static,
         &["re", "im"],
     );
     Columns::new()
-        .number(p, |point: &CurvePointRecord| Some(point.p))
-        .number(q, |point| Some(point.q))
-        .number(timed(info, "period", "s"), |point| Some(point.period))
+        .number(p, |point: &CurvePointRecord| point.p)
+        .number(q, |point| point.q)
+        .number(timed(info, "period", "s"), |point| point.period)
         .numbers(states(info, ""), |point, j| point.state.get(j).copied())
         .numbers(multipliers, |point, j| part(&point.multipliers, j))
-        .number("residual", |point| Some(point.residual))
-        .number("test", |point| Some(point.test))
+        .number("residual", |point| point.residual)
+        .number("test", |point| point.test)
 }
 
 fn describe(info: &ModelInfo, case: &Case, curve: &CurveRecord) -> String {

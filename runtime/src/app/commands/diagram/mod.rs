@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use clap::Args;
 
 use crate::app::arguments::{Resume, Subject, Way};
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::journal::Journal;
 use crate::app::offer::App;
 use crate::app::progress::Progress;
@@ -99,8 +99,9 @@ impl Arguments {
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let Some(range) = &arguments.way.along else {
-        let message = "`diagram` needs `--along NAME=A..B`: which parameter, from where to where";
-        return Err(Failure::usage(message));
+        return refuse!(
+            "`diagram` needs `--along NAME=A..B`: which parameter, from where to where"
+        );
     };
     let asked = request(app, &arguments.subject, Some(range), None)?;
     let (info, case, output) = (asked.info, &asked.case, &asked.output);

@@ -15,7 +15,7 @@ pub(super) fn points<'a>(
 ) -> Columns<'a, Vec<f64>> {
     Columns::new()
         .column("sweep", move |_: &Vec<f64>| sweep.to_owned())
-        .number(followed(info, along), move |_| Some(r))
+        .number(followed(info, along), move |_| r)
         .numbers(states(info, ""), |point, j| point.get(j).copied())
 }
 
@@ -28,7 +28,7 @@ pub(super) fn values<'a>(info: &ModelInfo, along: &Along, sweep: &'a str) -> Col
     };
     Columns::new()
         .column("sweep", move |_: &Slice| sweep.to_owned())
-        .number(followed(info, along), |slice| Some(slice.r))
+        .number(followed(info, along), |slice| slice.r)
         .column("motion", |slice| slice.motion.name())
         .number(timed(info, "lyapunov", "1/s"), exponent)
         .number(timed(info, "lyapunov_error", "1/s"), error)

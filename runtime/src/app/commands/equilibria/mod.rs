@@ -6,7 +6,7 @@ mod proof;
 use clap::Args;
 
 use crate::app::arguments::{Subject, Unresumable, Way};
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
@@ -37,9 +37,9 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     match (request.case.along, arguments.certify) {
         (None, certify) => list(&request, certify),
         (Some(along), false) => follow(&request, along),
-        (Some(_), true) => Err(Failure::usage(
-            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value",
-        )),
+        (Some(_), true) => refuse!(
+            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value"
+        ),
     }
 }
 

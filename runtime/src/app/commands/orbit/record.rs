@@ -52,10 +52,8 @@ pub(in crate::app::commands) fn columns(
     };
     Columns::new()
         .number(followed(info, along), |orbit: &OrbitRecord| orbit.r)
-        .number(timed(info, "period", "s"), |orbit| Some(orbit.period))
-        .column("stability", |orbit| {
-            orbit.floquet.stability.name().to_owned()
-        })
+        .number(timed(info, "period", "s"), |orbit| orbit.period)
+        .column("stability", |orbit| orbit.floquet.stability.name())
         .column("period_count", |orbit| orbit.period_count.to_string())
         .numbers(states(""), |orbit, j| orbit.state.get(j).copied())
         .numbers(states("max_"), |orbit, j| orbit.max.get(j).copied())
@@ -65,8 +63,8 @@ pub(in crate::app::commands) fn columns(
             parts("multiplier", count, &["re", "im", "log_abs"]),
             multiplier,
         )
-        .number("residual", |orbit| Some(orbit.residual))
-        .number("error_estimate", |orbit| Some(orbit.error_estimate))
+        .number("residual", |orbit| orbit.residual)
+        .number("error_estimate", |orbit| orbit.error_estimate)
 }
 
 /// Its columns on the terminal.
@@ -95,9 +93,7 @@ pub(in crate::app::commands) fn shown(
             shown(orbit, orbit.max_abs.first().copied())
         })
         .column("|multiplier|", multiplier)
-        .column("stability", |orbit| {
-            orbit.floquet.stability.name().to_owned()
-        })
+        .column("stability", |orbit| orbit.floquet.stability.name())
 }
 
 pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {
