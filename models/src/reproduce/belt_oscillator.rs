@@ -7,7 +7,6 @@ use stickslip::study::{Dynamics, EquilibriaRecord};
 use super::ReproduceError;
 use super::ask::Subject;
 use super::copies::{Copies, copy};
-use super::cost::Cost;
 use super::equilibrium::{drawn, hopf};
 use super::errors::{FREQUENCY, Measured, Thesis, printed};
 use super::words::{decimals, power, scientific, stability};
@@ -53,7 +52,7 @@ static THESIS: Thesis = Thesis {
 };
 
 /// The section on the belt oscillator.
-pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
+pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, ReproduceError> {
     let belt = Subject::new(BeltOscillator::v_dr);
     let sizes = (Kernel::Arctan, &EXPONENTS[..], " s/m");
     let copies = Copies::find(&belt, sizes, (SPEED, &[LEAST]))?;

@@ -7,7 +7,6 @@ use stickslip::study::{Dynamics, OrbitRecord, parallel};
 use super::ReproduceError;
 use super::ask::{Cycle, Subject};
 use super::branch::{Branch, at};
-use super::cost::Cost;
 use super::words::power;
 
 /// A system with one friction.
@@ -77,9 +76,9 @@ impl Member {
     }
 
     /// What the branches along `name` cost.
-    pub(super) fn costs(&self, name: &str, thesis: &'static str) -> impl Iterator<Item = Cost> {
+    pub(super) fn costs(&self, name: &str, thesis: &str) -> Vec<Vec<String>> {
         let branches = self.branches.iter();
-        branches.map(move |branch| Cost::of(name, branch, thesis))
+        branches.map(|branch| branch.cost(name, thesis)).collect()
     }
 }
 
@@ -109,14 +108,11 @@ impl Copies {
     }
 
     /// What all branches cost along the parameter with this symbol.
-    pub(super) fn costs(&self, system: &str, symbol: &str, thesis: &'static str) -> Vec<Cost> {
-        let costs = |one: &Member, thesis| {
-            let name = format!("{system}, {}, {symbol}", one.label);
-            one.costs(&name, thesis).collect::<Vec<_>>()
-        };
-        let copies = self.copies.iter();
-        let all = copies.flat_map(|(_, copy)| costs(copy, thesis));
-        all.chain(costs(&self.exact, "–")).collect()
+    pub(super) fn costs(&self, system: &str, symbol: &str, thesis: &str) -> Vec<Vec<String>> {
+        let costs =
+            |one: &Member, thesis| one.costs(&format!("{system}, {}, {symbol}", one.label), thesis);
+        let copies = self.copies.iter().flat_map(|(_, copy)| costs(copy, thesis));
+        copies.chain(costs(&self.exact, "–")).collect()
     }
 
     /// The orbits of all branches of the copies.

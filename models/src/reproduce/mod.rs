@@ -6,7 +6,6 @@ mod belt_oscillator;
 mod belt_pair;
 mod branch;
 mod copies;
-mod cost;
 mod drill_string;
 mod equilibrium;
 mod errors;
@@ -22,8 +21,6 @@ use std::time::{Duration, Instant};
 
 use stickslip::report::{Manuscript, Report, ReportError, Section, Written};
 use stickslip::study::StudyError;
-
-use cost::Cost;
 
 /// What was reproduced.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,7 +65,8 @@ pub enum Part {
 /// What is counted on the way.
 #[derive(Default)]
 struct Ledger {
-    costs: Vec<Cost>,
+    /// Rows of the table of costs, one for each branch.
+    costs: Vec<Vec<String>>,
     branches: usize,
 }
 
@@ -108,7 +106,10 @@ const CHAPTERS: [Chapter; 9] = [
     }),
     Chapter("", None, |ledger| {
         ledger.branches += ledger.costs.len();
-        Ok(cost::section(std::mem::take(&mut ledger.costs))?)
+        let manuscript = Manuscript::new(include_str!("cost.md"));
+        Ok(manuscript
+            .rows("cost", std::mem::take(&mut ledger.costs))
+            .section()?)
     }),
 ];
 

@@ -7,7 +7,6 @@ use super::ReproduceError;
 use super::ask::Subject;
 use super::branch::at;
 use super::copies::Member;
-use super::cost::Cost;
 use super::words::{decimals, scientific, stability};
 use crate::VanDerPol;
 
@@ -16,7 +15,7 @@ const LEAST: f64 = 1e-3;
 const MOST: f64 = 15.0;
 
 /// The section on the Van der Pol equation.
-pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
+pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, ReproduceError> {
     let oscillator = Subject::new(VanDerPol::nu);
     let ends = (1.0, &[LEAST, MOST][..]);
     let cycles = Member::find(&oscillator, Dynamics::Smooth, ends, String::new())?;

@@ -104,8 +104,7 @@ pub(super) fn with_points<'a>(
         return Ok(answer);
     };
     let info = asked.info;
-    let found = asked.entry.crossings(case, section, span);
-    let found = found.map_err(|error| asked.failed(error))?;
+    let found = asked.got(asked.entry.crossings(case, section, span))?;
     let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
     let sheet = columns(info, |value| full(&value)).column("direction", direction);
     let document = document(info, &section, &found);

@@ -15,7 +15,7 @@ use crate::app::resume::Question;
 use crate::app::trail::Trail;
 use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
-use crate::study::{Beginning, BranchRecord, Case, Ended, OrbitRecord, Switch};
+use crate::study::{Beginning, BranchRecord, Case, OrbitRecord, Switch};
 pub(super) use answer::answer;
 
 /// Follow a periodic orbit along a parameter, or along the size of the smoothing
@@ -166,19 +166,16 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
     let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);
-    let branch = passages
-        .recorded(asked.entry)
-        .branch(&asked.case, &mut watch);
-    let branch = branch.map_err(|error| asked.failed(error))?;
+    let branch = asked.got(
+        passages
+            .recorded(asked.entry)
+            .branch(&asked.case, &mut watch),
+    )?;
     drop(progress);
     deliver(&asked, &branch)?;
     passages.discard();
-    let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word(), ended.reason);
-    if let Some(ended) = branch.unlocated() {
-        return Err(Failure::failed(reason(ended)));
-    }
-    asked.output.note(reason(&branch.ended));
-    Ok(())
+    let ended = branch.unlocated().unwrap_or(&branch.ended);
+    asked.output.close("branch", ended, "")
 }
 
 /// The orbits of a branch as they are found.

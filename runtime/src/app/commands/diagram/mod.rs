@@ -129,8 +129,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         papers.take(&seen);
         progress.reach(seen.share, String::new())
     };
-    let record = asked.entry.diagram(case, &diagram, &known, &watch);
-    let record = record.map_err(|error| asked.failed(error))?;
+    let record = asked.got(asked.entry.diagram(case, &diagram, &known, &watch))?;
     drop(progress);
     output.deliver(answer::answer(info, case, &record, shown))?;
     if record.missing > 0 {

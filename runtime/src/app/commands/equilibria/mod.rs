@@ -45,8 +45,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
 
 fn list(asked: &Request<'_>, certify: bool) -> Result<(), Failure> {
     let (info, case) = (asked.info, &asked.case);
-    let found = asked.entry.equilibria(case);
-    let found = found.map_err(|error| asked.failed(error))?;
+    let found = asked.got(asked.entry.equilibria(case))?;
     let proofs = certify.then(|| asked.entry.proofs(case, &found));
     let answer = answer::list(info, case, &found, proofs.as_deref());
     asked.output.deliver(answer)?;
@@ -59,8 +58,7 @@ fn follow(asked: &Request<'_>, along: Along) -> Result<(), Failure> {
     let columns = answer::columns(info, Some(&along));
     let mut trail = Trail::new(asked, along, "equilibria", columns, &progress);
     let mut watch = |point: &EquilibriumRecord| trail.reach(point.r, point);
-    let branch = asked.entry.equilibria_along(case, &mut watch);
-    let branch = branch.map_err(|error| asked.failed(error))?;
+    let branch = asked.got(asked.entry.equilibria_along(case, &mut watch))?;
     drop(progress);
     output.deliver(answer::branch(info, case, &branch))?;
     let found = format!("{} equilibria were found", branch.points.len());

@@ -72,8 +72,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         }
         interrupt::verdict()
     };
-    let record = asked.entry.trade(case, &scope, &mut watch);
-    let record = record.map_err(|error| asked.failed(error))?;
+    let record = asked.got(asked.entry.trade(case, &scope, &mut watch))?;
     drop(progress);
     let [errors, precisions] = sheet::sheets(info, &record);
     let text = text::describe(info, case, &record, scope.accuracy);
