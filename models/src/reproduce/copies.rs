@@ -1,13 +1,14 @@
 //! Smooth copies of one system beside its exact friction: an orbit of each, and its branches.
 
+use stickslip::bifurcation::Stability;
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::report::Curve;
+use stickslip::report::numerals::power;
 use stickslip::study::{Dynamics, OrbitRecord, parallel};
 
 use super::ReproduceError;
 use super::ask::{Cycle, Subject};
 use super::branch::{Branch, at};
-use super::words::power;
 
 /// A system with one friction.
 pub(super) struct Member {
@@ -141,4 +142,23 @@ impl Copies {
     pub(super) fn frequencies(&self) -> Vec<Curve> {
         self.curves(|one| one.along(|orbit| 1.0 / orbit.period))
     }
+}
+
+/// How many orbits are stable, and what the others are.
+pub(super) fn stability<'a>(orbits: impl IntoIterator<Item = &'a OrbitRecord>) -> String {
+    let orbits = orbits.into_iter();
+    let all: Vec<Stability> = orbits.map(|orbit| orbit.floquet.stability).collect();
+    let of = |kind| all.iter().filter(|stability| **stability == kind).count();
+    let stable = of(Stability::Stable);
+    if stable == all.len() {
+        return format!("all {stable} orbits stable");
+    }
+    let others = [
+        (of(Stability::Undecided), "undecided"),
+        (of(Stability::Unstable), "unstable"),
+    ];
+    let others = others.iter().filter(|(number, _)| *number > 0);
+    others.fold(format!("{stable} stable"), |text, (number, word)| {
+        format!("{text}, {number} {word}")
+    })
 }

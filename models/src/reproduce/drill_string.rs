@@ -1,15 +1,15 @@
 //! Thesis chapter 4: a drill string in torsion.
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{decimals, power};
 use stickslip::report::{Curve, Manuscript, Marker, Section};
 use stickslip::study::Dynamics;
 
 use super::ReproduceError;
 use super::ask::Subject;
-use super::copies::{Copies, copy};
+use super::copies::{Copies, copy, stability};
 use super::equilibrium::{drawn, hopf};
 use super::errors::{Measured, Thesis, printed};
-use super::words::{decimals, power, stability};
 use crate::DrillString;
 
 /// The smoothings are of size 10ⁱ.

@@ -1,13 +1,13 @@
 //! The errors of smooth copies against the exact orbit, thesis (3.7) and (3.8), and their fits e = b εᵃ.
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{decimals, significant};
 use stickslip::report::{Axis, Curve, Marker, Panel};
 use stickslip::study::parallel;
 use stickslip::study::trade::{self, Fit, Scope};
 
 use super::ReproduceError;
 use super::ask::Subject;
-use super::words::{decimals, significant};
 
 /// Factor by which an axis goes on beyond the sizes.
 const MARGIN: f64 = 2.0;

@@ -13,12 +13,12 @@ pub mod extremes;
 mod pieces;
 mod smoothing;
 mod van_der_pol;
-mod words;
 
 use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use stickslip::report::numerals::duration;
 use stickslip::report::{Manuscript, Report, ReportError, Section, Written};
 use stickslip::study::StudyError;
 
@@ -187,7 +187,7 @@ impl fmt::Display for Summary {
                 "{branches} branches followed, {} figures drawn, {} data files written in {}",
                 written.figures,
                 written.data,
-                words::duration(*time)
+                duration(*time)
             )?;
         }
         write!(f, "open {} in a browser", written.page.display())

@@ -1,13 +1,13 @@
 //! Thesis section 3.1: a limit cycle without friction.
 
+use stickslip::report::numerals::{decimals, scientific};
 use stickslip::report::{Curve, Manuscript, Marker, Section};
 use stickslip::study::{Dynamics, OrbitRecord};
 
 use super::ReproduceError;
 use super::ask::Subject;
 use super::branch::at;
-use super::copies::Member;
-use super::words::{decimals, scientific, stability};
+use super::copies::{Member, stability};
 use crate::VanDerPol;
 
 /// How near to ν = 0 the branch is followed: at 0 itself every motion is periodic.

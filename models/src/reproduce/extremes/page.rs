@@ -1,8 +1,8 @@
 //! The map as a section of the report: a picture for each system, and all cells in a table.
 
+use stickslip::report::numerals::{decimals, power};
 use stickslip::report::{Axis, Curve, Manuscript, Marker, Panel, ReportError, Section};
 
-use super::super::words::{decimals, power};
 use super::{Cell, Outcome, Range};
 
 /// The section on the extremes.
