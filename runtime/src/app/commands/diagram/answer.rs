@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::sheet::sheets;
+use super::sheet::{exponent, sheets};
 use crate::app::answer::Answer;
 use crate::app::chart::{along_axis, axis};
 use crate::app::document::{Document, columns, value_of};
@@ -57,10 +57,7 @@ fn describe_run(run: &[Slice]) -> String {
 
 /// The range of the Lyapunov exponents of a run.
 fn exponents(run: &[Slice]) -> String {
-    let values = || {
-        let known = run.iter().filter_map(|slice| slice.lyapunov.as_ref());
-        known.filter_map(|found| found.as_ref().ok()?.exponent)
-    };
+    let values = || run.iter().filter_map(exponent);
     let (low, high) = (
         values().fold(f64::INFINITY, f64::min),
         values().fold(f64::NEG_INFINITY, f64::max),
@@ -111,7 +108,6 @@ fn dots(slice: &Slice, shown: usize) -> Vec<[f64; 2]> {
 }
 
 fn lines(record: &DiagramRecord) -> Vec<Curve> {
-    let exponent = |slice: &Slice| slice.lyapunov.as_ref()?.as_ref().ok()?.exponent;
     let curve = |(i, sweep): (usize, &SweepRecord)| {
         let point = |slice: &Slice| Some([slice.r, exponent(slice)?]);
         let points: Vec<[f64; 2]> = sweep.slices.iter().filter_map(point).collect();
@@ -151,12 +147,12 @@ fn value<'a>(info: &'a ModelInfo, slice: &Slice) -> Document<'a> {
         .states("points", columns(&slice.points, info.states.len()))
         .states("min", &slice.min)
         .states("max", &slice.max)
-        .maybe("lyapunov", slice.lyapunov.as_ref().map(exponent))
+        .maybe("lyapunov", slice.lyapunov.as_ref().map(lyapunov))
         .maybe("reason", reason)
 }
 
 /// Null without a failure where the motion is superstable.
-fn exponent(found: &Result<Lyapunov, String>) -> Value {
+fn lyapunov(found: &Result<Lyapunov, String>) -> Value {
     match found {
         Ok(found) => value_of(found),
         Err(reason) => {

@@ -21,8 +21,7 @@ pub(super) fn points<'a>(
 
 /// The columns of the values of a sweep.
 pub(super) fn values<'a>(info: &ModelInfo, along: &Along, sweep: &'a str) -> Columns<'a, Slice> {
-    let exponent = |slice: &Slice| found(slice)?.exponent;
-    let error = move |slice: &Slice| {
+    let error = |slice: &Slice| {
         let error = exponent(slice).and(found(slice))?.error;
         error.is_finite().then_some(error)
     };
@@ -34,6 +33,11 @@ pub(super) fn values<'a>(info: &ModelInfo, along: &Along, sweep: &'a str) -> Col
         .number(timed(info, "lyapunov_error", "1/s"), error)
         .numbers(states(info, "min_"), |slice, j| slice.min.get(j).copied())
         .numbers(states(info, "max_"), |slice, j| slice.max.get(j).copied())
+}
+
+/// The largest Lyapunov exponent of a value, where it has one.
+pub(super) fn exponent(slice: &Slice) -> Option<f64> {
+    found(slice)?.exponent
 }
 
 fn found(slice: &Slice) -> Option<&Lyapunov> {
