@@ -2,9 +2,9 @@
 
 use clap::Args;
 
-use super::answer::Answer;
 use super::document::Document;
 use super::failure::{Failure, refuse};
+use super::output::Answer;
 use super::request::{Request, state};
 use super::spreadsheet::{Columns, full};
 use super::text::{number, states, timed};

@@ -1,9 +1,9 @@
 //! A branch, with those that leave it, in all forms.
 
-use crate::app::answer::Answer;
 use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
+use crate::app::output::Answer;
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
 use crate::app::text::{followed, heading, number, timed};

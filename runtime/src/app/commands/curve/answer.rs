@@ -1,7 +1,7 @@
 //! A curve in all forms.
 
-use crate::app::answer::Answer;
 use crate::app::document::{Document, named};
+use crate::app::output::Answer;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, timed, work};
 use crate::model::ModelInfo;

@@ -1,7 +1,6 @@
 //! `diagram`: where motions meet a section, for many values of a design variable.
 
 mod answer;
-mod sheet;
 
 use std::sync::{Mutex, PoisonError};
 
@@ -120,8 +119,8 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let papers = Mutex::new(Papers {
         info,
         along,
-        points: output.journal("points", sheet::points(info, &along, "", 0.0).head()),
-        values: output.journal("values", sheet::values(info, &along, "").head()),
+        points: output.journal("points", answer::points(info, &along, "", 0.0).head()),
+        values: output.journal("values", answer::values(info, &along, "").head()),
         notes,
     });
     let watch = |seen: Seen<'_>| {
@@ -174,9 +173,9 @@ impl Papers<'_> {
         if !seen.known {
             self.notes.add(borsh::to_vec(&(sweep, slice)).ok());
         }
-        self.points.add(sheet::rows(info, along, sweep, slice));
+        self.points.add(answer::rows(info, along, sweep, slice));
         self.values
-            .add([sheet::values(info, along, sweep).row(slice)]);
+            .add([answer::values(info, along, sweep).row(slice)]);
     }
 }
 

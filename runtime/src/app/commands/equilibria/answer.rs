@@ -3,9 +3,9 @@
 use nalgebra::Complex;
 
 use super::proof;
-use crate::app::answer::Answer;
 use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::document::Document;
+use crate::app::output::Answer;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, time_unit, timed};
 use crate::equilibrium::{Proof, Unproven};

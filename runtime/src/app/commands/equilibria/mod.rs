@@ -8,9 +8,8 @@ use clap::Args;
 use crate::app::arguments::{Subject, Unresumable, Way};
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
+use crate::app::progress::{Progress, Trail};
 use crate::app::request::{Request, request};
-use crate::app::trail::Trail;
 use crate::study::{Along, EquilibriumRecord};
 
 /// List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds

@@ -9,11 +9,10 @@ mod swing;
 use clap::Args;
 use serde_json::json;
 
-use crate::app::answer::Answer;
 use crate::app::arguments::{Destination, Settings};
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::output::Output;
+use crate::app::output::{Answer, Output};
 use crate::app::values::Reading;
 use crate::app::words::positive;
 use crate::field::Smoothing;

@@ -1,7 +1,6 @@
 //! `simulate`: one motion from its start.
 
 mod answer;
-mod picture;
 
 use clap::Args;
 

@@ -6,11 +6,11 @@ mod text;
 
 use clap::Args;
 
-use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject, Unresumable};
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::offer::App;
+use crate::app::output::Answer;
 use crate::app::progress::Progress;
 use crate::app::request::request;
 use crate::app::values::{Range, Reading};
