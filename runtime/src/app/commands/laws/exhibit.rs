@@ -1,13 +1,37 @@
 //! A law ready to be shown, of whatever kind.
 
+use clap::Args;
 use heck::ToKebabCase;
 use serde_json::{Map, Value, json};
 
 use crate::app::document::{named, unit};
+use crate::app::failure::Failure;
 use crate::app::spreadsheet::Spreadsheet;
 use crate::app::text::{assigned, indented, summary, table};
+use crate::app::values::Reading;
+use crate::app::words::positive;
+use crate::field::Smoothing;
 use crate::friction::LawParameter;
 use crate::report::{Figure, Panel};
+
+/// What is said of the drawing.
+#[derive(Debug, Clone, Args)]
+pub(in crate::app) struct Wish {
+    /// The copy beside it, for instance tanh:50
+    #[arg(long = "smooth", value_name = "KERNEL:SIZE", value_parser = Reading(smoothing))]
+    pub(super) smoothing: Option<Smoothing>,
+    /// The largest sliding speed, or that of a swing
+    #[arg(long, value_name = "V", value_parser = Reading(positive))]
+    pub(super) speed: Option<f64>,
+    /// Of a swing that shows what a law remembers
+    #[arg(long, value_name = "X", value_parser = Reading(positive))]
+    pub(super) amplitude: Option<f64>,
+}
+
+fn smoothing(option: &str, word: &str) -> Result<Smoothing, Failure> {
+    word.parse()
+        .map_err(|error| Failure::usage(format!("`{option} {word}`: {error}")))
+}
 
 /// A law as everything that the program writes.
 pub(super) struct Exhibit {

@@ -2,10 +2,9 @@
 
 use heck::ToKebabCase;
 
-use super::Wish;
 use super::curve::Curve;
 use super::drawn::drawn;
-use super::exhibit::Exhibit;
+use super::exhibit::{Exhibit, Wish};
 use super::swing::swing;
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};

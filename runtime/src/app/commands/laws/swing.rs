@@ -2,8 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::Wish;
-use super::exhibit::{Computed, Exhibit, Known};
+use super::exhibit::{Computed, Exhibit, Known, Wish};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
 use crate::app::spreadsheet::{Columns, Spreadsheet};
