@@ -1,4 +1,6 @@
 //! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
+//!
+//! The words stand in the `.md` file beside each section, the curves, rows and values that fill their places here.
 
 mod ask;
 mod atlas;
