@@ -1,16 +1,15 @@
 //! Thesis section 3.2: one mass on a moving belt.
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{decimals, power, scientific};
 use stickslip::report::{Curve, Manuscript, Marker, Section};
 use stickslip::study::{Dynamics, EquilibriaRecord};
 
 use super::ReproduceError;
 use super::ask::Subject;
-use super::copies::{Copies, copy};
-use super::cost::Cost;
+use super::copies::{Copies, copy, stability};
 use super::equilibrium::{drawn, hopf};
 use super::errors::{FREQUENCY, Measured, Thesis, printed};
-use super::words::{decimals, power, scientific, stability};
 use crate::BeltOscillator;
 
 /// The smoothings are of size 10ⁱ.
@@ -53,7 +52,7 @@ static THESIS: Thesis = Thesis {
 };
 
 /// The section on the belt oscillator.
-pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
+pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, ReproduceError> {
     let belt = Subject::new(BeltOscillator::v_dr);
     let sizes = (Kernel::Arctan, &EXPONENTS[..], " s/m");
     let copies = Copies::find(&belt, sizes, (SPEED, &[LEAST]))?;

@@ -3,13 +3,13 @@
 use std::time::{Duration, Instant};
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{decimals, duration};
 use stickslip::report::{Axis, Curve, Manuscript, Panel, Section};
 use stickslip::study::parallel;
 
 use super::ReproduceError;
 use super::ask::{Cycle, Subject};
 use super::copies::copy;
-use super::words::{decimals, duration};
 use crate::BeltPair;
 
 /// All copies are of size 10ⁱ.

@@ -4,19 +4,19 @@ use std::time::Duration;
 
 use stickslip::continuation::Kind;
 use stickslip::field::Work;
-use stickslip::report::numerals::short;
+use stickslip::report::numerals::{count, duration, short};
 use stickslip::study::{Along, BranchRecord, OrbitRecord};
 
 /// A branch as far as its first fold, and what it cost.
 pub(super) struct Branch {
-    pub(super) along: Along,
+    along: Along,
     pub(super) points: Vec<OrbitRecord>,
     /// Where it ends.
     pub(super) end: f64,
     /// Why it ends there.
     why: &'static str,
-    pub(super) time: Duration,
-    pub(super) work: Work,
+    time: Duration,
+    work: Work,
 }
 
 /// Why a branch ends whose cycle becomes an equilibrium.
@@ -52,6 +52,22 @@ impl Branch {
     /// Where it ends along `name`, and why.
     pub(super) fn ending(&self, name: &str) -> String {
         format!("{name} = {}: {}", short(self.end), self.why)
+    }
+
+    /// What it cost along `name`, beside what it cost in the thesis, as a row of a table.
+    pub(super) fn cost(&self, name: &str, thesis: &str) -> Vec<String> {
+        let Self { along, work, .. } = self;
+        vec![
+            format!("{name} from {} to {}", along.from, along.to),
+            count(self.points.len() as u64),
+            count(work.steps),
+            count(work.evaluations),
+            count(work.linearisations),
+            count(work.factorisations),
+            count(work.newton),
+            duration(self.time),
+            thesis.to_owned(),
+        ]
     }
 
     /// Where its cycle vanishes, if it does.

@@ -1,16 +1,15 @@
 //! Thesis chapter 4: a drill string in torsion.
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{decimals, power};
 use stickslip::report::{Curve, Manuscript, Marker, Section};
 use stickslip::study::Dynamics;
 
 use super::ReproduceError;
 use super::ask::Subject;
-use super::copies::{Copies, copy};
-use super::cost::Cost;
+use super::copies::{Copies, copy, stability};
 use super::equilibrium::{drawn, hopf};
 use super::errors::{Measured, Thesis, printed};
-use super::words::{decimals, power, stability};
 use crate::DrillString;
 
 /// The smoothings are of size 10ⁱ.
@@ -61,7 +60,7 @@ static THESIS: Thesis = Thesis {
 };
 
 /// The section on the drill string.
-pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
+pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, ReproduceError> {
     let drill = Subject::new(DrillString::eta);
     let sizes = (Kernel::Quartic, &EXPONENTS[..], "");
     let copies = Copies::find(&drill, sizes, (SPEED, &[LEAST, MOST]))?;

@@ -1,27 +1,22 @@
 //! The errors of smooth copies against the exact orbit, thesis (3.7) and (3.8), and their fits e = b εᵃ.
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{decimals, significant};
 use stickslip::report::{Axis, Curve, Marker, Panel};
 use stickslip::study::parallel;
 use stickslip::study::trade::{self, Fit, Scope};
 
 use super::ReproduceError;
 use super::ask::Subject;
-use super::words::{decimals, significant};
 
 /// Factor by which an axis goes on beyond the sizes.
 const MARGIN: f64 = 2.0;
 
-/// The errors of one kernel's copies at one value of the parameter.
-struct Errors {
-    r: f64,
-    curve: trade::Curve,
-}
-
 /// The errors of the copies of one system beside what the thesis prints of them.
 pub(super) struct Measured {
     thesis: &'static Thesis,
-    all: Vec<Errors>,
+    /// The errors of the copies, with the value of the parameter.
+    all: Vec<(f64, trade::Curve)>,
 }
 
 /// Which of the two errors: (3.7), the absolute maximum of the first state, or (3.8), the free frequency.
@@ -55,47 +50,44 @@ pub(super) const fn printed(r: f64, a: f64, b: f64, remark: &'static str) -> Pri
     Printed { r, a, b, remark }
 }
 
-impl Errors {
-    fn fit(&self, of: Of) -> Option<Fit> {
-        match of {
-            EXTREMUM => self.curve.max_abs.first().copied().flatten(),
-            _ => self.curve.frequency,
-        }
+fn fit(curve: &trade::Curve, of: Of) -> Option<Fit> {
+    match of {
+        EXTREMUM => curve.max_abs.first().copied().flatten(),
+        _ => curve.frequency,
     }
+}
 
-    fn points(&self, of: Of) -> Vec<[f64; 2]> {
-        let error = |point: &trade::Point| match of {
-            EXTREMUM => point.max_abs.first().copied().unwrap_or(f64::NAN),
-            _ => point.frequency,
-        };
-        let points = self.curve.points.iter();
-        points.map(|p| [p.size, error(p).abs()]).collect()
-    }
+fn points(curve: &trade::Curve, of: Of) -> Vec<[f64; 2]> {
+    let error = |point: &trade::Point| match of {
+        EXTREMUM => point.max_abs.first().copied().unwrap_or(f64::NAN),
+        _ => point.frequency,
+    };
+    let points = curve.points.iter();
+    points.map(|p| [p.size, error(p).abs()]).collect()
+}
 
-    fn panel(&self, thesis: &Thesis) -> Panel {
-        let sizes = || self.curve.points.iter().map(|point| point.size);
-        let (least, most) = (
-            sizes().fold(f64::INFINITY, f64::min),
-            sizes().fold(0.0, f64::max),
-        );
+impl Thesis {
+    fn panel(&self, curve: &trade::Curve) -> Panel {
+        let sizes = || curve.points.iter().map(|point| point.size);
+        let least = sizes().fold(f64::INFINITY, f64::min) / MARGIN;
+        let most = sizes().fold(0.0, f64::max) * MARGIN;
         let axes = Panel::new(
-            Axis::new(thesis.size)
-                .logarithmic()
-                .from(least / MARGIN, MARGIN * most),
+            Axis::new(self.size).logarithmic().from(least, most),
             Axis::new("relative error").logarithmic(),
         );
         BOTH.into_iter().fold(axes, |panel, (of, series, marker)| {
-            let (name, points) = (thesis.errors[of].0, self.points(of));
-            let fitted = self.fit(of).map_or_else(Vec::new, |fit| {
-                let at = |point: &[f64; 2]| [point[0], fit.b * point[0].powf(fit.a)];
-                points.iter().map(at).collect()
-            });
-            let label = self.fit(of).map_or_else(String::new, |fit| {
-                let (a, b) = (decimals(fit.a, 3), significant(fit.b, 3));
-                format!("fit {name} = {b} *ε*^{{{a}}}")
-            });
+            let (name, points) = (self.errors[of].0, points(curve, of));
+            let Some(Fit { a, b, .. }) = fit(curve, of) else {
+                return panel.curve(Curve::points(name, series, marker, points));
+            };
+            let fitted = points.iter().map(|[size, _]| [*size, b * size.powf(a)]);
+            let label = format!(
+                "fit {name} = {} *ε*^{{{}}}",
+                significant(b, 3),
+                decimals(a, 3)
+            );
             panel
-                .curve(Curve::line(label, series, fitted))
+                .curve(Curve::line(label, series, fitted.collect()))
                 .curve(Curve::points(name, series, marker, points))
         })
     }
@@ -117,19 +109,19 @@ impl Measured {
         let mut all = Vec::new();
         for (&Printed { r, .. }, trades) in printed.iter().zip(found) {
             let curves = trades?.into_iter().flat_map(|trade| trade.curves);
-            all.extend(curves.map(|curve| Errors { r, curve }));
+            all.extend(curves.map(|curve| (r, curve)));
         }
         Ok(Self { thesis, all })
     }
 
     /// The last fit.
     pub(super) fn last(&self, of: Of) -> Option<Fit> {
-        self.all.last()?.fit(of)
+        fit(&self.all.last()?.1, of)
     }
 
     /// Both errors at the last value against the size, with their fits, in double logarithmic scales.
     pub(super) fn against_size(&self) -> Option<Panel> {
-        self.all.last().map(|errors| errors.panel(self.thesis))
+        self.all.last().map(|(_, curve)| self.thesis.panel(curve))
     }
 
     /// The parameters of the fits, first a and then b, and the thesis's.
@@ -143,7 +135,7 @@ impl Measured {
     fn fits(&self, ours: fn(&Fit) -> f64, theirs: fn(&Printed) -> f64) -> Vec<Curve> {
         let both = BOTH.into_iter().flat_map(|(of, series, marker)| {
             let all = self.all.iter();
-            let points = all.filter_map(|errors| Some([errors.r, ours(&errors.fit(of)?)]));
+            let points = all.filter_map(|(r, curve)| Some([*r, ours(&fit(curve, of)?)]));
             let (name, printed) = &self.thesis.errors[of];
             let thesis = printed.iter().map(|p| [p.r, theirs(p)]);
             let label = format!("{name}, thesis");
@@ -164,7 +156,8 @@ impl Measured {
     }
 
     fn row(&self, of: Of, p: &Printed) -> Option<Vec<String>> {
-        let fit = self.all.iter().find(|errors| errors.r == p.r)?.fit(of)?;
+        let (_, curve) = self.all.iter().find(|(r, _)| *r == p.r)?;
+        let fit = fit(curve, of)?;
         let size = 10f64.powf(self.thesis.middle);
         Some(vec![
             self.thesis.errors[of].0.to_owned(),

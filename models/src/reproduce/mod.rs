@@ -1,4 +1,6 @@
 //! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
+//!
+//! The words stand in the `.md` file beside each section, the curves, rows and values that fill their places here.
 
 mod ask;
 mod atlas;
@@ -6,7 +8,6 @@ mod belt_oscillator;
 mod belt_pair;
 mod branch;
 mod copies;
-mod cost;
 mod drill_string;
 mod equilibrium;
 mod errors;
@@ -14,16 +15,14 @@ pub mod extremes;
 mod pieces;
 mod smoothing;
 mod van_der_pol;
-mod words;
 
 use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use stickslip::report::numerals::duration;
 use stickslip::report::{Manuscript, Report, ReportError, Section, Written};
 use stickslip::study::StudyError;
-
-use cost::Cost;
 
 /// What was reproduced.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,7 +67,8 @@ pub enum Part {
 /// What is counted on the way.
 #[derive(Default)]
 struct Ledger {
-    costs: Vec<Cost>,
+    /// Rows of the table of costs, one for each branch.
+    costs: Vec<Vec<String>>,
     branches: usize,
 }
 
@@ -108,7 +108,10 @@ const CHAPTERS: [Chapter; 9] = [
     }),
     Chapter("", None, |ledger| {
         ledger.branches += ledger.costs.len();
-        Ok(cost::section(std::mem::take(&mut ledger.costs))?)
+        let manuscript = Manuscript::new(include_str!("cost.md"));
+        Ok(manuscript
+            .rows("cost", std::mem::take(&mut ledger.costs))
+            .section()?)
     }),
 ];
 
@@ -186,7 +189,7 @@ impl fmt::Display for Summary {
                 "{branches} branches followed, {} figures drawn, {} data files written in {}",
                 written.figures,
                 written.data,
-                words::duration(*time)
+                duration(*time)
             )?;
         }
         write!(f, "open {} in a browser", written.page.display())

@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-use stickslip::field::Kernel;
+use stickslip::field::{Kernel, Work};
+use stickslip::report::numerals::{count, decimals, duration, power, scientific};
 use stickslip::report::{Curve, Manuscript, Section};
 use stickslip::study::parallel;
 use stickslip::study::trade::{Point, Precision, Scope, Setting, Trade};
 
 use super::ReproduceError;
 use super::ask::Subject;
-use super::words::{count, decimals, duration, evaluations, exponent, power, scientific};
 use crate::BeltOscillator;
 
 /// The belt speed of the comparison.
@@ -151,4 +151,14 @@ fn compared(predicted: Option<f64>, measured: f64) -> [String; 3] {
         scientific(measured, 3),
         predicted.map_or_else(none, |p| decimals(p / measured, 3)),
     ]
+}
+
+/// Evaluations of the equations, with or without their derivatives.
+const fn evaluations(work: &Work) -> u64 {
+    work.evaluations + work.linearisations
+}
+
+/// The power of ten nearest to a size.
+fn exponent(size: f64) -> i32 {
+    size.log10().round() as i32
 }

@@ -1,14 +1,13 @@
 //! Thesis section 3.1: a limit cycle without friction.
 
+use stickslip::report::numerals::{decimals, scientific};
 use stickslip::report::{Curve, Manuscript, Marker, Section};
 use stickslip::study::{Dynamics, OrbitRecord};
 
 use super::ReproduceError;
 use super::ask::Subject;
 use super::branch::at;
-use super::copies::Member;
-use super::cost::Cost;
-use super::words::{decimals, scientific, stability};
+use super::copies::{Member, stability};
 use crate::VanDerPol;
 
 /// How near to ν = 0 the branch is followed: at 0 itself every motion is periodic.
@@ -16,7 +15,7 @@ const LEAST: f64 = 1e-3;
 const MOST: f64 = 15.0;
 
 /// The section on the Van der Pol equation.
-pub(super) fn section(costs: &mut Vec<Cost>) -> Result<Section, ReproduceError> {
+pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, ReproduceError> {
     let oscillator = Subject::new(VanDerPol::nu);
     let ends = (1.0, &[LEAST, MOST][..]);
     let cycles = Member::find(&oscillator, Dynamics::Smooth, ends, String::new())?;

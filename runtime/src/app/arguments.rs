@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use super::values::{Assignment, Range, Reading, SmoothCopy, Start, accuracy};
 use super::words::positive;
 
@@ -90,9 +90,9 @@ impl Unresumable {
     /// It is there.
     pub(super) fn refuse(&self) -> Result<(), Failure> {
         if self.resume {
-            return Err(Failure::usage(
-                "`--resume` goes on with a `diagram` or a `branch` only, which may take long: leave it out, and this is done anew",
-            ));
+            return refuse!(
+                "`--resume` goes on with a `diagram` or a `branch` only, which may take long: leave it out, and this is done anew"
+            );
         }
         Ok(())
     }

@@ -22,13 +22,8 @@ pub(super) fn along_axis(info: &ModelInfo, along: &Along) -> Axis {
     }
 }
 
-/// A point of a branch to be drawn.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Point {
-    /// The design variable, and the value shown.
-    pub(super) at: [f64; 2],
-    pub(super) stability: Stability,
-}
+/// A point of a branch to be drawn: the design variable with the value shown, and its stability.
+pub(super) type Point = ([f64; 2], Stability);
 
 /// A special point to be drawn.
 #[derive(Debug, Clone)]
@@ -58,12 +53,12 @@ impl Chart {
     }
 
     /// Adds a branch.
-    pub(super) fn add(&mut self, points: &[Point], marks: Vec<Mark>) {
+    pub(super) fn add(&mut self, points: Vec<Point>, marks: Vec<Mark>) {
         // A special point at an end stands before the last point, or after the first one.
         let most = points.len().saturating_sub(1).max(1);
         let mut vertices: Vec<Vertex> = Vec::new();
-        for (point, count) in points.iter().zip(1..) {
-            vertices.push((point.at, Some(point.stability)));
+        for ((at, stability), count) in points.into_iter().zip(1..) {
+            vertices.push((at, Some(stability)));
             let here = marks
                 .iter()
                 .filter(|mark| mark.after.clamp(1, most) == count);
@@ -143,18 +138,15 @@ mod tests {
     fn the_style_changes_at_the_special_point() {
         use Stability::{Stable, Unstable};
         let mut chart = Chart::new(Panel::new(Axis::new("r"), Axis::new("x")));
-        let points =
-            [(0.0, Stable), (1.0, Unstable), (2.0, Unstable)].map(|(r, stability)| Point {
-                at: [r, r],
-                stability,
-            });
+        let points = [(0.0, Stable), (1.0, Unstable), (2.0, Unstable)]
+            .map(|(r, stability)| ([r, r], stability));
         let flip = Mark {
             kind: Kind::Flip,
             label: "PD1".to_owned(),
             after: 1,
             at: [0.5, 0.5],
         };
-        chart.add(&points, vec![flip]);
+        chart.add(points.to_vec(), vec![flip]);
         let panel = chart.panel();
         assert_eq!(panel.curves[0].points, [[0.0, 0.0], [0.5, 0.5]]);
         assert_eq!(panel.curves[1].points, [[0.5, 0.5], [1.0, 1.0], [2.0, 2.0]]);

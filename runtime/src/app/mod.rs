@@ -1,6 +1,5 @@
 //! The program that `stickslip::app!` makes of declared models.
 
-mod answer;
 mod arguments;
 mod chart;
 mod command;
@@ -19,7 +18,6 @@ mod resume;
 mod section;
 mod spreadsheet;
 mod text;
-mod trail;
 mod usage;
 mod values;
 mod words;

@@ -1,19 +1,64 @@
-//! Where answers go: stdout and a folder.
+//! What a command has found, in all forms, and where it goes: stdout and a folder.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use serde_json::Value;
 
-use super::answer::Answer;
 use super::arguments::{Destination, View};
+use super::document::value_of;
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
-use super::spreadsheet::Row;
-use crate::report::whole;
+use super::spreadsheet::{Row, Spreadsheet, csv};
+use crate::report::{Figure, whole};
 use crate::study::Ended;
+
+/// An answer in every form in which it may be wanted.
+pub(super) struct Answer<'a> {
+    /// Its name among files.
+    pub(super) name: &'a str,
+    pub(super) text: String,
+    pub(super) document: Value,
+    /// Tables by the names of their files.
+    pub(super) sheets: Vec<(String, Spreadsheet)>,
+    /// Pictures by the names of their files.
+    pub(super) figures: Vec<(String, Figure)>,
+}
+
+impl<'a> Answer<'a> {
+    /// An answer without tables and pictures.
+    pub(super) fn new(name: &'a str, text: String, document: impl Serialize) -> Self {
+        Self {
+            name,
+            text,
+            document: value_of(document),
+            sheets: Vec::new(),
+            figures: Vec::new(),
+        }
+    }
+
+    /// The same with one more table.
+    pub(super) fn sheet(mut self, name: impl Into<String>, sheet: Spreadsheet) -> Self {
+        self.sheets.push((name.into(), sheet));
+        self
+    }
+
+    /// The same with one more picture.
+    pub(super) fn figure(mut self, name: impl Into<String>, figure: Figure) -> Self {
+        self.figures.push((name.into(), figure));
+        self
+    }
+
+    /// The same with more words, and one more field of this name.
+    pub(super) fn part(mut self, name: &str, text: &str, document: impl Serialize) -> Self {
+        self.text.push_str(text);
+        self.document[name] = value_of(document);
+        self
+    }
+}
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone)]
@@ -123,7 +168,7 @@ fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
         write(&file(name, "svg"), &figure.svg())?;
     }
     for (name, sheet) in &answer.sheets {
-        write(&file(name, "csv"), &sheet.text()?)?;
+        write(&file(name, "csv"), &csv(sheet)?)?;
     }
     write(&file(answer.name, "json"), &json(&answer.document)?)
 }

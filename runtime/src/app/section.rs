@@ -2,12 +2,12 @@
 
 use clap::Args;
 
-use super::answer::Answer;
 use super::document::Document;
 use super::failure::{Failure, refuse};
+use super::output::Answer;
 use super::request::{Request, state};
-use super::spreadsheet::Columns;
-use super::text::{line, number, short, states, table, time_unit, timed, unit};
+use super::spreadsheet::{Columns, full};
+use super::text::{number, short, states, time_unit, timed, unit};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
 use crate::model::ModelInfo;
@@ -112,19 +112,24 @@ pub(super) fn with_points<'a>(
         return Ok(answer);
     };
     let info = asked.info;
-    let found = asked.entry.crossings(case, section, span);
-    let found = found.map_err(|error| asked.failed(error))?;
-    let (text, document) = (
-        describe(info, &section, &found),
-        document(info, &section, &found),
-    );
+    let found = asked.got(asked.entry.crossings(case, section, span))?;
     let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
-    let columns = Columns::new()
-        .number(timed(info, "t", "s"), |point: &Crossing| Some(point.time))
-        .numbers(states(info, ""), |point, j| point.state.get(j).copied())
-        .column("direction", direction);
-    let answer = answer.part("section", &text, document);
-    Ok(answer.sheet("section", columns.sheet(&found.points)))
+    let sheet = columns(info, |value| full(&value)).column("direction", direction);
+    let document = document(info, &section, &found);
+    let answer = answer.part("section", &describe(info, &section, &found), document);
+    Ok(answer.sheet("section", sheet.sheet(&found.points)))
+}
+
+/// When and where, numbers as they shall be shown.
+fn columns(info: &ModelInfo, shown: fn(f64) -> String) -> Columns<'static, Crossing> {
+    let time = Columns::new().column(timed(info, "t", "s"), move |point: &Crossing| {
+        shown(point.time)
+    });
+    states(info, "")
+        .enumerate()
+        .fold(time, |columns, (j, head)| {
+            columns.column(head, move |point| shown(point.state[j]))
+        })
 }
 
 /// The points as a table, under a line that says where they lie.
@@ -138,13 +143,7 @@ fn describe(info: &ModelInfo, section: &Section, met: &Met) -> String {
     if met.points.is_empty() {
         return text;
     }
-    let time = [timed(info, "t", "s")].into_iter();
-    let mut lines = line(time.chain(states(info, "")));
-    for point in &met.points {
-        let values = std::iter::once(&point.time).chain(&point.state);
-        lines += &line(values.map(|&value| number(value, DIGITS)));
-    }
-    text + &table(&lines)
+    text + &columns(info, |value| number(value, DIGITS)).text(&met.points)
 }
 
 /// Why a motion has no points on a section.

@@ -9,24 +9,12 @@ use crate::report::whole;
 /// A line of a table.
 pub(super) type Row = Vec<String>;
 
-/// A table of words and numbers with a head.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Spreadsheet {
-    rows: Vec<Row>,
-}
+/// A table of words and numbers, its head first.
+pub(super) type Spreadsheet = Vec<Row>;
 
-impl Spreadsheet {
-    /// A table with this head.
-    pub(super) fn new(head: Row, rows: impl IntoIterator<Item = Row>) -> Self {
-        Self {
-            rows: std::iter::once(head).chain(rows).collect(),
-        }
-    }
-
-    /// The table as CSV.
-    pub(super) fn text(&self) -> Result<String, Failure> {
-        csv(&self.rows)
-    }
+/// A table with this head.
+pub(super) fn headed(head: Row, rows: impl IntoIterator<Item = Row>) -> Spreadsheet {
+    std::iter::once(head).chain(rows).collect()
 }
 
 /// Rows as CSV.
@@ -49,22 +37,23 @@ impl<'a, T: 'a> Columns<'a, T> {
     }
 
     /// One more column.
-    pub(super) fn column(
+    pub(super) fn column<S: Into<String>>(
         mut self,
         head: impl Into<String>,
-        cell: impl Fn(&T) -> String + 'a,
+        cell: impl Fn(&T) -> S + 'a,
     ) -> Self {
+        let cell = move |finding: &T| cell(finding).into();
         self.0.push((head.into(), Box::new(cell)));
         self
     }
 
     /// One more column of numbers with all their digits, empty where there is none.
-    pub(super) fn number(
+    pub(super) fn number<V: Into<Option<f64>>>(
         self,
         head: impl Into<String>,
-        value: impl Fn(&T) -> Option<f64> + 'a,
+        value: impl Fn(&T) -> V + 'a,
     ) -> Self {
-        self.column(head, move |finding| optional(value(finding)))
+        self.column(head, move |finding| optional(value(finding).into()))
     }
 
     /// One more such column for each head, which `value` is told the number of.
@@ -93,7 +82,7 @@ impl<'a, T: 'a> Columns<'a, T> {
         T: 'b,
     {
         let rows = findings.into_iter().map(|finding| self.row(finding));
-        Spreadsheet::new(self.head(), rows)
+        headed(self.head(), rows)
     }
 
     /// The table of these findings on the terminal.
@@ -101,10 +90,10 @@ impl<'a, T: 'a> Columns<'a, T> {
     where
         T: 'b,
     {
-        let rows = findings.into_iter().map(|finding| self.row(finding));
         table(
-            &std::iter::once(self.head())
-                .chain(rows)
+            &self
+                .sheet(findings)
+                .into_iter()
                 .map(line)
                 .collect::<String>(),
         )

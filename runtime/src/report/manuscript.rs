@@ -17,6 +17,7 @@ use super::{Axis, Block, Column, Curve, Figure, Page, Panel, ReportError, Sectio
 ///
 /// Anywhere `{{name}}` is the place of a value.
 #[derive(Debug, Clone)]
+#[must_use]
 pub struct Manuscript {
     text: String,
     fillings: BTreeMap<String, Filling>,
@@ -38,7 +39,6 @@ const BAR: &str = " | ";
 
 impl Manuscript {
     /// A manuscript of which no place is filled yet.
-    #[must_use]
     pub fn new(text: &str) -> Self {
         Self {
             text: text.to_owned(),
@@ -48,7 +48,6 @@ impl Manuscript {
     }
 
     /// Puts a value in its places.
-    #[must_use]
     pub fn value(mut self, name: &str, value: impl AsRef<str>) -> Self {
         let place = format!("{{{{{name}}}}}");
         if !self.text.contains(&place) {
@@ -59,33 +58,28 @@ impl Manuscript {
     }
 
     /// Puts a drawing, an SVG element, in its place.
-    #[must_use]
     pub fn sketch(self, svg: &'static str) -> Self {
         self.fill("sketch", Filling::Sketch(svg))
     }
 
     /// Puts curves in the panels of the figure of this number, back to front.
-    #[must_use]
     pub fn curves<const COUNT: usize>(self, number: &str, panels: [Vec<Curve>; COUNT]) -> Self {
         self.fill(&format!("figure {number}"), Filling::Curves(panels.into()))
     }
 
     /// Puts whole panels in the figure of this number.
-    #[must_use]
     pub fn panels(self, number: &str, panels: impl IntoIterator<Item = Panel>) -> Self {
         let panels = panels.into_iter().collect();
         self.fill(&format!("figure {number}"), Filling::Panels(panels))
     }
 
     /// Puts more rows in the table of this name.
-    #[must_use]
     pub fn rows(self, name: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Self {
         let rows = rows.into_iter().collect();
         self.fill(&format!("table {name}"), Filling::Rows(rows))
     }
 
     /// Puts a link to a page in its place.
-    #[must_use]
     pub fn page(self, page: Page) -> Self {
         self.fill("page", Filling::Page(page))
     }

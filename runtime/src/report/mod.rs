@@ -5,7 +5,6 @@ mod figure;
 mod manuscript;
 pub mod numerals;
 mod page;
-mod table;
 mod text;
 pub(crate) mod whole;
 mod written;
@@ -15,7 +14,6 @@ use std::path::PathBuf;
 
 pub use figure::{Axis, Curve, Figure, Marker, Panel, Shape};
 pub use manuscript::Manuscript;
-pub use table::{Column, Table};
 pub use written::{Report, Written};
 
 /// A section.
@@ -42,6 +40,28 @@ pub enum Block {
     Table(Table),
     /// A page of its own, to which this one leads.
     Page(Page),
+}
+
+/// A table with a caption.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// Its name in files and links: lower case, words joined by hyphens.
+    pub name: String,
+    /// What it shows.
+    pub caption: String,
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows, one cell for each column.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Its head.
+    pub head: String,
+    /// Whether its cells are numbers, and set flush right.
+    pub numeric: bool,
 }
 
 /// A page of its own beside the report, with its data.

@@ -1,9 +1,8 @@
 //! A report as one HTML page that needs nothing but itself.
 
 use super::figure::Figure;
-use super::table::Table;
 use super::text::html;
-use super::{Block, Section};
+use super::{Block, Section, Table};
 
 const STYLE: &str = include_str!("page.css");
 

@@ -1,14 +1,12 @@
 //! A report that is there as far as it has come.
 
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use super::figure::Panel;
 use super::page::{page, section};
-use super::table::Table;
 use super::whole::{self, csv};
-use super::{Block, ReportError, Section, text};
+use super::{Block, ReportError, Section, Table, text};
 
 /// A report in a folder, `index.html` with `figures/*.svg` and `data/*.csv`: after each section that is added, it is whole.
 #[derive(Debug)]

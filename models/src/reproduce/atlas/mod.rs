@@ -7,6 +7,7 @@ mod page;
 use std::time::{Duration, Instant};
 
 use stickslip::field::Kernel;
+use stickslip::report::numerals::{count, duration};
 use stickslip::report::{Manuscript, Section};
 use stickslip::study::{Beginning, BranchRecord, Case, Dynamics, Switch, parallel};
 
@@ -14,7 +15,6 @@ use super::ReproduceError;
 use super::ask::Subject;
 use super::branch::work;
 use super::copies::copy;
-use super::words::{count, duration};
 use crate::BeltPair;
 
 /// The copy is of size 10ⁱ.

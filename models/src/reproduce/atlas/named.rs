@@ -1,9 +1,9 @@
 //! The bifurcations that the thesis names, beside ours.
 
 use stickslip::continuation::Kind;
+use stickslip::report::numerals::decimals;
 use stickslip::study::{BranchRecord, Special};
 
-use super::super::words::decimals;
 use super::{Atlas, FAMILIES};
 
 /// A bifurcation of section 3.3.2.

@@ -1,6 +1,5 @@
 //! The map of the extremes: over which ranges of parameters and of ε answers keep their digits, and what stops them.
 
-mod judge;
 mod limits;
 mod page;
 mod ranges;
@@ -67,26 +66,21 @@ pub fn draw(map: &[(Range, Vec<Cell>)], out: &Path) -> Result<Written, ReportErr
 #[must_use]
 pub fn map() -> Vec<(Range, Vec<Cell>)> {
     let ranges = ranges();
-    let places = ranges.iter().enumerate();
-    let all: Vec<(usize, f64, Expected)> = places
-        .flat_map(|(i, range)| {
-            let cells = range.cells.iter();
-            cells.map(move |&(value, expected)| (i, value, expected))
-        })
+    let all: Vec<(&Range, (f64, Expected))> = ranges
+        .iter()
+        .flat_map(|range| range.cells.iter().map(move |cell| (range, *cell)))
         .collect();
-    let cells = parallel(&all, |&(i, value, expected)| Cell {
+    let found = parallel(&all, |&(range, (value, expected))| Cell {
         value,
         expected,
-        outcome: ranges[i].outcome(value),
+        outcome: range.outcome(value),
     });
-    let mut map: Vec<(Range, Vec<Cell>)> = ranges
-        .into_iter()
-        .map(|range| (range, Vec::new()))
-        .collect();
-    for ((i, ..), cell) in all.into_iter().zip(cells) {
-        map[i].1.push(cell);
-    }
-    map
+    let mut found = found.into_iter();
+    let of = |range: Range| {
+        let count = range.cells.len();
+        (range, found.by_ref().take(count).collect())
+    };
+    ranges.into_iter().map(of).collect()
 }
 
 impl Range {
@@ -111,7 +105,7 @@ impl Range {
         let tight = TIGHT
             .iter()
             .find_map(|&accuracy| tighter(subject, &case, &orbit, accuracy));
-        let tight = tight.map(|tight| (judge::difference(&orbit, &tight), tight.error_estimate));
+        let tight = tight.map(|tight| (difference(&orbit, &tight), tight.error_estimate));
         let Some(error) = known
             .into_iter()
             .chain(tight.map(|(error, _)| error))
@@ -146,6 +140,17 @@ fn tighter(
         ..case.clone()
     };
     subject.orbit(&case).ok()
+}
+
+/// Largest relative difference of period and extrema.
+fn difference(a: &OrbitRecord, b: &OrbitRecord) -> f64 {
+    let extrema = |of: fn(&OrbitRecord) -> &Vec<f64>| {
+        let pairs = of(a).iter().zip(of(b)).zip(&b.max_abs);
+        pairs.map(|((x, y), size)| (x - y).abs() / size.max(f64::MIN_POSITIVE))
+    };
+    extrema(|orbit| &orbit.max)
+        .chain(extrema(|orbit| &orbit.min))
+        .fold((a.period / b.period - 1.0).abs(), f64::max)
 }
 
 /// Decimal digits of a relative error.

@@ -1,8 +1,8 @@
 //! The map as a section of the report: a picture for each system, and all cells in a table.
 
+use stickslip::report::numerals::{decimals, power};
 use stickslip::report::{Axis, Curve, Manuscript, Marker, Panel, ReportError, Section};
 
-use super::super::words::{decimals, power};
 use super::{Cell, Outcome, Range};
 
 /// The section on the extremes.
@@ -31,28 +31,27 @@ fn place(range: &Range) -> usize {
 
 fn panel(range: &Range, cells: &[Cell]) -> Panel {
     let cells = || cells.iter().filter(|cell| cell.value > 0.0);
-    let found = |of: fn(f64, f64) -> f64| {
-        cells()
-            .filter_map(|cell| match cell.outcome {
-                Outcome::Found {
-                    digits, claimed, ..
-                } => Some([cell.value.log10(), of(digits, claimed)]),
-                Outcome::Refused { .. } => None,
-            })
-            .collect::<Vec<_>>()
+    let points = |of: fn(&Outcome) -> Option<f64>| {
+        let points = cells().filter_map(|cell| Some([cell.value.log10(), of(&cell.outcome)?]));
+        points.collect::<Vec<_>>()
     };
-    let refused = cells().filter(|cell| matches!(cell.outcome, Outcome::Refused { .. }));
-    let mut curves = vec![
-        Curve::line("claimed", 2, found(|_, claimed| claimed)),
-        Curve::points("confirmed", 1, Marker::Circle, found(|digits, _| digits)),
+    let claimed = points(|outcome| match outcome {
+        Outcome::Found { claimed, .. } => Some(*claimed),
+        Outcome::Refused { .. } => None,
+    });
+    let confirmed = points(|outcome| match outcome {
+        Outcome::Found { digits, .. } => Some(*digits),
+        Outcome::Refused { .. } => None,
+    });
+    let refused = points(|outcome| matches!(outcome, Outcome::Refused { .. }).then_some(0.0));
+    let curves = [
+        Curve::line("claimed", 2, claimed),
+        Curve::points("confirmed", 1, Marker::Circle, confirmed),
+        Curve::points("an error", 3, Marker::Cross, refused),
     ];
-    let refused: Vec<[f64; 2]> = refused.map(|cell| [cell.value.log10(), 0.0]).collect();
     let powers = || cells().map(|cell| cell.value.log10());
     let first = powers().fold(f64::INFINITY, f64::min) - MARGIN;
     let last = powers().fold(f64::NEG_INFINITY, f64::max) + MARGIN;
-    if !refused.is_empty() {
-        curves.push(Curve::points("an error", 3, Marker::Cross, refused));
-    }
     Panel::new(
         Axis::new(&format!("log_{{10}} {}", range.axis)).from(first, last),
         Axis::new("digits").from(0.0, 16.0),

@@ -8,9 +8,8 @@ use stickslip::study::{Case, Dynamics};
 
 use super::super::ask::Subject;
 use super::ACCURACY;
-use super::judge::Limit;
 use super::limits::{
-    belt_force, belt_pair_together, belt_speed, belt_units, belt_weakening, copy_of_belt,
+    Limit, belt_force, belt_pair_together, belt_speed, belt_units, belt_weakening, copy_of_belt,
     copy_of_drill_string, drill_string, none, van_der_pol,
 };
 use crate::{BeltOscillator, BeltPair, DrillString, VanDerPol};

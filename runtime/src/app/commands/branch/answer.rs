@@ -2,16 +2,17 @@
 
 use std::f64::consts::TAU;
 
-use crate::app::answer::Answer;
-use crate::app::chart::{Chart, Mark, Point, along_axis, axis};
+use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
-use crate::app::harmonics::{harmonic, names, rounded};
+use crate::app::harmonics::{harmonic, names};
+use crate::app::output::Answer;
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{digits, followed, heading, label, number, timed};
+use crate::app::text::{followed, heading, number, timed};
+use crate::bifurcation::Stability;
 use crate::field::Work;
-use crate::model::{ModelInfo, Unit};
+use crate::model::ModelInfo;
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, Case, OrbitRecord, Special};
 
@@ -41,7 +42,7 @@ fn describe(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Str
     let info = asked.info;
     let name = branch.along.name(info);
     let what = format!("a branch of periodic orbits along {name}");
-    let points = shown(asked, branch, states).text(&branch.points);
+    let points = orbit::shown(asked, &branch.along, states).text(&branch.points);
     let mut text = heading(info, &asked.case, &what) + &points;
     if !branch.special.is_empty() {
         text += &format!("\n{}", special(info, branch));
@@ -56,51 +57,6 @@ fn describe(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Str
         );
     }
     text
-}
-
-/// What is shown of its orbits.
-fn shown(
-    asked: &Request<'_>,
-    branch: &BranchRecord,
-    states: &[usize],
-) -> Columns<'static, OrbitRecord> {
-    let info = asked.info;
-    let shown = |orbit: &OrbitRecord, value: Option<f64>| {
-        let digits = digits(orbit.error_estimate).min(9);
-        value.map_or(String::new(), |value| number(value, digits))
-    };
-    let multiplier = |orbit: &OrbitRecord| {
-        let largest = orbit.floquet.multipliers.first();
-        largest.map_or(String::new(), |largest| number(largest.norm(), 5))
-    };
-    let mut columns = Columns::new()
-        .column(followed(info, &branch.along), move |orbit: &OrbitRecord| {
-            shown(orbit, orbit.r)
-        })
-        .column(timed(info, "period", "s"), move |orbit| {
-            shown(orbit, Some(orbit.period))
-        });
-    for &j in states {
-        let (name, unit) = largest(info, j);
-        columns = columns.column(label(&name, unit), move |orbit| {
-            shown(orbit, orbit.max_abs.get(j).copied())
-        });
-        for &order in &asked.case.harmonics {
-            columns = rounded(columns, info, order, j);
-        }
-    }
-    columns
-        .column("|multiplier|", multiplier)
-        .column("stability", |orbit| {
-            orbit.floquet.stability.name().to_owned()
-        })
-}
-
-/// What the largest magnitude of a state is called, and its unit.
-fn largest(info: &ModelInfo, j: usize) -> (String, Option<Unit>) {
-    let state = info.states.get(j);
-    let name = format!("max |{}|", state.map_or("", |state| state.name));
-    (name, state.and_then(|state| state.unit))
 }
 
 /// The special points, if there are any.
@@ -129,9 +85,11 @@ fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figu
     let period = Axis::new(&timed(info, "period", "s"));
     let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
     for one in branch.all() {
-        periods.add(
-            &points(one, |orbit| Some(orbit.period)),
-            marks(one, |special| special.period),
+        draw(
+            &mut periods,
+            one,
+            |orbit| Some(orbit.period),
+            |special| special.period,
         );
     }
     let extents = states.iter().map(|&j| extent(info, branch, j));
@@ -146,15 +104,15 @@ fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figu
 }
 
 fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
-    let (name, unit) = largest(info, j);
+    let (name, unit) = orbit::largest(info, j);
     let parameter = along_axis(info, &branch.along);
     let mut extents = Chart::new(Panel::new(parameter, axis(&name, unit)));
     for one in branch.all() {
-        extents.add(
-            &points(one, |orbit| orbit.max_abs.get(j).copied()),
-            marks(one, |special| {
-                special.max_abs.get(j).copied().unwrap_or(0.0)
-            }),
+        draw(
+            &mut extents,
+            one,
+            |orbit| orbit.max_abs.get(j).copied(),
+            |special| special.max_abs.get(j).copied().unwrap_or(0.0),
         );
     }
     extents.panel()
@@ -178,8 +136,8 @@ fn response(info: &ModelInfo, branch: &BranchRecord, order: usize, j: usize) -> 
             before = Some(next);
             before
         };
-        amplitudes.add(&points(one, amplitude), Vec::new());
-        phases.add(&points(one, phase), Vec::new());
+        amplitudes.add(points(one, amplitude), Vec::new());
+        phases.add(points(one, phase), Vec::new());
     }
     [amplitudes.panel(), phases.panel()]
 }
@@ -190,24 +148,31 @@ fn unwrapped(phase: f64, before: Option<f64>) -> f64 {
     phase + ((before - phase) / TAU).round() * TAU
 }
 
-fn points(branch: &BranchRecord, mut shown: impl FnMut(&OrbitRecord) -> Option<f64>) -> Vec<Point> {
-    let point = |orbit: &OrbitRecord| {
-        Some(Point {
-            at: [orbit.r?, shown(orbit)?],
-            stability: orbit.floquet.stability,
-        })
+/// Draws a quantity of the orbits of a branch, and of its special points.
+fn draw(
+    chart: &mut Chart,
+    branch: &BranchRecord,
+    of: impl FnMut(&OrbitRecord) -> Option<f64>,
+    special: impl Fn(&Special) -> f64,
+) {
+    let mark = |one: &Special| Mark {
+        kind: one.kind,
+        label: one.label.clone(),
+        after: one.after,
+        at: [one.r, special(one)],
     };
-    branch.points.iter().filter_map(point).collect()
+    let marks = branch.special.iter().map(mark).collect();
+    chart.add(points(branch, of), marks);
 }
 
-fn marks(branch: &BranchRecord, shown: impl Fn(&Special) -> f64) -> Vec<Mark> {
-    let mark = |special: &Special| Mark {
-        kind: special.kind,
-        label: special.label.clone(),
-        at: [special.r, shown(special)],
-        after: special.after,
-    };
-    branch.special.iter().map(mark).collect()
+fn points(
+    branch: &BranchRecord,
+    mut of: impl FnMut(&OrbitRecord) -> Option<f64>,
+) -> Vec<([f64; 2], Stability)> {
+    let points = branch.points.iter();
+    points
+        .filter_map(|one| Some(([one.r?, of(one)?], one.floquet.stability)))
+        .collect()
 }
 
 /// A branch with those that leave it.

@@ -10,14 +10,13 @@ use crate::app::failure::{Failure, refuse};
 use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
 use crate::app::passages::Passages;
-use crate::app::progress::Progress;
+use crate::app::progress::{Progress, Trail};
 use crate::app::request::{Request, request, state};
 use crate::app::resume::Question;
-use crate::app::trail::Trail;
 use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
 use crate::model::ModelInfo;
-use crate::study::{Beginning, BranchRecord, Case, Ended, OrbitRecord, Switch};
+use crate::study::{Beginning, BranchRecord, Case, OrbitRecord, Switch};
 pub(super) use answer::answer;
 
 /// Follow a periodic orbit along a parameter, or along the size of the smoothing
@@ -33,8 +32,8 @@ pub(in crate::app) struct Arguments {
     #[arg(long, value_name = "VALUE", value_parser = Reading(From::read))]
     pub(in crate::app) from: Option<From>,
     /// Follow the branches that leave it, too: at flips, branch-points, or all
-    #[arg(long, value_name = "WHERE", value_parser = Reading(Switches::read))]
-    pub(in crate::app) switch: Option<Switches>,
+    #[arg(long, value_name = "WHERE", value_parser = Reading(switches))]
+    pub(super) switch: Option<Switches>,
     /// How many switches deep: 1 without --depth
     #[arg(long, value_name = "N", value_parser = Reading(depth))]
     depth: Option<usize>,
@@ -93,27 +92,27 @@ impl From {
     }
 }
 
-/// The points at which branches that leave are followed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::app) enum Switches {
-    Flips,
-    BranchPoints,
-    All,
-}
+/// What to switch to, by its name.
+pub(super) type Switches = (&'static str, Switch);
 
-impl Switches {
-    pub(in crate::app) const fn name(self) -> &'static str {
-        match self {
-            Self::Flips => "flips",
-            Self::BranchPoints => "branch-points",
-            Self::All => "all",
-        }
-    }
-
-    fn read(option: &str, word: &str) -> Result<Self, Failure> {
-        let all = [Self::Flips, Self::BranchPoints, Self::All];
-        one_of(all, Self::name, &format!("`{option}` knows no"), word)
-    }
+fn switches(option: &str, word: &str) -> Result<Switches, Failure> {
+    let named = |name, flips, branch_points| {
+        let depth = 1;
+        (
+            name,
+            Switch {
+                flips,
+                branch_points,
+                depth,
+            },
+        )
+    };
+    let all = [
+        named("flips", true, false),
+        named("branch-points", false, true),
+        named("all", true, true),
+    ];
+    one_of(all, |(name, _)| name, &format!("`{option}` knows no"), word)
 }
 
 fn depth(option: &str, word: &str) -> Result<usize, Failure> {
@@ -148,10 +147,9 @@ impl Arguments {
             (None, Some(depth)) => refuse!(
                 "`--depth {depth}` says how deep to switch, but not at what: add `--switch flips`"
             ),
-            (Some(at), depth) => Ok(Switch {
-                flips: at != Switches::BranchPoints,
-                branch_points: at != Switches::Flips,
-                depth: depth.unwrap_or(1),
+            (Some((_, switch)), depth) => Ok(Switch {
+                depth: depth.unwrap_or(switch.depth),
+                ..switch
             }),
         }
     }
@@ -186,19 +184,16 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
     let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);
-    let branch = passages
-        .recorded(asked.entry)
-        .branch(&asked.case, &mut watch);
-    let branch = branch.map_err(|error| asked.failed(error))?;
+    let branch = asked.got(
+        passages
+            .recorded(asked.entry)
+            .branch(&asked.case, &mut watch),
+    )?;
     drop(progress);
     deliver(&asked, &branch, &shown)?;
     passages.discard();
-    let reason = |ended: &Ended| format!("the branch ended, {}: {}", ended.word(), ended.reason);
-    if let Some(ended) = branch.unlocated() {
-        return Err(Failure::failed(reason(ended)));
-    }
-    asked.output.note(reason(&branch.ended));
-    Ok(())
+    let ended = branch.unlocated().unwrap_or(&branch.ended);
+    asked.output.close("branch", ended, "")
 }
 
 /// The orbits of a branch as they are found.

@@ -1,7 +1,7 @@
 //! A curve in all forms.
 
-use crate::app::answer::Answer;
 use crate::app::document::{Document, named};
+use crate::app::output::Answer;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, timed, work};
 use crate::model::ModelInfo;
@@ -29,13 +29,13 @@ pub(super) fn columns(info: &ModelInfo, ranges: [&Along; 2]) -> Columns<'static,
         &["re", "im"],
     );
     Columns::new()
-        .number(p, |point: &CurvePointRecord| Some(point.p))
-        .number(q, |point| Some(point.q))
-        .number(timed(info, "period", "s"), |point| Some(point.period))
+        .number(p, |point: &CurvePointRecord| point.p)
+        .number(q, |point| point.q)
+        .number(timed(info, "period", "s"), |point| point.period)
         .numbers(states(info, ""), |point, j| point.state.get(j).copied())
         .numbers(multipliers, |point, j| part(&point.multipliers, j))
-        .number("residual", |point| Some(point.residual))
-        .number("test", |point| Some(point.test))
+        .number("residual", |point| point.residual)
+        .number("test", |point| point.test)
 }
 
 fn describe(info: &ModelInfo, case: &Case, curve: &CurveRecord) -> String {

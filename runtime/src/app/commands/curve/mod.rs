@@ -6,10 +6,9 @@ use super::branch;
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
 use crate::app::passages::Passages;
-use crate::app::progress::Progress;
+use crate::app::progress::{Progress, Trail};
 use crate::app::request::{agrees, along, kernel_missing, request};
 use crate::app::resume::Question;
-use crate::app::trail::Trail;
 use crate::app::values::{Assignment, Range};
 use crate::field::Design;
 use crate::model::ModelInfo;
@@ -26,7 +25,7 @@ pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>
             None => Ok(None),
         };
     };
-    let switch = asked.switch.map(|switch| ("switch", switch.name()));
+    let switch = asked.switch.map(|(name, _)| ("switch", name));
     let from = asked.from.as_ref().map(|from| ("from", from.word.as_str()));
     match switch.or(from) {
         Some((other, word)) => refuse!(

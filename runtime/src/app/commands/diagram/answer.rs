@@ -1,18 +1,18 @@
-//! A diagram as text, as JSON and as a figure.
+//! A diagram in all forms.
 
 use serde_json::{Value, json};
 
-use super::sheet::sheets;
-use crate::app::answer::Answer;
 use crate::app::chart::{along_axis, axis};
 use crate::app::document::{Document, columns, value_of};
+use crate::app::output::Answer;
 use crate::app::section::unmet;
-use crate::app::text::{followed, heading, number, table, timed, work};
+use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
+use crate::app::text::{followed, heading, number, states, table, timed, work};
 use crate::lyapunov::Lyapunov;
 use crate::model::ModelInfo;
 use crate::poincare::Section;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
-use crate::study::{Case, DiagramRecord, Motion, Slice, SweepRecord};
+use crate::study::{Along, Case, DiagramRecord, Motion, Slice, SweepRecord};
 
 /// A diagram in all forms, of which the picture shows state number `shown`.
 pub(super) fn answer(
@@ -74,10 +74,7 @@ fn describe_run(run: &[Slice]) -> String {
 
 /// The range of the Lyapunov exponents of a run.
 fn exponents(run: &[Slice]) -> String {
-    let values = || {
-        let known = run.iter().filter_map(|slice| slice.lyapunov.as_ref());
-        known.filter_map(|found| found.as_ref().ok()?.exponent)
-    };
+    let values = || run.iter().filter_map(exponent);
     let (low, high) = (
         values().fold(f64::INFINITY, f64::min),
         values().fold(f64::NEG_INFINITY, f64::max),
@@ -129,7 +126,6 @@ fn dots(slice: &Slice, shown: usize) -> Vec<[f64; 2]> {
 }
 
 fn lines(record: &DiagramRecord) -> Vec<Curve> {
-    let exponent = |slice: &Slice| slice.lyapunov.as_ref()?.as_ref().ok()?.exponent;
     let curve = |(i, sweep): (usize, &SweepRecord)| {
         let point = |slice: &Slice| Some([slice.r, exponent(slice)?]);
         let points: Vec<[f64; 2]> = sweep.slices.iter().filter_map(point).collect();
@@ -174,16 +170,82 @@ fn value<'a>(info: &'a ModelInfo, section: &Section, slice: &Slice) -> Document<
         .states("points", columns(&slice.points, info.states.len()))
         .states("min", &slice.min)
         .states("max", &slice.max)
-        .maybe("lyapunov", slice.lyapunov.as_ref().map(exponent))
+        .maybe("lyapunov", slice.lyapunov.as_ref().map(lyapunov))
         .maybe("reason", reason)
 }
 
 /// Null without a failure where the motion is superstable.
-fn exponent(found: &Result<Lyapunov, String>) -> Value {
+fn lyapunov(found: &Result<Lyapunov, String>) -> Value {
     match found {
         Ok(found) => value_of(found),
         Err(reason) => {
             json!({ "exponent": null, "error": null, "time": null, "failed": reason })
         }
     }
+}
+
+/// The columns of the points at the value `r` of what is followed.
+pub(super) fn points<'a>(
+    info: &ModelInfo,
+    along: &Along,
+    sweep: &'a str,
+    r: f64,
+) -> Columns<'a, Vec<f64>> {
+    Columns::new()
+        .column("sweep", move |_: &Vec<f64>| sweep.to_owned())
+        .number(followed(info, along), move |_| r)
+        .numbers(states(info, ""), |point, j| point.get(j).copied())
+}
+
+/// The columns of the values of a sweep.
+pub(super) fn values<'a>(info: &ModelInfo, along: &Along, sweep: &'a str) -> Columns<'a, Slice> {
+    let error = |slice: &Slice| {
+        let error = exponent(slice).and(found(slice))?.error;
+        error.is_finite().then_some(error)
+    };
+    Columns::new()
+        .column("sweep", move |_: &Slice| sweep.to_owned())
+        .number(followed(info, along), |slice| slice.r)
+        .column("motion", |slice| slice.motion.name())
+        .number(timed(info, "lyapunov", "1/s"), exponent)
+        .number(timed(info, "lyapunov_error", "1/s"), error)
+        .numbers(states(info, "min_"), |slice, j| slice.min.get(j).copied())
+        .numbers(states(info, "max_"), |slice, j| slice.max.get(j).copied())
+}
+
+/// The largest Lyapunov exponent of a value, where it has one.
+fn exponent(slice: &Slice) -> Option<f64> {
+    found(slice)?.exponent
+}
+
+fn found(slice: &Slice) -> Option<&Lyapunov> {
+    slice.lyapunov.as_ref()?.as_ref().ok()
+}
+
+/// One row for each point of a value.
+pub(super) fn rows(info: &ModelInfo, along: &Along, sweep: &str, slice: &Slice) -> Vec<Row> {
+    let columns = points(info, along, sweep, slice.r);
+    slice
+        .points
+        .iter()
+        .map(|point| columns.row(point))
+        .collect()
+}
+
+/// All points, and all values.
+fn sheets(info: &ModelInfo, record: &DiagramRecord) -> [Spreadsheet; 2] {
+    let (along, sweeps) = (&record.along, || record.sweeps.iter());
+    let points = sweeps().flat_map(|sweep| {
+        let slices = sweep.slices.iter();
+        slices.flat_map(|slice| rows(info, along, sweep.name, slice))
+    });
+    let values = sweeps().flat_map(|sweep| {
+        let columns = values(info, along, sweep.name);
+        let slices = sweep.slices.iter();
+        slices.map(move |slice| columns.row(slice))
+    });
+    [
+        headed(self::points(info, along, "", 0.0).head(), points),
+        headed(self::values(info, along, "").head(), values),
+    ]
 }

@@ -1,14 +1,13 @@
 //! `diagram`: where motions meet a section, for many values of a design variable.
 
 mod answer;
-mod sheet;
 
 use std::sync::{Mutex, PoisonError};
 
 use clap::Args;
 
 use crate::app::arguments::{Resume, Subject, Way};
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::journal::Journal;
 use crate::app::offer::App;
 use crate::app::progress::Progress;
@@ -103,8 +102,9 @@ impl Arguments {
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let Some(range) = &arguments.way.along else {
-        let message = "`diagram` needs `--along NAME=A..B`: which parameter, from where to where";
-        return Err(Failure::usage(message));
+        return refuse!(
+            "`diagram` needs `--along NAME=A..B`: which parameter, from where to where"
+        );
     };
     let asked = request(app, &arguments.subject, Some(range), None)?;
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
@@ -123,8 +123,8 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let papers = Mutex::new(Papers {
         info,
         along,
-        points: output.journal("points", sheet::points(info, &along, "", 0.0).head()),
-        values: output.journal("values", sheet::values(info, &along, "").head()),
+        points: output.journal("points", answer::points(info, &along, "", 0.0).head()),
+        values: output.journal("values", answer::values(info, &along, "").head()),
         notes,
     });
     let watch = |seen: Seen<'_>| {
@@ -132,8 +132,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         papers.take(&seen);
         progress.reach(seen.share, String::new())
     };
-    let record = asked.entry.diagram(case, &diagram, &known, &watch);
-    let record = record.map_err(|error| asked.failed(error))?;
+    let record = asked.got(asked.entry.diagram(case, &diagram, &known, &watch))?;
     drop(progress);
     output.deliver(answer::answer(info, case, &record, shown))?;
     if record.missing > 0 {
@@ -178,9 +177,9 @@ impl Papers<'_> {
         if !seen.known {
             self.notes.add(postcard::to_allocvec(&(sweep, slice)).ok());
         }
-        self.points.add(sheet::rows(info, along, sweep, slice));
+        self.points.add(answer::rows(info, along, sweep, slice));
         self.values
-            .add([sheet::values(info, along, sweep).row(slice)]);
+            .add([answer::values(info, along, sweep).row(slice)]);
     }
 }
 

@@ -3,9 +3,9 @@
 use nalgebra::Complex;
 
 use super::proof;
-use crate::app::answer::Answer;
-use crate::app::chart::{Chart, Mark, Point, along_axis, axis};
+use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::document::Document;
+use crate::app::output::Answer;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, time_unit, timed};
 use crate::equilibrium::{Proof, Unproven};
@@ -28,12 +28,17 @@ pub(super) fn list(
     if let Some(proofs) = proofs {
         text.push_str(&proof::describe(info, proofs));
     }
-    Answer::new(
-        "equilibria",
-        text,
-        list_document(info, case, found, proofs.unwrap_or_default()),
-    )
-    .sheet("equilibria", columns(info, None).sheet(found))
+    let one = |(i, one)| {
+        let proof = proofs.and_then(|proofs| proofs.get(i));
+        let proof = proof.map(|proof| proof::document(info, proof));
+        equilibrium(info, one).maybe("certificate", proof)
+    };
+    let all = found.iter().enumerate();
+    let document = Document::case(info, case)
+        .list("equilibria", all, one)
+        .units();
+    let sheet = columns(info, None).sheet(found);
+    Answer::new("equilibria", text, document).sheet("equilibria", sheet)
 }
 
 /// A branch of equilibria.
@@ -47,12 +52,18 @@ pub(super) fn branch(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -
     let points = branch.points.iter().any(|point| point.artefact);
     let special = branch.special.iter().any(|point| point.artefact);
     text += &remarks(case, points, special);
-    Answer::new("equilibria", text, branch_document(info, case, branch))
+    let special = |one: &SpecialEquilibrium| Document::of(info, one).by_state(&["state"]);
+    let document = Document::case(info, case)
+        .range("along", &branch.along)
+        .list("points", &branch.points, |one| equilibrium(info, one))
+        .list("special", &branch.special, special)
+        .ended(&branch.ended)
+        .units()
+        .put("work", branch.work);
+    let sheet = columns(info, Some(&branch.along)).sheet(&branch.points);
+    Answer::new("equilibria", text, document)
         .figure("equilibria", picture(info, branch))
-        .sheet(
-            "equilibria",
-            columns(info, Some(&branch.along)).sheet(&branch.points),
-        )
+        .sheet("equilibria", sheet)
 }
 
 /// All columns; the first is what is followed, if anything is.
@@ -67,7 +78,7 @@ pub(super) fn columns(
         .numbers(along, |one: &EquilibriumRecord, _| one.r)
         .numbers(states(info, ""), |one, j| one.state.get(j).copied())
         .numbers(eigenvalues, |one, j| part(&one.eigenvalues, j))
-        .column("stability", |one| one.stability.name().to_owned())
+        .column("stability", |one| one.stability.name())
         .column("mode", |one| one.mode.clone().unwrap_or_default())
         .column("artefact", |one| one.artefact.to_string())
 }
@@ -166,52 +177,16 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
     let y = axis(name, first.and_then(|state| state.unit));
     let mut chart = Chart::new(Panel::new(along_axis(info, &branch.along), y));
     let value = |state: &[f64]| state.first().copied().unwrap_or(0.0);
-    let point = |one: &EquilibriumRecord| {
-        Some(Point {
-            at: [one.r?, value(&one.state)],
-            stability: one.stability,
-        })
-    };
     let mark = |one: &SpecialEquilibrium| Mark {
         kind: one.kind,
         label: one.label.clone(),
         at: [one.r, value(&one.state)],
         after: one.after,
     };
-    let points: Vec<Point> = branch.points.iter().filter_map(point).collect();
-    chart.add(&points, branch.special.iter().map(mark).collect());
+    let points = branch.points.iter();
+    let points = points.filter_map(|one| Some(([one.r?, value(&one.state)], one.stability)));
+    chart.add(points.collect(), branch.special.iter().map(mark).collect());
     Figure::new("", info.name, String::new()).panel(chart.panel())
-}
-
-/// A list of equilibria, each with its proof, or why there is none, if proofs were asked for.
-fn list_document<'a>(
-    info: &'a ModelInfo,
-    case: &Case,
-    found: &[EquilibriumRecord],
-    proofs: &[Result<Proof, Unproven>],
-) -> Document<'a> {
-    let one = |(i, one)| {
-        let proof = proofs.get(i).map(|proof| proof::document(info, proof));
-        equilibrium(info, one).maybe("certificate", proof)
-    };
-    Document::case(info, case)
-        .list("equilibria", found.iter().enumerate(), one)
-        .units()
-}
-
-fn branch_document<'a>(
-    info: &'a ModelInfo,
-    case: &Case,
-    branch: &EquilibriaRecord,
-) -> Document<'a> {
-    let special = |one: &SpecialEquilibrium| Document::of(info, one).by_state(&["state"]);
-    Document::case(info, case)
-        .range("along", &branch.along)
-        .list("points", &branch.points, |one| equilibrium(info, one))
-        .list("special", &branch.special, special)
-        .ended(&branch.ended)
-        .units()
-        .put("work", branch.work)
 }
 
 fn equilibrium<'a>(info: &'a ModelInfo, one: &EquilibriumRecord) -> Document<'a> {

@@ -6,11 +6,10 @@ mod proof;
 use clap::Args;
 
 use crate::app::arguments::{Subject, Unresumable, Way};
-use crate::app::failure::Failure;
+use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
+use crate::app::progress::{Progress, Trail};
 use crate::app::request::{Request, request};
-use crate::app::trail::Trail;
 use crate::study::{Along, EquilibriumRecord};
 
 /// List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds
@@ -37,16 +36,15 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     match (request.case.along, arguments.certify) {
         (None, certify) => list(&request, certify),
         (Some(along), false) => follow(&request, along),
-        (Some(_), true) => Err(Failure::usage(
-            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value",
-        )),
+        (Some(_), true) => refuse!(
+            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value"
+        ),
     }
 }
 
 fn list(asked: &Request<'_>, certify: bool) -> Result<(), Failure> {
     let (info, case) = (asked.info, &asked.case);
-    let found = asked.entry.equilibria(case);
-    let found = found.map_err(|error| asked.failed(error))?;
+    let found = asked.got(asked.entry.equilibria(case))?;
     let proofs = certify.then(|| asked.entry.proofs(case, &found));
     let answer = answer::list(info, case, &found, proofs.as_deref());
     asked.output.deliver(answer)?;
@@ -59,8 +57,7 @@ fn follow(asked: &Request<'_>, along: Along) -> Result<(), Failure> {
     let columns = answer::columns(info, Some(&along));
     let mut trail = Trail::new(asked, along, "equilibria", columns, &progress);
     let mut watch = |point: &EquilibriumRecord| trail.reach(point.r, point);
-    let branch = asked.entry.equilibria_along(case, &mut watch);
-    let branch = branch.map_err(|error| asked.failed(error))?;
+    let branch = asked.got(asked.entry.equilibria_along(case, &mut watch))?;
     drop(progress);
     output.deliver(answer::branch(info, case, &branch))?;
     let found = format!("{} equilibria were found", branch.points.len());

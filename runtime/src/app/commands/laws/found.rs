@@ -2,10 +2,9 @@
 
 use heck::ToKebabCase;
 
-use super::Wish;
 use super::curve::Curve;
-use super::drawn::Drawn;
-use super::exhibit::Exhibit;
+use super::drawn::drawn;
+use super::exhibit::{Exhibit, Wish};
 use super::swing::swing;
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
@@ -55,13 +54,8 @@ pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhib
     match law {
         Shown::Static(specimen) => {
             let (values, built) = at_values(specimen, specimen.law().name, set)?;
-            let drawn = Drawn {
-                law: specimen.law(),
-                place: None,
-                values: &values,
-                curve: curve(wish, built.as_ref(), ["m/s", "N"])?,
-            };
-            Ok(drawn.exhibit())
+            let curve = curve(wish, built.as_ref(), ["m/s", "N"])?;
+            Ok(drawn(specimen.law(), None, &values, &curve))
         }
         Shown::Remembering(specimen) => {
             let (values, built) = at_values(specimen, specimen.law().name, set)?;
@@ -100,7 +94,7 @@ pub(super) fn acting(
     }
     let mut case = Case::declared(info, Dynamics::Exact);
     request::set(info, set, &mut case)?;
-    let mut drawn = Vec::new();
+    let mut all = Vec::new();
     entry.laws(&case, &mut |index, law| {
         let contact = &info.contacts[index];
         let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
@@ -109,15 +103,10 @@ pub(super) fn acting(
             "{} = {} {{ {} }} opposing {}",
             contact.name, contact.law.name, contact.fields, contact.speed
         );
-        let exhibit = |curve| Drawn {
-            law: contact.law,
-            place: Some((name, place)),
-            values: &[],
-            curve,
-        };
-        drawn.push(curve(wish, law, units).map(|curve| exhibit(curve).exhibit()));
+        let curve = curve(wish, law, units);
+        all.push(curve.map(|curve| drawn(contact.law, Some((name, place)), &[], &curve)));
     });
-    drawn.into_iter().collect()
+    all.into_iter().collect()
 }
 
 /// The curve of a law as wished for.

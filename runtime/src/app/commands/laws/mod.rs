@@ -9,15 +9,11 @@ mod swing;
 use clap::Args;
 use serde_json::json;
 
-use crate::app::answer::Answer;
 use crate::app::arguments::{Destination, Settings};
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::output::Output;
-use crate::app::values::Reading;
-use crate::app::words::positive;
-use crate::field::Smoothing;
-use exhibit::Exhibit;
+use crate::app::output::{Answer, Output};
+use exhibit::{Exhibit, Wish};
 use found::{Found, acting, find, lone, names};
 
 /// Show friction laws: their formulas, and force against sliding speed
@@ -34,25 +30,6 @@ pub(in crate::app) struct Arguments {
     wish: Wish,
     #[command(flatten)]
     destination: Destination,
-}
-
-/// What is said of the drawing.
-#[derive(Debug, Clone, Args)]
-pub(in crate::app) struct Wish {
-    /// The copy beside it, for instance tanh:50
-    #[arg(long = "smooth", value_name = "KERNEL:SIZE", value_parser = Reading(smoothing))]
-    smoothing: Option<Smoothing>,
-    /// The largest sliding speed, or that of a swing
-    #[arg(long, value_name = "V", value_parser = Reading(positive))]
-    speed: Option<f64>,
-    /// Of a swing that shows what a law remembers
-    #[arg(long, value_name = "X", value_parser = Reading(positive))]
-    amplitude: Option<f64>,
-}
-
-fn smoothing(option: &str, word: &str) -> Result<Smoothing, Failure> {
-    word.parse()
-        .map_err(|error| Failure::usage(format!("`{option} {word}`: {error}")))
 }
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {

@@ -2,14 +2,12 @@
 
 use serde_json::{Value, json};
 
-use super::Wish;
-use super::exhibit::{Exhibit, Known};
+use super::exhibit::{Computed, Exhibit, Known, Wish};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
 use crate::app::spreadsheet::{Columns, Spreadsheet};
 use crate::app::text::{line, number, table};
-use crate::memory::MemoryLawInfo;
-use crate::report::{self, Axis, Figure, Panel};
+use crate::report::{Axis, Curve, Panel};
 use crate::study::Hysteresis;
 
 /// How much faster the second swing is: what it changes is the rate dependence of a law.
@@ -46,22 +44,26 @@ pub(super) fn swing(
         })?;
         loops.push(Loop { speed, points });
     }
+    let states = law.states.iter().map(|state| {
+        json!({ "name": state.name, "doc": state.doc.trim(),
+                "unit": unit(state.unit), "equation": state.equation,
+                "stop": state.stop.map(|stop| stop.bound) })
+    });
     let known = Known {
         name: law.name,
         doc: law.doc,
         formulas: law.lines(),
+        fields: json!({ "force": law.force, "states": states.collect::<Vec<_>>() }),
         parameters: law.parameters,
         values,
     };
-    let name = known.command();
-    Ok(Exhibit {
-        listing: known.listing(),
-        text: known.text(&name, None) + &text(amplitude, &loops),
-        document: document(&name, law, &known, amplitude, &loops),
-        figure: figure(&name, &loops),
+    let found = Computed {
+        text: text(amplitude, &loops),
+        fields: fields(amplitude, &loops),
+        panel: panel(&loops),
         sheet: sheet(&loops),
-        name,
-    })
+    };
+    Ok(known.exhibit(None, found))
 }
 
 fn text(amplitude: f64, loops: &[Loop]) -> String {
@@ -76,41 +78,25 @@ fn text(amplitude: f64, loops: &[Loop]) -> String {
     format!("\nswinging by {amplitude} m to and fro\n{}", table(&lines))
 }
 
-fn document(
-    name: &str,
-    law: &MemoryLawInfo,
-    known: &Known<'_>,
-    amplitude: f64,
-    loops: &[Loop],
-) -> Value {
-    let states = law.states.iter().map(|state| {
-        json!({ "name": state.name, "doc": state.doc.trim(),
-                "unit": unit(state.unit), "equation": state.equation,
-                "stop": state.stop.map(|stop| stop.bound) })
-    });
+fn fields(amplitude: f64, loops: &[Loop]) -> Value {
     let column = |one: &Loop, i: usize| one.points.iter().map(|point| point[i]).collect::<Vec<_>>();
     let loops = loops.iter().map(|one| {
         json!({ "speed": one.speed, "displacement": column(one, 0), "force": column(one, 1) })
     });
     json!({
-        "law": name, "name": law.name, "doc": law.doc.trim(), "force": law.force,
-        "states": states.collect::<Vec<_>>(), "parameters": known.parameters(),
-        "values": known.values(), "amplitude": amplitude,
+        "amplitude": amplitude,
         "units": { "amplitude": "m", "speed": "m/s", "displacement": "m", "force": "N" },
         "loops": loops.collect::<Vec<_>>(),
     })
 }
 
-fn figure(name: &str, loops: &[Loop]) -> Figure {
-    let panel = Panel::new(
-        Axis::new("displacement (m)"),
-        Axis::new("friction force opposing it (N)"),
-    );
+fn panel(loops: &[Loop]) -> Panel {
     let curves = loops.iter().enumerate().map(|(series, one)| {
         let label = format!("at {} m/s", number(one.speed, 2));
-        report::Curve::line(label, series, one.points.clone())
+        Curve::line(label, series, one.points.clone())
     });
-    Figure::new("law", name, "").panel(panel.curves(curves))
+    let [x, y] = ["displacement (m)", "friction force opposing it (N)"].map(Axis::new);
+    Panel::new(x, y).curves(curves)
 }
 
 fn sheet(loops: &[Loop]) -> Spreadsheet {

@@ -1,18 +1,15 @@
 //! `models`: what is declared.
 
-mod document;
-mod text;
+mod answer;
 
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::app::answer::Answer;
 use crate::app::arguments::View;
 use crate::app::failure::Failure;
 use crate::app::offer::App;
-use crate::app::output::Output;
-use document::document;
-use text::{brief, describe};
+use crate::app::output::{Answer, Output};
+use answer::{brief, describe, document};
 
 /// Show the models, or all that is declared of one
 #[derive(Debug, Clone, Args)]

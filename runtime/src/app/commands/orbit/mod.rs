@@ -5,21 +5,19 @@ mod record;
 
 use clap::Args;
 
-use crate::app::answer::Answer;
+use super::simulate;
 use crate::app::arguments::{Period, Subject};
 use crate::app::failure::Failure;
 use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
-use crate::app::output::Output;
+use crate::app::output::{Answer, Output};
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
 use crate::app::section::{Cut, with_points};
 use crate::app::text::number;
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, choose};
-pub(super) use record::{columns, document};
-
-use super::simulate;
+pub(super) use record::{columns, document, largest, shown};
 
 /// An estimate this many times above the accuracy asked for is worth a word.
 const MISSED: f64 = 10.0;

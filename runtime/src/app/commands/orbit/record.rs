@@ -2,11 +2,12 @@
 
 use crate::app::document::Document;
 use crate::app::harmonics;
+use crate::app::request::Request;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{
     digits, followed, heading, label, line, number, states as named, table, time_unit, timed, work,
 };
-use crate::model::ModelInfo;
+use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case, OrbitRecord};
 
 /// All but what it cost.
@@ -56,10 +57,8 @@ pub(in crate::app::commands) fn columns(
     };
     let columns = Columns::new()
         .number(followed(info, along), |orbit: &OrbitRecord| orbit.r)
-        .number(timed(info, "period", "s"), |orbit| Some(orbit.period))
-        .column("stability", |orbit| {
-            orbit.floquet.stability.name().to_owned()
-        })
+        .number(timed(info, "period", "s"), |orbit| orbit.period)
+        .column("stability", |orbit| orbit.floquet.stability.name())
         .column("period_count", |orbit| orbit.period_count.to_string())
         .numbers(states(""), |orbit, j| orbit.state.get(j).copied())
         .numbers(states("max_"), |orbit, j| orbit.max.get(j).copied())
@@ -69,9 +68,52 @@ pub(in crate::app::commands) fn columns(
             parts("multiplier", count, &["re", "im", "log_abs"]),
             multiplier,
         )
-        .number("residual", |orbit| Some(orbit.residual))
-        .number("error_estimate", |orbit| Some(orbit.error_estimate));
+        .number("residual", |orbit| orbit.residual)
+        .number("error_estimate", |orbit| orbit.error_estimate);
     harmonics::all(columns, info, orders)
+}
+
+/// Its columns on the terminal, with these states.
+pub(in crate::app::commands) fn shown(
+    asked: &Request<'_>,
+    along: &Along,
+    states: &[usize],
+) -> Columns<'static, OrbitRecord> {
+    let info = asked.info;
+    let shown = |orbit: &OrbitRecord, value: Option<f64>| {
+        let digits = digits(orbit.error_estimate).min(9);
+        value.map_or(String::new(), |value| number(value, digits))
+    };
+    let multiplier = |orbit: &OrbitRecord| {
+        let largest = orbit.floquet.multipliers.first();
+        largest.map_or(String::new(), |largest| number(largest.norm(), 5))
+    };
+    let mut columns = Columns::new()
+        .column(followed(info, along), move |orbit: &OrbitRecord| {
+            shown(orbit, orbit.r)
+        })
+        .column(timed(info, "period", "s"), move |orbit| {
+            shown(orbit, Some(orbit.period))
+        });
+    for &j in states {
+        let (name, unit) = largest(info, j);
+        columns = columns.column(label(&name, unit), move |orbit| {
+            shown(orbit, orbit.max_abs.get(j).copied())
+        });
+        for &order in &asked.case.harmonics {
+            columns = harmonics::rounded(columns, info, order, j);
+        }
+    }
+    columns
+        .column("|multiplier|", multiplier)
+        .column("stability", |orbit| orbit.floquet.stability.name())
+}
+
+/// What the largest magnitude of a state is called, and its unit.
+pub(in crate::app::commands) fn largest(info: &ModelInfo, j: usize) -> (String, Option<Unit>) {
+    let state = info.states.get(j);
+    let name = format!("max |{}|", state.map_or("", |state| state.name));
+    (name, state.and_then(|state| state.unit))
 }
 
 pub(super) fn describe(info: &ModelInfo, case: &Case, orbit: &OrbitRecord) -> String {

@@ -1,7 +1,6 @@
 //! `simulate`: one motion from its start.
 
 mod answer;
-mod picture;
 
 use clap::Args;
 
@@ -33,8 +32,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let (info, case, time) = (asked.info, &asked.case, arguments.time);
     let section = arguments.cut.of(info)?;
     let progress = Progress::endless(&asked.output, "following the motion");
-    let motion = asked.entry.motion(case, time);
-    let motion = motion.map_err(|error| asked.failed(error))?;
+    let motion = asked.got(asked.entry.motion(case, time))?;
     let answer = answer::answer(info, case, &motion, time);
     let answer = with_points(answer, &asked, case, section, Span::Time(time))?;
     drop(progress);

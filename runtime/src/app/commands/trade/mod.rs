@@ -6,11 +6,11 @@ mod text;
 
 use clap::Args;
 
-use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject, Unresumable};
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::offer::App;
+use crate::app::output::Answer;
 use crate::app::progress::Progress;
 use crate::app::request::request;
 use crate::app::values::{Range, Reading};
@@ -72,8 +72,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         }
         interrupt::verdict()
     };
-    let record = asked.entry.trade(case, &scope, &mut watch);
-    let record = record.map_err(|error| asked.failed(error))?;
+    let record = asked.got(asked.entry.trade(case, &scope, &mut watch))?;
     drop(progress);
     let [errors, precisions] = sheet::sheets(info, &record);
     let text = text::describe(info, case, &record, scope.accuracy);

@@ -1,6 +1,6 @@
 //! A trade as CSV.
 
-use crate::app::spreadsheet::{Columns, Row, Spreadsheet};
+use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
 use crate::app::text::timed;
 use crate::field::{Kernel, Work};
 use crate::model::ModelInfo;
@@ -22,18 +22,18 @@ pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'s
     let columns = Columns::new()
         .column("end", move |_: &Point| end.to_string())
         .column("kernel", move |_| kernel.to_string())
-        .number("size", |point| Some(point.size))
+        .number("size", |point| point.size)
         .number(timed(info, "stiffness", "1/s"), |point| {
             Some(point.stiffness)
         })
-        .number("frequency", |point| Some(point.frequency))
+        .number("frequency", |point| point.frequency)
         .number("predicted_frequency", |point| {
             Some(predicted(point)?.frequency)
         })
         .number("leading", |point| predicted(point)?.leading)
         .numbers(errors, error)
         .column("asymptotic", move |point| asymptotic(point).to_string())
-        .number("resolution", |point| Some(point.resolution));
+        .number("resolution", |point| point.resolution);
     counted(columns, &[STEPS, LINEARISATIONS, FACTORISATIONS], |point| {
         &point.cost
     })
@@ -48,9 +48,9 @@ fn precision(end: usize, dynamics: String) -> Columns<'static, PrecisionPoint> {
     let columns = Columns::new()
         .column("end", move |_: &PrecisionPoint| end.to_string())
         .column("dynamics", move |_| dynamics.clone())
-        .number("tolerance", |point| Some(point.tolerance))
-        .number("integration_error", |point| Some(point.integration))
-        .number("total_error", |point| Some(point.total));
+        .number("tolerance", |point| point.tolerance)
+        .number("integration_error", |point| point.integration)
+        .number("total_error", |point| point.total);
     let counts = [STEPS, EVALUATIONS, LINEARISATIONS, FACTORISATIONS];
     counted(columns, &counts, |point| &point.cost)
 }
@@ -84,8 +84,8 @@ pub(super) fn sheets(info: &ModelInfo, record: &TradeRecord) -> [Spreadsheet; 2]
         curves.flat_map(move |curve| precision_rows(end, curve))
     });
     [
-        Spreadsheet::new(copies(info, 0, Kernel::Arctan).head(), rows),
-        Spreadsheet::new(precision_head(), curves),
+        headed(copies(info, 0, Kernel::Arctan).head(), rows),
+        headed(precision_head(), curves),
     ]
 }
 
