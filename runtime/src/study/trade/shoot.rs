@@ -62,12 +62,18 @@ impl Shooting {
         pairs.map(|(max, min)| max.abs().max(min.abs())).collect()
     }
 
-    pub(super) fn magnitude(&self) -> Vec<f64> {
-        half_extents(&self.min, &self.max, &vec![1.0; self.min.len()])
+    /// As a guess for a smooth copy, which has no modes.
+    pub(super) fn guess(&self) -> Guess {
+        Guess {
+            place: Place {
+                state: self.state.clone(),
+                modes: Vec::new(),
+            },
+            period: self.period,
+            magnitude: half_extents(&self.min, &self.max, &vec![1.0; self.min.len()]),
+        }
     }
-}
 
-impl Shooting {
     /// Relative, signed errors of frequency and largest magnitudes against `truth`.
     pub(super) fn errors(&self, truth: &Self) -> (f64, Vec<f64>) {
         let pairs = self.max_abs().into_iter().zip(truth.max_abs());
@@ -80,19 +86,14 @@ impl Shooting {
     /// The largest of them.
     pub(super) fn error(&self, truth: &Self) -> f64 {
         let (frequency, max_abs) = self.errors(truth);
-        max_abs
-            .iter()
-            .fold(frequency.abs(), |most, e| most.max(e.abs()))
+        largest(frequency, &max_abs)
     }
 }
 
-/// A shot orbit as a guess for another tolerance, or another family of the same states.
-pub(super) fn near(family: &Family, r: f64, shooting: &Shooting) -> Result<Guess, FlowError> {
-    Ok(Guess {
-        place: family.at(r)?.place(&shooting.state)?,
-        period: shooting.period,
-        magnitude: shooting.magnitude(),
-    })
+/// The largest magnitude of these errors.
+pub(super) fn largest<'a>(frequency: f64, others: impl IntoIterator<Item = &'a f64>) -> f64 {
+    let others = others.into_iter();
+    others.fold(frequency.abs(), |most, error| most.max(error.abs()))
 }
 
 /// Newton from a guess.
