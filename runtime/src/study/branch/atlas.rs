@@ -148,7 +148,7 @@ impl Atlas<'_> {
 
     /// A branch with those that leave it, `depth` switches deep.
     fn record(&mut self, stretch: Stretch, from: Option<String>, depth: usize) -> BranchRecord {
-        let mut special = numbered(&self.along, &stretch.located, &stretch.after);
+        let mut special = numbered(&self.along, &stretch.located);
         let met = stretch.located.iter().filter(|event| event.last);
         self.known.extend(met.cloned());
         let mut branches = Vec::new();

@@ -24,6 +24,10 @@ pub(crate) struct History {
     pub(super) start: Place,
     pub(super) period: f64,
     pub(super) switches: Vec<Switch>,
+    /// What a copy loses is that of this one.
+    pub(super) smoothing: Smoothing,
+    /// Only the releases count, by their leading terms: neither creep nor tails.
+    pub(super) leading: bool,
 }
 
 /// A switch of one contact, with the modes around it.
@@ -39,7 +43,11 @@ pub(super) struct Switch {
 
 impl History {
     /// Follows the orbit once around.
-    pub(super) fn of(model: &dyn Rubbing, orbit: &Orbit) -> Result<Self, PredictError> {
+    pub(super) fn of(
+        model: &dyn Rubbing,
+        orbit: &Orbit,
+        smoothing: Smoothing,
+    ) -> Result<Self, PredictError> {
         let want = Want {
             extrema: true,
             ..Want::default()
@@ -52,6 +60,8 @@ impl History {
             start,
             period: orbit.period,
             switches: Vec::new(),
+            smoothing,
+            leading: false,
         };
         history.find_switches(model)?;
         Ok(history)
@@ -98,12 +108,9 @@ impl History {
     }
 
     /// Finds what each release costs a copy, numerically or by its leading term, and what each crossing does in the end.
-    pub(super) fn lose(
-        &mut self,
-        model: &dyn Rubbing,
-        smoothing: &Smoothing,
-        leading: bool,
-    ) -> Result<(), PredictError> {
+    pub(super) fn lose(&mut self, model: &dyn Rubbing, leading: bool) -> Result<(), PredictError> {
+        self.leading = leading;
+        let smoothing = &self.smoothing;
         for switch in &mut self.switches {
             let exact = |local: Local| Scalar {
                 model,
