@@ -105,11 +105,7 @@ impl<'f> Crossings<'f> {
 
     /// Follows one more passage.
     fn follow(&mut self) -> Result<(), FlowError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
-        let passage = self.flow.advance(&self.place, self.chunk, want)?;
+        let passage = self.flow.advance(&self.place, self.chunk, Want::EXTREMA)?;
         self.work += passage.work;
         let before = self.ready.len();
         match self.section.surface {

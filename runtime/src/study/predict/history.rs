@@ -13,10 +13,7 @@ use crate::motion::{Event, Modes, Passage, Place};
 use crate::shooting::Orbit;
 
 /// Tolerance of the exact motion.
-pub(super) const TIGHT: Tolerance = Tolerance {
-    relative: 1e-12,
-    absolute: 1e-12,
-};
+pub(super) const TIGHT: Tolerance = Tolerance::both(1e-12);
 
 /// One period of an exact orbit.
 pub(crate) struct History {
@@ -48,12 +45,8 @@ impl History {
         orbit: &Orbit,
         smoothing: Smoothing,
     ) -> Result<Self, PredictError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
         let mut start = orbit.place.clone();
-        let passage = model.flow()?.advance(&start, orbit.period, want)?;
+        let passage = model.flow()?.advance(&start, orbit.period, Want::EXTREMA)?;
         start.modes.resize(passage.end.modes.len(), Mode::Stick);
         let mut history = Self {
             passage,

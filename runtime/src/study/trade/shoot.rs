@@ -33,10 +33,7 @@ impl Effort {
 
     pub(super) const fn at(tolerance: f64, accuracy: f64) -> Self {
         Self {
-            tolerance: Tolerance {
-                relative: tolerance,
-                absolute: tolerance,
-            },
+            tolerance: Tolerance::both(tolerance),
             accuracy,
         }
     }
@@ -165,11 +162,6 @@ pub(super) fn follow(
 
 /// What one period with derivatives and extrema costs at the family's tolerance.
 pub(super) fn cost(family: &Family, shooting: &Shooting) -> Result<Cost, FlowError> {
-    let want = Want {
-        derivatives: true,
-        extrema: true,
-        ..Want::default()
-    };
     let mut cost = Cost {
         seconds: f64::INFINITY,
         ..Cost::default()
@@ -177,7 +169,7 @@ pub(super) fn cost(family: &Family, shooting: &Shooting) -> Result<Cost, FlowErr
     for _ in 0..REPEATS {
         let clock = Instant::now();
         let flow = family.at(0.0)?;
-        let passage = flow.advance(&flow.place(&shooting.state)?, shooting.period, want)?;
+        let passage = flow.advance(&flow.place(&shooting.state)?, shooting.period, Want::SHOT)?;
         cost.seconds = cost.seconds.min(clock.elapsed().as_secs_f64());
         cost.work = passage.work;
     }
