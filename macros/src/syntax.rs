@@ -18,32 +18,18 @@ pub(crate) mod word {
 
 /// `pub struct Name { lines }`.
 pub(crate) struct Declaration {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) visibility: Visibility,
-    pub(crate) keyword: Token![struct],
-    pub(crate) name: Ident,
+    pub(crate) header: Header,
     pub(crate) lines: Vec<Line>,
     pub(crate) repeated: Repeated,
 }
 
 /// What stands before the braces.
-#[derive(Clone, Copy)]
-pub(crate) struct Header<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
+#[derive(Clone)]
+pub(crate) struct Header {
+    pub(crate) docs: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
     pub(crate) keyword: Token![struct],
-    pub(crate) name: &'a Ident,
-}
-
-impl Declaration {
-    pub(crate) fn header(&self) -> Header<'_> {
-        Header {
-            docs: &self.docs,
-            visibility: &self.visibility,
-            keyword: self.keyword,
-            name: &self.name,
-        }
-    }
+    pub(crate) name: Ident,
 }
 
 pub(crate) enum Line {

@@ -14,7 +14,7 @@ use crate::syntax::{Declaration, Friction, Line, Rule};
 pub(super) fn check_a_state(written: &Declaration, errors: &mut Errors) {
     let broken = written.broken().any(|line| line.keyword != Some("param"));
     if written.states().next().is_none() && !broken {
-        let name = &written.name;
+        let name = &written.header.name;
         errors.at(
             name,
             format!("model `{name}` has no state: add `state x = 1.0;`"),
@@ -90,7 +90,7 @@ pub(super) fn state_names(written: &Declaration) -> Vec<String> {
 
 /// A law has one line for rest and one for sliding.
 pub(super) fn check_stick_and_slip(written: &Declaration, errors: &mut Errors) {
-    let name = &written.name;
+    let name = &written.header.name;
     if written.sticks().next().is_none() && !written.lost("stick") {
         errors.at(
             name,

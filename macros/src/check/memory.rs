@@ -98,7 +98,7 @@ pub(super) fn check_no_rest(written: &Declaration, errors: &mut Errors) {
 
 /// A law with internal state has one force.
 pub(super) fn check_a_force(written: &Declaration, errors: &mut Errors) {
-    let name = &written.name;
+    let name = &written.header.name;
     if written.forces().next().is_none() && !written.lost("force") {
         errors.at(
             name,

@@ -29,7 +29,7 @@ pub(super) fn law(written: &Declaration) -> TokenStream {
     if written.has_memory() {
         least.lines.push(Line::Force(speed));
     } else {
-        least.lines.push(Line::Stick(zero(&written.name)));
+        least.lines.push(Line::Stick(zero(&written.header.name)));
         least.lines.push(Line::Slip(speed));
     }
     let tokens = check::unasked_law(&least).map(|law| laws::tokens(&law));
@@ -54,10 +54,7 @@ fn least(written: &Declaration, keywords: &[&'static str]) -> Declaration {
         }
     }
     Declaration {
-        docs: written.docs.clone(),
-        visibility: written.visibility.clone(),
-        keyword: written.keyword,
-        name: written.name.clone(),
+        header: written.header.clone(),
         lines,
         repeated: Repeated::default(),
     }

@@ -114,13 +114,13 @@ impl Field<2> for Scalar<'_> {
 
     fn kinks(&self) -> usize {
         if self.copied {
-            self.smoothing.kinks().len()
+            self.smoothing.kernel.kinks().len()
         } else {
             0
         }
     }
 
     fn kink(&self, index: usize, y: &[f64; 2]) -> f64 {
-        y[1] - self.smoothing.kinks()[index]
+        y[1] - self.smoothing.kernel.kinks()[index]
     }
 }
