@@ -22,12 +22,13 @@ use self::names::Names;
 pub(crate) use self::reserved::is_field;
 use self::units::Units;
 use crate::errors::Errors;
+use crate::parse::Grammar;
 use crate::syntax::Declaration;
 
 /// Asks everything that a model must answer.
 pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Model<'a>> {
     let legible = errors.is_empty();
-    let names = Names::of_model(written);
+    let names = Names::of(written, Grammar::Model);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     arrays::check_counters(written, &names, errors);
@@ -65,7 +66,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
 /// Asks everything that a friction law must answer.
 pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Law<'a>> {
     let legible = errors.is_empty();
-    let names = Names::of_law(written);
+    let names = Names::of(written, Grammar::Law);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     names::check_known(written, &names, errors);

@@ -155,7 +155,7 @@ fn contact<'a>(line: &'a Friction, place: usize, units: &Units) -> Contact<'a> {
         measures: Measures {
             force: units.of_name(&line.name),
             speed,
-            time: units.time(),
+            time: units.time,
         },
         carriers: carriers.map(|state| carrier(state, units)).collect(),
     }

@@ -99,14 +99,8 @@ impl Tape {
 
 /// A family whose passages are kept on a [`Tape`].
 pub(super) struct Taped {
-    family: Family,
-    tape: Arc<Tape>,
-}
-
-impl Taped {
-    pub(super) fn new(family: Family, tape: Arc<Tape>) -> Self {
-        Self { family, tape }
-    }
+    pub(super) family: Family,
+    pub(super) tape: Arc<Tape>,
 }
 
 /// A flow whose passages are kept on a [`Tape`].
