@@ -173,6 +173,12 @@ impl Display for Number {
     }
 }
 
+/// The last word of a path.
+pub(crate) fn last_word(path: &Path) -> String {
+    let last = path.segments.last();
+    last.map_or_else(String::new, |segment| segment.ident.to_string())
+}
+
 /// Tokens as text without spaces.
 pub(crate) fn tight(tokens: &TokenStream) -> String {
     tokens
