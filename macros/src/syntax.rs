@@ -3,10 +3,9 @@
 use std::fmt::{Display, Formatter, Result};
 
 use proc_macro2::{Ident, TokenStream};
-use quote::ToTokens;
 use syn::{Attribute, Path, Token, Visibility};
 
-use crate::formula::{Formula, Number, tight};
+use crate::formula::{Formula, Number, tight, underlined};
 use crate::repeated::Repeated;
 
 /// The words that join the parts of a line.
@@ -128,17 +127,7 @@ impl Display for Unit {
     }
 }
 
-impl ToTokens for Unit {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
-
-impl ToTokens for Bounds {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
+underlined!(Bounds, Unit);
 
 /// Picks the lines of one kind.
 macro_rules! lines_of {
