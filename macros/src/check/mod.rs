@@ -46,9 +46,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
     drive::check_periodic(written, errors);
     equations::check_laws_read_no_force(written, errors);
     equations::check_forces_linear(written, errors);
-    bounds::check_bound_names(written, errors);
-    bounds::check_bounds_not_empty(written, errors);
-    bounds::check_defaults_in_bounds(written, errors);
+    bounds::check_bounds(written, errors);
     let units = Units::of(written, errors);
     units::check_drive(written, &units, errors);
     units::check_contacts(written, &units, errors);
@@ -86,8 +84,7 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
         equations::check_stick_and_slip(written, errors);
         memory::check_kinks_have_memory(written, errors);
     }
-    bounds::check_bound_names(written, errors);
-    bounds::check_bounds_not_empty(written, errors);
+    bounds::check_bounds(written, errors);
     let units = Units::of(written, errors);
     units::check_law(written, &units, errors);
     units::check_equations(written, &units, errors);
