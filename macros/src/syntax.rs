@@ -3,10 +3,9 @@
 use std::fmt::{Display, Formatter, Result};
 
 use proc_macro2::{Ident, TokenStream};
-use quote::ToTokens;
 use syn::{Attribute, Path, Token, Visibility};
 
-use crate::formula::{Formula, Number, tight};
+use crate::formula::{Formula, Number, tight, underlined};
 use crate::repeated::Repeated;
 
 /// The words that join the parts of a line.
@@ -18,32 +17,18 @@ pub(crate) mod word {
 
 /// `pub struct Name { lines }`.
 pub(crate) struct Declaration {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) visibility: Visibility,
-    pub(crate) keyword: Token![struct],
-    pub(crate) name: Ident,
+    pub(crate) header: Header,
     pub(crate) lines: Vec<Line>,
     pub(crate) repeated: Repeated,
 }
 
 /// What stands before the braces.
-#[derive(Clone, Copy)]
-pub(crate) struct Header<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
+#[derive(Clone)]
+pub(crate) struct Header {
+    pub(crate) docs: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
     pub(crate) keyword: Token![struct],
-    pub(crate) name: &'a Ident,
-}
-
-impl Declaration {
-    pub(crate) fn header(&self) -> Header<'_> {
-        Header {
-            docs: &self.docs,
-            visibility: &self.visibility,
-            keyword: self.keyword,
-            name: &self.name,
-        }
-    }
+    pub(crate) name: Ident,
 }
 
 pub(crate) enum Line {
@@ -142,17 +127,7 @@ impl Display for Unit {
     }
 }
 
-impl ToTokens for Unit {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
-
-impl ToTokens for Bounds {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
+underlined!(Bounds, Unit);
 
 /// Picks the lines of one kind.
 macro_rules! lines_of {

@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 use syn::{Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, Lit, Path};
 
 use super::{Arithmetic, FUNCTIONS};
-use crate::formula::{Kind, Number};
+use crate::formula::{Kind, Number, last_word};
 use crate::parse::Grammar;
 use crate::suggest::nearest;
 
@@ -107,9 +107,7 @@ impl Arithmetic<'_> {
     }
 
     pub(super) fn path_of_function(&mut self, path: &Path) -> Kind {
-        let last = path.segments.last();
-        let name = last.map(|segment| segment.ident.to_string());
-        let name = name.unwrap_or_default();
+        let name = last_word(path);
         self.refuse(
             path,
             format!("functions have no path in a formula: write `{name}(x)`"),

@@ -14,7 +14,7 @@ use crate::syntax::{Declaration, Friction, Line, Rule};
 pub(super) fn check_a_state(written: &Declaration, errors: &mut Errors) {
     let broken = written.broken().any(|line| line.keyword != Some("param"));
     if written.states().next().is_none() && !broken {
-        let name = &written.name;
+        let name = &written.header.name;
         errors.at(
             name,
             format!("model `{name}` has no state: add `state x = 1.0;`"),
@@ -29,7 +29,8 @@ pub(super) fn check_left_sides(written: &Declaration, names: &Names, errors: &mu
         let name = &derivative.name;
         let said = super::arrays::missing(written).any(|element| element.name == *name);
         if !said {
-            check_a_state_named(name, names, &states, "have equations", errors);
+            let only = "not a state; only states have equations";
+            check_a_state_named(name, names, &states, only, errors);
         }
     }
 }
@@ -39,7 +40,7 @@ pub(super) fn check_a_state_named(
     name: &Ident,
     names: &Names,
     states: &[String],
-    only_states: &str,
+    only: &str,
     errors: &mut Errors,
 ) {
     let text = name.to_string();
@@ -47,7 +48,7 @@ pub(super) fn check_a_state_named(
         return;
     }
     let advice = if let Some(noun) = names.noun_of(name) {
-        format!("a {noun}, not a state; only states {only_states}")
+        format!("a {noun}, {only}")
     } else if let Some(near) = nearest(&text, states.iter().map(String::as_str)) {
         format!("not a state; did you mean `{near}`?")
     } else {
@@ -90,7 +91,7 @@ pub(super) fn state_names(written: &Declaration) -> Vec<String> {
 
 /// A law has one line for rest and one for sliding.
 pub(super) fn check_stick_and_slip(written: &Declaration, errors: &mut Errors) {
-    let name = &written.name;
+    let name = &written.header.name;
     if written.sticks().next().is_none() && !written.lost("stick") {
         errors.at(
             name,

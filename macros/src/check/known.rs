@@ -10,7 +10,7 @@ use crate::formula::Formula;
 use crate::syntax::{Friction, Header, Rule, Value};
 
 pub(crate) struct Model<'a> {
-    pub(crate) header: Header<'a>,
+    pub(crate) header: &'a Header,
     pub(crate) states: Vec<State<'a>>,
     pub(crate) parameters: Vec<Parameter<'a>>,
     /// Whether the last of the states is the phase of a drive.
@@ -85,7 +85,7 @@ pub(crate) struct Carrier<'a> {
 }
 
 pub(crate) struct Law<'a> {
-    pub(crate) header: Header<'a>,
+    pub(crate) header: &'a Header,
     pub(crate) parameters: Vec<Parameter<'a>>,
     pub(crate) lets: Vec<Let<'a>>,
     pub(crate) speed: &'a Ident,

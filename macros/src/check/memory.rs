@@ -3,31 +3,21 @@
 use std::collections::HashMap;
 
 use proc_macro2::Ident;
-use syn::ext::IdentExt;
 
-use super::equations::check_one;
+use super::equations::{check_a_state_named, check_one, state_names};
 use super::known::{Force, Law};
 use super::names::Names;
 use crate::arithmetic::{CORNERS, apply};
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
-use crate::suggest::nearest;
 use crate::syntax::Declaration;
 
 /// What stands after `with` is a state of the model.
 pub(super) fn check_carriers(written: &Declaration, names: &Names, errors: &mut Errors) {
-    let states = written.states().map(|state| state.name.unraw().to_string());
-    let states: Vec<String> = states.collect();
+    let states = state_names(written);
     for name in misnamed(written) {
-        let text = name.unraw().to_string();
-        let advice = if let Some(noun) = names.noun_of(name) {
-            format!("a {noun}, and only a state can carry the internal state of a law")
-        } else if let Some(near) = nearest(&text, states.iter().map(String::as_str)) {
-            format!("not a state; did you mean `{near}`?")
-        } else {
-            format!("not a state; declare it with `state {text} = 0.0;`")
-        };
-        errors.at(name, format!("`{text}` is {advice}"));
+        let only = "and only a state can carry the internal state of a law";
+        check_a_state_named(name, names, &states, only, errors);
     }
 }
 
@@ -98,7 +88,7 @@ pub(super) fn check_no_rest(written: &Declaration, errors: &mut Errors) {
 
 /// A law with internal state has one force.
 pub(super) fn check_a_force(written: &Declaration, errors: &mut Errors) {
-    let name = &written.name;
+    let name = &written.header.name;
     if written.forces().next().is_none() && !written.lost("force") {
         errors.at(
             name,

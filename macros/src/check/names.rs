@@ -8,6 +8,7 @@ use syn::ext::IdentExt;
 use super::arrays;
 use crate::errors::Errors;
 use crate::formula::Formula;
+use crate::parse::Grammar;
 use crate::suggest::nearest;
 use crate::syntax::{Declaration, Line};
 
@@ -38,15 +39,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn of_model(written: &Declaration) -> Self {
-        Self::of(written, true)
-    }
-
-    pub(super) fn of_law(written: &Declaration) -> Self {
-        Self::of(written, false)
-    }
-
-    fn of(written: &Declaration, in_model: bool) -> Self {
+    pub(super) fn of(written: &Declaration, grammar: Grammar) -> Self {
         let unknown = written.broken().filter(|line| line.keyword.is_none());
         Self {
             declared: written.lines.iter().filter_map(declared_by).collect(),
@@ -58,7 +51,7 @@ impl Names {
                 .into_iter()
                 .filter_map(|(array, indices)| Some((array, *indices.first()?)))
                 .collect(),
-            in_model,
+            in_model: grammar == Grammar::Model,
         }
     }
 

@@ -22,7 +22,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
     let phase = written.drives().map(|line| Some(phase(line, units)));
     Some(Model {
         driven: written.drives().next().is_some(),
-        header: written.header(),
+        header: &written.header,
         states: states.chain(phase).collect::<Option<_>>()?,
         parameters: parameters(written, units),
         steps: steps(written, units),
@@ -54,7 +54,7 @@ pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>
         })
     });
     Some(Law {
-        header: written.header(),
+        header: &written.header,
         parameters: parameters(written, units),
         lets: written.lets().map(|line| quantity(line, units)).collect(),
         speed,
@@ -155,7 +155,7 @@ fn contact<'a>(line: &'a Friction, place: usize, units: &Units) -> Contact<'a> {
         measures: Measures {
             force: units.of_name(&line.name),
             speed,
-            time: units.time(),
+            time: units.time,
         },
         carriers: carriers.map(|state| carrier(state, units)).collect(),
     }

@@ -12,7 +12,8 @@ use crate::syntax::{Declaration, Rule};
 pub(super) fn check_stopped_states(written: &Declaration, names: &Names, errors: &mut Errors) {
     let states = state_names(written);
     for stop in written.stops() {
-        check_a_state_named(&stop.name, names, &states, "stop", errors);
+        let only = "not a state; only states stop";
+        check_a_state_named(&stop.name, names, &states, only, errors);
     }
 }
 

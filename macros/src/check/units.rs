@@ -13,7 +13,7 @@ use crate::syntax::{Declaration, Line, Rule, Unit};
 #[derive(Default)]
 pub(super) struct Units {
     known: HashMap<Ident, Dimension>,
-    time: Dimension,
+    pub(super) time: Dimension,
 }
 
 impl Units {
@@ -60,11 +60,6 @@ impl Units {
     /// The dimension of a name, if one is known.
     pub(super) fn of_name(&self, name: &Ident) -> Option<Dimension> {
         self.known.get(name).copied()
-    }
-
-    /// The dimension of time.
-    pub(super) fn time(&self) -> Dimension {
-        self.time
     }
 
     /// The dimension of a formula in which everything agrees, if it is known.

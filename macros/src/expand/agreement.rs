@@ -27,42 +27,28 @@ pub(super) fn assertions(model: &Model) -> TokenStream {
 }
 
 fn of_fields(contact: &Contact, info: &TokenStream) -> Vec<TokenStream> {
-    let line = contact.line;
-    let fields = line.fields.iter().zip(&contact.fields);
+    let fields = contact.line.fields.iter().zip(&contact.fields);
     let assertions = fields.filter_map(|(field, dimension)| {
-        let dimension = (*dimension)?;
-        let (found, name) = (exponents(dimension)?, field.name.unraw().to_string());
+        let (name, dimension) = (field.name.unraw().to_string(), (*dimension)?);
+        let found = exponents(dimension)?;
         let asked = quote!(accepts(#info.parameters, #name, #found));
-        let message = format!(
-            "unit mismatch: `{}` is in {dimension}, which is not the unit of `{}` in `{}`, \
-             measured with the force `{}` and the speed `{}`",
-            field.formula,
-            field.name,
-            law(contact),
-            line.name,
-            line.speed,
-        );
-        assertion(contact, &field.name, &asked, &message)
+        let what = format!("`{}` is in {dimension}", field.formula);
+        let whose = format!("`{}` in `{}`", field.name, law(contact));
+        assertion(contact, &field.name, &asked, &what, &whose)
     });
     assertions.collect()
 }
 
 fn of_carriers(contact: &Contact, info: &TokenStream) -> Vec<TokenStream> {
-    let line = contact.line;
     let carriers = contact.carriers.iter().enumerate();
     let assertions = carriers.filter_map(|(index, carrier)| {
-        let dimension = carrier.dimension?;
+        let (state, dimension) = (carrier.state, carrier.dimension?);
         let (found, index) = (exponents(dimension)?, Literal::usize_unsuffixed(index));
         let asked = quote!(carries(#info, #index, #found));
-        let message = format!(
-            "unit mismatch: `{}` is in {dimension}, which is not the unit of the internal state of `{}` that it \
-             carries, measured with the force `{}` and the speed `{}`",
-            carrier.state,
-            law(contact),
-            line.name,
-            line.speed,
-        );
-        assertion(contact, carrier.state, &asked, &message)
+        let what = format!("`{state}` is in {dimension}");
+        let law = law(contact);
+        let whose = format!("the internal state of `{law}` that it carries");
+        assertion(contact, state, &asked, &what, &whose)
     });
     assertions.collect()
 }
@@ -90,13 +76,18 @@ fn law(contact: &Contact) -> String {
     tight(&contact.line.law.to_token_stream())
 }
 
-/// That what is asked of the dimensions of a contact holds.
+/// That what is asked of the dimensions of a contact holds; `what` has not the unit of `whose`.
 fn assertion(
     contact: &Contact,
     place: &Ident,
     asked: &TokenStream,
-    message: &str,
+    what: &str,
+    whose: &str,
 ) -> Option<TokenStream> {
+    let (force, speed) = (&contact.line.name, &contact.line.speed);
+    let message = format!(
+        "unit mismatch: {what}, which is not the unit of {whose}, measured with the force `{force}` and the speed `{speed}`"
+    );
     let [force, speed] = [contact.measures.force, contact.measures.speed]
         .map(|known| option(known.and_then(exponents)));
     let time = exponents(contact.measures.time)?;

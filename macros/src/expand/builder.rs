@@ -48,7 +48,7 @@ pub(super) fn builders(written: &Declaration) -> TokenStream {
     if builders.is_empty() {
         return quote!();
     }
-    let (allowed, model) = (allowed(), &written.name);
+    let (allowed, model) = (allowed(), &written.header.name);
     quote! {
         #allowed
         impl #model { #(#builders)* }

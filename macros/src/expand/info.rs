@@ -13,7 +13,7 @@ use crate::syntax::{Bound, Bounds, Friction, Header};
 
 /// The `ModelInfo` of a model.
 pub(super) fn of_model(model: &Model) -> TokenStream {
-    let (head, command) = (head(model.header), command(model.header.name));
+    let (head, command) = (head(model.header), command(&model.header.name));
     let states = model.states.iter().map(state);
     let parameters = model.parameters.iter().map(parameter);
     let observables = model.lets().map(observable);
@@ -158,8 +158,8 @@ fn friction(contact: &Contact, model: &Model) -> TokenStream {
     }
 }
 
-fn head(header: Header) -> TokenStream {
-    let (name, doc) = (text(header.name), doc(header.docs));
+fn head(header: &Header) -> TokenStream {
+    let (name, doc) = (text(&header.name), doc(&header.docs));
     quote!(name: #name, doc: #doc,)
 }
 

@@ -10,7 +10,7 @@ use crate::check::Model;
 const SMALL: usize = 8;
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
-    let (name, allowed) = (model.header.name, allowed());
+    let (name, allowed) = (&model.header.name, allowed());
     let sizes = [
         model.states.len(),
         model.parameters.len(),

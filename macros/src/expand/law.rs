@@ -18,7 +18,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
         page: page::of_law(law),
         parameters: &law.parameters,
     };
-    let (name, allowed) = (law.header.name, allowed());
+    let (name, allowed) = (&law.header.name, allowed());
     let generics = generics(name, law.parameters.is_empty());
     let structure = shell.structure(&generics, &quote!(D));
     let uses = shell.uses(&generics);

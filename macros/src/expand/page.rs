@@ -8,8 +8,7 @@ use quote::quote;
 use super::doc::doc;
 use super::{info, typeset};
 use crate::check::{Contact, Force, Law, LawState, Let, Model, State, Step};
-use crate::formula::Formula;
-use crate::syntax::Friction;
+use crate::formula::{Formula, last_word};
 
 /// The attributes that follow a model's own documentation.
 pub(super) fn of_model(model: &Model) -> TokenStream {
@@ -123,7 +122,7 @@ fn contact(contact: &Contact) -> String {
         "* <math>{}</math>{} is `{}` with {}, opposing {}",
         typeset::name(&line.name),
         unit.unwrap_or_default(),
-        law(line),
+        last_word(&line.law),
         fields.collect::<Vec<_>>().join(", "),
         typeset::inline(&line.speed),
     )
@@ -157,7 +156,7 @@ fn lines(model: &Model) -> Vec<String> {
         Step::Let(Let { line, .. }) => format!("{} = {}", line.name, line.formula),
         Step::Friction(contact) => {
             let line = contact.line;
-            let (law, fields) = (law(line), info::fields(line));
+            let (law, fields) = (last_word(&line.law), info::fields(line));
             format!(
                 "{} = {law} {{ {fields} }} opposing {}",
                 line.name, line.speed
@@ -167,11 +166,4 @@ fn lines(model: &Model) -> Vec<String> {
     let rates = model.states.iter();
     let rates = rates.map(|state| format!("der({}) = {}", state.name, info::equation(state)));
     steps.chain(rates).collect()
-}
-
-/// The last word of a law's path.
-fn law(line: &Friction) -> String {
-    let last = line.law.segments.last();
-    last.map(|segment| segment.ident.to_string())
-        .unwrap_or_default()
 }

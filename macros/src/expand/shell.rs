@@ -8,7 +8,7 @@ use crate::check::{Parameter, describe};
 use crate::syntax::{Header, Value};
 
 pub(super) struct Shell<'a> {
-    pub(super) header: Header<'a>,
+    pub(super) header: &'a Header,
     /// Documentation that follows the header's own.
     pub(super) page: TokenStream,
     pub(super) parameters: &'a [Parameter<'a>],
@@ -69,7 +69,7 @@ impl Shell<'_> {
         if fields.is_empty() {
             return quote!();
         }
-        let (name, allowed) = (self.header.name, allowed());
+        let (name, allowed) = (&self.header.name, allowed());
         quote! {
             #allowed
             impl #generics #name #generics {
@@ -81,7 +81,7 @@ impl Shell<'_> {
     }
 
     fn default(&self) -> TokenStream {
-        let (name, allowed) = (self.header.name, allowed());
+        let (name, allowed) = (&self.header.name, allowed());
         let names = self.names();
         let numbers = self
             .parameters
@@ -100,8 +100,8 @@ impl Shell<'_> {
     }
 
     fn handles(&self) -> TokenStream {
-        let (name, allowed) = (self.header.name, allowed());
-        let visibility = self.header.visibility;
+        let (name, allowed) = (&self.header.name, allowed());
+        let visibility = &self.header.visibility;
         let names = self.names();
         let docs = self.parameters.iter().map(documented);
         let places = (0..self.parameters.len()).map(Literal::usize_unsuffixed);

@@ -13,7 +13,10 @@ use crate::syntax::{Declaration, Line, Rule, Value};
 
 /// A model in which nothing moves; it names the laws of the one that is written.
 pub(super) fn model(written: &Declaration) -> TokenStream {
-    let least = least(written, &["param", "state", "let", "drive"]);
+    let mut least = least(written, &["param", "state", "let", "drive"]);
+    if least.states().next().is_none() {
+        least.lines.extend(at_rest(&format_ident!("__nothing")));
+    }
     let model = check::unasked_model(&least);
     let tokens = model.map(|model| models::tokens(&model, written));
     quote!(#tokens)
@@ -26,7 +29,7 @@ pub(super) fn law(written: &Declaration) -> TokenStream {
     if written.has_memory() {
         least.lines.push(Line::Force(speed));
     } else {
-        least.lines.push(Line::Stick(zero(&written.name)));
+        least.lines.push(Line::Stick(zero(&written.header.name)));
         least.lines.push(Line::Slip(speed));
     }
     let tokens = check::unasked_law(&least).map(|law| laws::tokens(&law));
@@ -44,20 +47,22 @@ fn least(written: &Declaration, keywords: &[&'static str]) -> Declaration {
             }
             match *keyword {
                 "param" => lines.push(Line::Param(value(name))),
-                "state" => lines.extend([Line::State(value(name)), Line::Derivative(zero(name))]),
+                "state" => lines.extend(at_rest(name)),
                 "let" => lines.push(Line::Let(zero(name))),
                 _ => lines.push(Line::Drive(zero(name))),
             }
         }
     }
     Declaration {
-        docs: written.docs.clone(),
-        visibility: written.visibility.clone(),
-        keyword: written.keyword,
-        name: written.name.clone(),
+        header: written.header.clone(),
         lines,
         repeated: Repeated::default(),
     }
+}
+
+/// A state that stays where it is.
+fn at_rest(name: &Ident) -> [Line; 2] {
+    [Line::State(value(name)), Line::Derivative(zero(name))]
 }
 
 fn value(name: &Ident) -> Value {

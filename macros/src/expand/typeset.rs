@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use syn::Path;
 use syn::ext::IdentExt;
 
-use crate::formula::{Formula, Kind, Operator};
+use crate::formula::{Formula, Kind, Operator, last_word};
 
 /// The Greek letters in the order of Unicode.
 const GREEK: [&str; 24] = [
@@ -138,12 +138,7 @@ fn numeral(text: &str) -> String {
 }
 
 fn constant(path: &Path) -> String {
-    let last = path
-        .segments
-        .last()
-        .map(|segment| segment.ident.to_string());
-    let last = last.unwrap_or_default();
-    match last.as_str() {
+    match last_word(path).as_str() {
         "PI" => "<mi>π</mi>".to_owned(),
         "TAU" => "<mn>2</mn><mi>π</mi>".to_owned(),
         "E" => "<mi>e</mi>".to_owned(),

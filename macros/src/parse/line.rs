@@ -44,32 +44,21 @@ impl Reader<'_> {
     /// A word, what its formula is of, and the formula.
     fn rule(&mut self, docs: Vec<Attribute>, word: Ident, input: ParseStream) -> syn::Result<Line> {
         let text = word.to_string();
-        let declares = matches!(text.as_str(), "let" | "drive");
-        if !declares {
+        if !matches!(text.as_str(), "let" | "drive") {
             undocumented(&docs)?;
         }
-        let name = match text.as_str() {
-            "let" => self.declared(input)?,
-            "drive" | "stop" => name(input)?,
-            "stick" => word.clone(),
-            _ => self.argument(input)?,
-        };
-        let formula = match text.as_str() {
-            "drive" | "stop" => {
-                input.parse::<word::at>()?;
-                self.formula(input)?
-            }
-            "stick" | "slip" => self.right_side(input)?,
-            _ => self.moving_side(input)?,
-        };
-        let line = match text.as_str() {
-            "let" => Line::Let,
-            "drive" => Line::Drive,
-            "stop" => Line::Stop,
-            "stick" => Line::Stick,
-            "slip" => Line::Slip,
-            "force" => Line::Force,
-            _ => Line::Derivative,
+        let (line, name, formula): (fn(Rule) -> Line, _, _) = match text.as_str() {
+            "let" => (Line::Let, self.declared(input)?, self.moving_side(input)?),
+            "drive" => (Line::Drive, name(input)?, self.at(input)?),
+            "stop" => (Line::Stop, name(input)?, self.at(input)?),
+            "stick" => (Line::Stick, word.clone(), self.right_side(input)?),
+            "slip" => (Line::Slip, self.argument(input)?, self.right_side(input)?),
+            "force" => (Line::Force, self.argument(input)?, self.moving_side(input)?),
+            _ => (
+                Line::Derivative,
+                self.argument(input)?,
+                self.moving_side(input)?,
+            ),
         };
         Ok(line(Rule {
             docs,
@@ -166,6 +155,12 @@ impl Reader<'_> {
             Grammar::Law | Grammar::Memory => Grammar::Memory,
         };
         self.formula_in(grammar, input)
+    }
+
+    /// `at formula`
+    fn at(&mut self, input: ParseStream) -> syn::Result<Formula> {
+        input.parse::<word::at>()?;
+        self.formula(input)
     }
 
     fn right_side(&mut self, input: ParseStream) -> syn::Result<Formula> {

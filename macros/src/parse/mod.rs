@@ -14,7 +14,7 @@ use syn::{Token, braced};
 
 use crate::errors::Errors;
 use crate::repeated::Repeated;
-use crate::syntax::{Broken, Declaration, Line};
+use crate::syntax::{Broken, Declaration, Header, Line};
 
 /// Which grammar a declaration follows, and its formulas.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -51,10 +51,12 @@ pub(crate) fn declaration(
 
 fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
     let declaration = Declaration {
-        docs: docs::docs(input)?,
-        visibility: input.parse()?,
-        keyword: input.parse()?,
-        name: input.parse()?,
+        header: Header {
+            docs: docs::docs(input)?,
+            visibility: input.parse()?,
+            keyword: input.parse()?,
+            name: input.parse()?,
+        },
         lines: Vec::new(),
         repeated: Repeated::default(),
     };

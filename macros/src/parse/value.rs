@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream};
+use syn::parse::ParseStream;
 use syn::{BinOp, Lit, LitInt, Token};
 
 use crate::arithmetic;
@@ -54,7 +54,7 @@ fn bounds(input: ParseStream) -> syn::Result<Bounds> {
     }
     let name = input.call(Ident::parse_any)?;
     if one_sided {
-        let Relation { less, inclusive } = input.parse()?;
+        let (less, inclusive) = relation(input)?;
         let number = number(input)?;
         let end = if less { &mut upper } else { &mut lower };
         *end = Some(Bound { number, inclusive });
@@ -76,31 +76,23 @@ fn bounds(input: ParseStream) -> syn::Result<Bounds> {
 /// `<` or `<=`: whether the end belongs to the interval.
 fn upward(input: ParseStream) -> syn::Result<bool> {
     let place = input.fork();
-    let relation: Relation = input.parse()?;
-    if relation.less {
-        Ok(relation.inclusive)
-    } else {
-        Err(place.error("write the smaller end first, as in `0.0 <= x < 1.0`"))
+    match relation(input)? {
+        (true, inclusive) => Ok(inclusive),
+        _ => Err(place.error("write the smaller end first, as in `0.0 <= x < 1.0`")),
     }
 }
 
-struct Relation {
-    less: bool,
-    inclusive: bool,
-}
-
-impl Parse for Relation {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let (less, inclusive) = match input.fork().parse() {
-            Ok(BinOp::Lt(_)) => (true, false),
-            Ok(BinOp::Le(_)) => (true, true),
-            Ok(BinOp::Gt(_)) => (false, false),
-            Ok(BinOp::Ge(_)) => (false, true),
-            _ => return Err(input.error("expected one of `>`, `>=`, `<`, `<=`")),
-        };
-        input.parse::<BinOp>()?;
-        Ok(Self { less, inclusive })
-    }
+/// Whether it is less that is meant, and whether the end belongs to the interval.
+fn relation(input: ParseStream) -> syn::Result<(bool, bool)> {
+    let found = match input.fork().parse() {
+        Ok(BinOp::Lt(_)) => (true, false),
+        Ok(BinOp::Le(_)) => (true, true),
+        Ok(BinOp::Gt(_)) => (false, false),
+        Ok(BinOp::Ge(_)) => (false, true),
+        _ => return Err(input.error("expected one of `>`, `>=`, `<`, `<=`")),
+    };
+    input.parse::<BinOp>()?;
+    Ok(found)
 }
 
 /// `: unit`, or nothing.

@@ -22,8 +22,6 @@ pub struct Walked<P, E> {
     pub points: Vec<P>,
     /// What happens on it, in the same order.
     pub located: Vec<Located<P>>,
-    /// How many of the points precede each of these.
-    pub after: Vec<usize>,
     /// Why it ended.
     pub ending: Ending<E>,
     /// What was spent between its points.
@@ -54,7 +52,6 @@ pub fn walk<R: Reader>(
         followed,
         points: Vec::new(),
         located: Vec::new(),
-        after: Vec::new(),
         unexplained: None,
         wasted: Work::default(),
         searched: Work::default(),
@@ -64,7 +61,6 @@ pub fn walk<R: Reader>(
     Walked {
         points: walk.points,
         located: walk.located,
-        after: walk.after,
         ending: unexplained.map_or(ending, Ending::Unexplained),
         searched: walk.searched,
     }
@@ -75,7 +71,6 @@ struct Walk<'a, R: Reader> {
     followed: &'a mut Reading<R>,
     points: Vec<R::Point>,
     located: Vec<Located<R::Point>>,
-    after: Vec<usize>,
     unexplained: Option<Unexplained>,
     /// Work on steps that were taken back.
     wasted: Work,
@@ -187,12 +182,12 @@ impl<R: Reader> Walk<'_, R> {
     ) -> Verdict<R::Point, ErrorOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
         for found in &mut findings.located {
+            found.after = self.points.len();
             reader.refine(&branch.problem, found);
         }
         let first = findings.unexplained.into_iter().next();
         let last = findings.located.last().filter(|event| event.last).cloned();
         self.located.extend(findings.located);
-        self.after.resize(self.located.len(), self.points.len());
         match (last, findings.bound) {
             (Some(last), _) if R::ENDS_ON_POINTS => {
                 return Verdict::Last(last.point, Ending::At(last.kind, last.r));
@@ -217,8 +212,8 @@ impl<R: Reader> Walk<'_, R> {
 
     fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
         let ending = Ending::At(reason.kind, reason.r);
-        self.located.push(reason);
-        self.after.push(self.points.len());
+        let after = self.points.len();
+        self.located.push(Located { after, ..reason });
         ending
     }
 }

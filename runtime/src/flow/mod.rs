@@ -99,6 +99,32 @@ pub struct Want {
     pub panel: f64,
 }
 
+impl Want {
+    /// The end alone.
+    const END: Self = Self {
+        derivatives: false,
+        extrema: false,
+        path: false,
+        factors: false,
+        panel: 0.0,
+    };
+    /// Derivatives.
+    pub const DERIVATIVES: Self = Self {
+        derivatives: true,
+        ..Self::END
+    };
+    /// Extrema.
+    pub const EXTREMA: Self = Self {
+        extrema: true,
+        ..Self::END
+    };
+    /// What one Newton iteration of shooting asks for: both.
+    pub const SHOT: Self = Self {
+        extrema: true,
+        ..Self::DERIVATIVES
+    };
+}
+
 /// One motion from a place to another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Passage<const N: usize, Mode> {

@@ -41,7 +41,12 @@ impl Tolerance {
     /// faster than the tolerance; calibrated on the reference systems.
     #[must_use]
     pub fn for_accuracy(accuracy: f64) -> Self {
-        let local = accuracy.powf(0.8).clamp(1e-11, 3e-7);
+        Self::both(accuracy.powf(0.8).clamp(1e-11, 3e-7))
+    }
+
+    /// The same tolerance of quantities and of their usual magnitudes.
+    #[must_use]
+    pub const fn both(local: f64) -> Self {
         Self {
             relative: local,
             absolute: local,

@@ -42,15 +42,11 @@ pub fn lyapunov(
     lap: f64,
     laps: usize,
 ) -> Result<Lyapunov, FlowError> {
-    let want = Want {
-        derivatives: true,
-        ..Want::default()
-    };
     let mut tangent = DVector::from_fn(flow.order(), |j, _| 1.0 / (1.0 + j as f64).sqrt());
     let warm_up = (WARM_UP * laps as f64).ceil() as usize;
     let mut rates = Vec::with_capacity(laps);
     for k in 0..laps + warm_up {
-        let passage = flow.advance(&place, lap, want)?;
+        let passage = flow.advance(&place, lap, Want::DERIVATIVES)?;
         let growth = match area(flow, &place, &passage)? {
             Some(growth) => Some(growth),
             None => carry(flow, &mut tangent, &passage)?,

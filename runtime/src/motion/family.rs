@@ -69,7 +69,8 @@ impl Family {
     /// The same flows, their passages kept on a tape.
     #[must_use]
     pub fn recorded(&self, tape: &Arc<Tape>) -> Self {
-        Taped::new(self.clone(), tape.clone()).into()
+        let (family, tape) = (self.clone(), tape.clone());
+        Taped { family, tape }.into()
     }
 }
 

@@ -41,11 +41,7 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
 
     /// Nothing switches: gliding is moving.
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
-        let want = Want {
-            derivatives: true,
-            ..Want::default()
-        };
-        let passage = Flow::advance(self, from, time, want)?;
+        let passage = Flow::advance(self, from, time, Want::DERIVATIVES)?;
         let derivatives = passage.derivatives.ok_or(FlowError::BadTime { time })?;
         Ok((passage.end, derivatives))
     }

@@ -129,13 +129,9 @@ impl<'f> Crossings<'f> {
 
     /// Follows one more passage.
     fn follow(&mut self) -> Result<(), FlowError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
         let gap = self.gap()?;
         let (time, until) = self.next_stop(gap);
-        let passage = self.flow.advance(&self.place, time, want)?;
+        let passage = self.flow.advance(&self.place, time, Want::EXTREMA)?;
         self.work += passage.work;
         let before = self.ready.len();
         match self.section.surface {

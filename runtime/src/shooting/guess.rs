@@ -116,11 +116,7 @@ impl Watch {
 
     /// Follows one chunk; returns the number of minima in it.
     fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
-        let passage = flow.advance(&self.place, chunk, want)?;
+        let passage = flow.advance(&self.place, chunk, Want::EXTREMA)?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
         let section = flow.phase().unwrap_or(0);

@@ -87,7 +87,7 @@ impl Kernel {
     }
 
     /// Values of z (or u, for a bump) at which the kernel itself is not analytic.
-    const fn kinks(self) -> &'static [f64] {
+    pub(crate) const fn kinks(self) -> &'static [f64] {
         match self {
             Self::Arctan | Self::Tanh | Self::Algebraic => &[0.0],
             Self::Cubic | Self::Quintic => &[-1.0, 0.0, 1.0],
@@ -97,12 +97,6 @@ impl Kernel {
 }
 
 impl Smoothing {
-    /// Kinks of each contact, as relative speeds times the sharpness.
-    #[must_use]
-    pub(crate) fn kinks(&self) -> &'static [f64] {
-        self.kernel.kinks()
-    }
-
     /// Steepest slope of the force over its limit at rest, in the layer's own variable.
     #[must_use]
     pub fn steepness(&self) -> f64 {
@@ -161,7 +155,6 @@ impl std::str::FromStr for Smoothing {
             .ok_or_else(|| SmoothingError::BadSize {
                 kernel,
                 word: size.to_owned(),
-                example: kernel.example(),
             })
     }
 }

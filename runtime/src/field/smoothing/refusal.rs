@@ -17,15 +17,14 @@ pub enum SmoothingError {
     },
     /// The size is not a number, not finite, or not positive.
     #[error(
-        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{example}`"
+        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{}`",
+        kernel.example()
     )]
     BadSize {
         /// The kernel.
         kernel: Kernel,
         /// The word given for the size.
         word: String,
-        /// A usual size.
-        example: &'static str,
     },
     /// A sign type would drop the static peak of the law, or a bump has none to stand on.
     #[error("{}", unsuited(*.kernel, law, contact, *.stick, *.slip))]

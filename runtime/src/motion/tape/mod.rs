@@ -99,14 +99,8 @@ impl Tape {
 
 /// A family whose passages are kept on a [`Tape`].
 pub(super) struct Taped {
-    family: Family,
-    tape: Arc<Tape>,
-}
-
-impl Taped {
-    pub(super) fn new(family: Family, tape: Arc<Tape>) -> Self {
-        Self { family, tape }
-    }
+    pub(super) family: Family,
+    pub(super) tape: Arc<Tape>,
 }
 
 /// A flow whose passages are kept on a [`Tape`].
@@ -148,17 +142,27 @@ impl Flows for Taped {
     }
 }
 
+/// What a taped flow answers as the flow itself does.
+macro_rules! as_it_is {
+    ($($name:ident($($told:ident: $type:ty),*) -> $answer:ty;)*) => {$(
+        fn $name(&self, $($told: $type),*) -> $answer {
+            self.flow.$name($($told),*)
+        }
+    )*};
+}
+
 impl Flow for TapedFlow {
-    fn order(&self) -> usize {
-        self.flow.order()
-    }
-
-    fn phase(&self) -> Option<usize> {
-        self.flow.phase()
-    }
-
-    fn place(&self, state: &[f64]) -> Result<Place, FlowError> {
-        self.flow.place(state)
+    as_it_is! {
+        order() -> usize;
+        phase() -> Option<usize>;
+        place(state: &[f64]) -> Result<Place, FlowError>;
+        velocity(at: &Place) -> Result<Velocity, FlowError>;
+        touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+        margins(at: &Place) -> Vec<(usize, f64)>;
+        speeds(state: &[f64]) -> Vec<f64>;
+        check(at: &Place) -> Result<(), FlowError>;
+        read(at: &Place) -> Result<Reading, FlowError>;
+        contacts(at: &Place) -> Result<Contacts, FlowError>;
     }
 
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
@@ -166,37 +170,9 @@ impl Flow for TapedFlow {
         self.tape.recall(&(self.r, from, time, want), advance)
     }
 
-    fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
-        self.flow.velocity(at)
-    }
-
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
         let glide = || self.flow.glide(from, time);
         self.tape.recall(&(self.r, from, time), glide)
-    }
-
-    fn touch(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
-        self.flow.touch(at, contact)
-    }
-
-    fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
-        self.flow.margins(at)
-    }
-
-    fn speeds(&self, state: &[f64]) -> Vec<f64> {
-        self.flow.speeds(state)
-    }
-
-    fn check(&self, at: &Place) -> Result<(), FlowError> {
-        self.flow.check(at)
-    }
-
-    fn read(&self, at: &Place) -> Result<Reading, FlowError> {
-        self.flow.read(at)
-    }
-
-    fn contacts(&self, at: &Place) -> Result<Contacts, FlowError> {
-        self.flow.contacts(at)
     }
 }
 

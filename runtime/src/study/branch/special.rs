@@ -39,16 +39,12 @@ pub struct Special {
 }
 
 /// The special points as they are reported.
-pub(in crate::study) fn numbered(
-    along: &Along,
-    located: &[Located<Orbit>],
-    after: &[usize],
-) -> Vec<Special> {
+pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> Vec<Special> {
     let labels = labels(located.iter().map(|found| found.kind));
-    let special = |((found, after), label): ((&Located<Orbit>, &usize), String)| Special {
+    let special = |(found, label): (&Located<Orbit>, String)| Special {
         kind: found.kind,
         label,
-        after: *after,
+        after: found.after,
         r: along.value(found.r),
         period: found.point.period,
         multipliers: found.point.floquet.multipliers.clone(),
@@ -57,5 +53,5 @@ pub(in crate::study) fn numbered(
         criticality: None,
         note: None,
     };
-    located.iter().zip(after).zip(labels).map(special).collect()
+    located.iter().zip(labels).map(special).collect()
 }

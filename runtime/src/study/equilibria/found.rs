@@ -193,12 +193,12 @@ impl System {
 fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<SpecialEquilibrium> {
     let located = &walked.located;
     let labels = labels(located.iter().map(|found| found.kind));
-    let special = |((found, &after), label): ((&Located<EquilibriumPoint>, &usize), String)| {
+    let special = |(found, label): (&Located<EquilibriumPoint>, String)| {
         let (kind, point) = (found.kind, &found.point);
         SpecialEquilibrium {
             kind,
             label,
-            after,
+            after: found.after,
             r: along.value(point.r),
             state: point.state.clone(),
             eigenvalues: point.spectrum.eigenvalues.clone(),
@@ -206,12 +206,7 @@ fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<S
             artefact: false,
         }
     };
-    located
-        .iter()
-        .zip(&walked.after)
-        .zip(labels)
-        .map(special)
-        .collect()
+    located.iter().zip(labels).map(special).collect()
 }
 
 /// Why a branch ended: the contact whose way of sliding ends is named.

@@ -113,10 +113,7 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Stroke<'_, L, S> {
     ) -> Result<(f64, [f64; S], Stops<S>), IntegrationError> {
         let settings = Settings {
             stiff_steps: u32::MAX,
-            ..Settings::new(Tolerance {
-                relative: TOLERANCE,
-                absolute: TOLERANCE,
-            })
+            ..Settings::new(Tolerance::both(TOLERANCE))
         };
         let (mut work, mut switched) = (Work::default(), None);
         let end = integrate(self, settings, from, until - since, &mut work, |step| {

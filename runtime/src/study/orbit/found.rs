@@ -18,10 +18,15 @@ impl System {
     /// # Errors
     /// None was found.
     pub fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
+        let (sought, orbit) = self.found(case)?;
+        Ok(sought.record(&orbit))
+    }
+
+    fn found<'a>(&'a self, case: &'a Case) -> Result<(Sought<'a>, Orbit), StudyError> {
         let sought = self.sought(case)?;
         let orbit = sought.orbit(self.beginning(case));
         let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
-        Ok(sought.record(&orbit))
+        Ok((sought, orbit))
     }
 
     /// The same orbit with its certificate: how near to it a true orbit is, and only one.
@@ -29,15 +34,13 @@ impl System {
     /// # Errors
     /// None was found. An orbit that cannot be certified is no error: it comes with the reason.
     pub fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
-        let (sought, r) = (self.sought(case)?, self.beginning(case));
-        let orbit = sought.orbit(r);
-        let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
+        let (sought, orbit) = self.found(case)?;
         let found = Guess {
             place: orbit.heading.start.clone(),
             ..orbit.guess()
         };
         Ok(CertifiedOrbit {
-            certificate: certify(&sought.family, r, &found, case.accuracy),
+            certificate: certify(&sought.family, orbit.r, &found, case.accuracy),
             orbit: sought.record(&orbit),
         })
     }

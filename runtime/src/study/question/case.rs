@@ -106,30 +106,29 @@ impl Case {
     #[must_use]
     pub fn at(&self, value: f64) -> Self {
         let mut case = self.clone();
-        match (self.along.map(|along| along.design), &mut case.dynamics) {
-            (Some(Design::Parameter(index)), _) => {
+        match (self.design(), &mut case.dynamics) {
+            (Design::Parameter(index), _) => {
                 if let Some(place) = case.parameters.get_mut(index) {
                     *place = value;
                 }
             }
-            (Some(Design::Smoothing), Dynamics::Smoothed(smoothing)) => smoothing.size = value,
+            (Design::Smoothing, Dynamics::Smoothed(smoothing)) => smoothing.size = value,
             _ => {}
         }
         case
     }
 
+    /// What is followed.
+    pub(in crate::study) fn design(&self) -> Design {
+        self.along.map_or(Design::None, |along| along.design)
+    }
+
     /// The smoothing of the contacts, if there is one.
     #[must_use]
     pub fn smoothing(&self) -> Option<Smoothing> {
-        self.dynamics.smoothing()
-    }
-}
-
-impl Dynamics {
-    pub(in crate::study) fn smoothing(self) -> Option<Smoothing> {
-        match self {
-            Self::Smoothed(smoothing) => Some(smoothing),
-            Self::Smooth | Self::Exact => None,
+        match self.dynamics {
+            Dynamics::Smoothed(smoothing) => Some(smoothing),
+            Dynamics::Smooth | Dynamics::Exact => None,
         }
     }
 }
