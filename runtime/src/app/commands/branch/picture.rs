@@ -10,12 +10,29 @@ use crate::model::ModelInfo;
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, OrbitRecord, Special};
 
-/// The extent of the states that are shown, and the period; below them amplitudes and phases.
+/// The extent of the states that are shown, and the period; amplitudes and phases, each pair in a row.
 pub(super) fn picture(info: &ModelInfo, branch: &BranchRecord, shown: &Shown) -> Figure {
-    let mut figure = Figure::new("", info.name, String::new()).columns(2);
-    for &j in &shown.states {
-        figure = figure.panel(extent(info, branch, j));
+    let extents = shown.states.iter().map(|&j| extent(info, branch, j));
+    let mut panels: Vec<Panel> = extents.collect();
+    let odd = panels.len() % 2 == 1;
+    if odd {
+        panels.push(period(info, branch));
     }
+    for &j in &shown.states {
+        let pairs = shown
+            .orders
+            .iter()
+            .map(|&order| response(info, branch, order, j));
+        panels.extend(pairs.flatten());
+    }
+    if !odd {
+        panels.push(period(info, branch));
+    }
+    let figure = Figure::new("", info.name, String::new()).columns(2);
+    panels.into_iter().fold(figure, Figure::panel)
+}
+
+fn period(info: &ModelInfo, branch: &BranchRecord) -> Panel {
     let period = Axis::new(&timed(info, "period", "s"));
     let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
     for one in branch.all() {
@@ -24,15 +41,7 @@ pub(super) fn picture(info: &ModelInfo, branch: &BranchRecord, shown: &Shown) ->
             marks(one, |special| special.period),
         );
     }
-    figure = figure.panel(periods.panel());
-    for &j in &shown.states {
-        for &order in &shown.orders {
-            for panel in response(info, branch, order, j) {
-                figure = figure.panel(panel);
-            }
-        }
-    }
-    figure
+    periods.panel()
 }
 
 fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
