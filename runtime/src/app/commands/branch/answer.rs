@@ -79,9 +79,27 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
         .text(&branch.special)
 }
 
-/// The extent of the states that are shown, and the period; below them amplitudes and phases.
+/// The extent of the states that are shown, and the period; amplitudes and phases, each pair in a row.
 fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figure {
     let info = asked.info;
+    let extents = states.iter().map(|&j| extent(info, branch, j));
+    let mut panels: Vec<Panel> = extents.collect();
+    let odd = panels.len() % 2 == 1;
+    if odd {
+        panels.push(period(info, branch));
+    }
+    for &j in states {
+        let orders = asked.case.harmonics.iter();
+        panels.extend(orders.flat_map(|&order| response(info, branch, order, j)));
+    }
+    if !odd {
+        panels.push(period(info, branch));
+    }
+    let figure = Figure::new("", info.name, String::new()).columns(2);
+    panels.into_iter().fold(figure, Figure::panel)
+}
+
+fn period(info: &ModelInfo, branch: &BranchRecord) -> Panel {
     let period = Axis::new(&timed(info, "period", "s"));
     let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
     for one in branch.all() {
@@ -92,15 +110,7 @@ fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figu
             |special| special.period,
         );
     }
-    let extents = states.iter().map(|&j| extent(info, branch, j));
-    let orders = &asked.case.harmonics;
-    let pairs = states
-        .iter()
-        .flat_map(|&j| orders.iter().map(move |&order| (order, j)));
-    let responses = pairs.flat_map(|(order, j)| response(info, branch, order, j));
-    let figure = Figure::new("", info.name, String::new()).columns(2);
-    let panels = extents.chain([periods.panel()]).chain(responses);
-    panels.fold(figure, Figure::panel)
+    periods.panel()
 }
 
 fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
