@@ -1,5 +1,6 @@
 //! The other branch at a point where two of them cross.
 
+use crate::linear::svd;
 use nalgebra::{DMatrix, DVector};
 
 use super::Linearisation;
@@ -22,7 +23,7 @@ pub fn across<Extra>(
         (false, true) => linearisation.design[i] * r_scale,
         (false, false) => linearisation.jacobian[(i, j)] * scale[j],
     });
-    let svd = matrix.try_svd(false, true, f64::EPSILON, 10_000)?;
+    let svd = svd(matrix)?;
     let rows = svd.v_t?;
     let mut order: Vec<usize> = (0..=n).collect();
     order.sort_by(|&a, &b| svd.singular_values[a].total_cmp(&svd.singular_values[b]));

@@ -1,8 +1,9 @@
 //! The equation that an orbit of a curve keeps besides closing: a multiplier on the unit circle.
 
-use nalgebra::{Complex, DMatrix, DVector, SVD};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::bifurcation::{Kind, floquet, test_function};
+use crate::linear::svd;
 
 /// A scalar that vanishes where an orbit is special of one kind, and passes through zero with a slope.
 ///
@@ -56,8 +57,8 @@ impl Condition {
             return;
         }
         let matrix = self.matrix(monodromy, velocity, magnitude);
-        let decomposed = SVD::try_new(matrix, true, true, f64::EPSILON, 10_000);
-        let Some((values, u, v)) = decomposed.and_then(|d| Some((d.singular_values, d.u?, d.v_t?)))
+        let Some((values, u, v)) =
+            svd(matrix).and_then(|d| Some((d.singular_values, d.u?, d.v_t?)))
         else {
             return;
         };

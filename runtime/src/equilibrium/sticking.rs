@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
 use crate::field::exact::Mode;
+use crate::linear::svd;
 use crate::motion::{Contacts, Flow, Modes, Place, Row, sticking};
 
 const ITERATIONS: usize = 60;
@@ -71,7 +72,7 @@ impl Sought<'_> {
 
     fn rank(&self, inside: &[f64]) -> Option<usize> {
         let (matrix, _) = self.equations(inside, &[])?;
-        let values = matrix.singular_values();
+        let values = svd(matrix)?.singular_values;
         let least = RANK * values.max();
         Some(values.iter().filter(|value| **value > least).count())
     }
@@ -149,7 +150,7 @@ impl Sought<'_> {
             if done {
                 return Some(state);
             }
-            let svd = matrix.try_svd(true, true, f64::EPSILON, 10_000)?;
+            let svd = svd(matrix)?;
             let step = svd.solve(&right, RANK * svd.singular_values.max()).ok()?;
             for (y, change) in state.iter_mut().zip(&step) {
                 *y += change;

@@ -6,6 +6,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
+use crate::linear::svd;
 use crate::motion::{Family, Flow, Node, Place};
 
 /// Angle of the highest harmonic, and of the motion itself, over a panel of six nodes: their error is far below rounding.
@@ -167,8 +168,7 @@ fn corrected(
     if let Some(phase) = flow.phase() {
         stays.column_mut(phase).fill(0.0);
     }
-    let svd = stays.svd(true, true);
-    let step = svd.solve(gap, svd.singular_values.max() / LASTING).ok();
+    let step = svd(stays).and_then(|svd| svd.solve(gap, svd.singular_values.max() / LASTING).ok());
     let step = step.filter(|step| step.iter().all(|change| change.is_finite()));
     Ok(step.map(|step| Place {
         state: place

@@ -1,9 +1,11 @@
-//! A vector field with its first derivatives, and the eigenvalues of matrices with their errors.
+//! A vector field with its first derivatives; the eigenvalues of matrices with their errors, and their singular values.
 
 mod balance;
 mod eigenvalue;
+mod svd;
 
 pub(crate) use eigenvalue::{Eigenvalue, eigenvalues};
+pub(crate) use svd::svd;
 
 /// A field and its first derivatives at one state.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,6 +8,7 @@ use super::search::Search;
 use super::switch::SwitchError;
 use crate::continuation::{Branch, Failure, Settings};
 use crate::integrate::Tolerance;
+use crate::linear::svd;
 use crate::motion::Family;
 
 /// Amplitudes of the first orbit, relative to the state; for a state near 0, against 1.
@@ -74,7 +75,7 @@ fn axis(jacobian: &DMatrix<f64>, period: f64) -> Option<DVector<f64>> {
         (true, false) => omega * f64::from(i + order == j),
         (false, true) => -omega * f64::from(i == j + order),
     });
-    let svd = matrix.try_svd(false, true, f64::EPSILON, 10_000)?;
+    let svd = svd(matrix)?;
     let least = svd.singular_values.imin();
     let row = svd.v_t?.row(least).transpose();
     let axis = row.rows(0, order).into_owned();

@@ -9,6 +9,7 @@ use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem, correct};
 use crate::integrate::Tolerance;
+use crate::linear::svd;
 use crate::motion::{Family, Flow, Velocity};
 
 /// Tolerance with which it is told whether a direction is neutral.
@@ -27,8 +28,8 @@ const ROUNDING: f64 = 1e-8;
 
 /// Whether the equations at an orbit known roughly may be singular.
 pub(super) fn suspect(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
-    let values = scaled(linearisation, scale).singular_values();
-    values.min() <= SUSPECT * values.max()
+    let decomposed = svd(scaled(linearisation, scale));
+    decomposed.is_some_and(|svd| svd.singular_values.min() <= SUSPECT * svd.singular_values.max())
 }
 
 /// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is
@@ -51,7 +52,7 @@ fn neutral(family: Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
         return None;
     }
     let matrix = scaled(&at, &problem.scale());
-    let svd = matrix.clone().svd(true, true);
+    let svd = svd(matrix)?;
     let (u, vt) = (svd.u?, svd.v_t?);
     let limit = NEUTRAL * svd.singular_values.max();
     let null = |i: &usize| svd.singular_values[*i] <= limit;
