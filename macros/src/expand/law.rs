@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::lift::Lift;
@@ -29,6 +29,7 @@ pub(super) fn tokens(law: &StaticLaw) -> TokenStream {
     };
     let (stick, slip) = (lift.formula(&law.stick), lift.formula(&law.slip));
     let slopes = slopes(law, lift);
+    let fields = fields(&law.parameters);
     quote! {
         #structure
 
@@ -55,8 +56,26 @@ pub(super) fn tokens(law: &StaticLaw) -> TokenStream {
                 let __sliding = __Sliding { #speed: __speed };
                 #slopes
             }
+
+            #fields
         }
     }
+}
+
+/// Shows the values of all fields; nothing where there are none.
+pub(super) fn fields(parameters: &[Parameter]) -> Option<TokenStream> {
+    let lines = parameters.iter().enumerate().map(|(place, parameter)| {
+        let (place, name) = (Literal::usize_unsuffixed(place), parameter.name);
+        quote!(__visit(#place, self.#name);)
+    });
+    (!parameters.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn fields(&self, mut __visit: impl ::core::ops::FnMut(usize, D)) {
+                #(#lines)*
+            }
+        }
+    })
 }
 
 /// The directions in which a law is differentiated: its speed, and along the given derivatives of its fields.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::law::{generics, structure};
+use super::law::{fields, generics, structure};
 use super::lift::Lift;
 use super::tangent::{Slope, Slopes, Tangents};
 use super::{allowed, info, page};
@@ -36,6 +36,7 @@ pub(super) fn tokens(law: &MemoryLaw) -> TokenStream {
     let slopes = slopes(law, &force, lift(quote!(D)));
     let kinks = kinks(law, &lift(quote!(D)));
     let stops = stops(law, &lift(quote!(D)));
+    let fields = fields(&law.parameters);
     quote! {
         #structure
 
@@ -67,6 +68,8 @@ pub(super) fn tokens(law: &MemoryLaw) -> TokenStream {
             }
 
             #stops
+
+            #fields
         }
     }
 }

@@ -57,6 +57,7 @@ fn info(name: &Ident) -> TokenStream {
             drive: ::core::option::Option::None,
             contacts: &[],
             memories: &[],
+            moving: false,
         }
     }
 }

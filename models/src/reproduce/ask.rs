@@ -7,7 +7,7 @@ use stickslip::field::Design;
 use stickslip::model::{Model, ModelInfo, ParamId};
 use stickslip::study::trade::{Finding, Scope, Trade};
 use stickslip::study::{
-    Along, BranchRecord, Case, Dynamics, EquilibriaRecord, OrbitRecord, StudyError, System,
+    Acting, Along, BranchRecord, Case, Dynamics, EquilibriaRecord, OrbitRecord, StudyError, System,
     Trajectory,
 };
 
@@ -165,7 +165,8 @@ impl Subject {
     pub(super) fn force(&self, dynamics: Dynamics, speed: f64) -> f64 {
         let case = Case::declared(self.info(), dynamics);
         let mut force = f64::NAN;
-        self.entry.laws(&case, &mut |_, law| {
+        self.entry.laws(&case, &mut |law| {
+            let Acting::Static(_, law) = law else { return };
             force = match dynamics {
                 Dynamics::Smoothed(smoothing) => law.copied(smoothing, speed),
                 Dynamics::Smooth | Dynamics::Exact => law.sliding(speed.abs()).copysign(speed),

@@ -1,9 +1,9 @@
 //! Why a motion cannot be followed, or has no derivative.
 
-use crate::field::SmoothingError;
 use crate::field::exact::{ContactError, Mode};
+use crate::field::{Beyond, SmoothingError};
 use crate::integrate::IntegrationError;
-use crate::model::ParameterError;
+use crate::model::{ModelInfo, ParameterError, Values, brief, listed};
 
 /// Why a motion could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -11,6 +11,42 @@ pub enum FlowError {
     /// The integrator gave up.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
+    /// A state has left all bounds.
+    #[error(
+        "the motion grows without bound: `{state}` passed {} at t = {}, where {cause}",
+        brief(*.value),
+        brief(*.time)
+    )]
+    Unbounded {
+        /// The state that grew most.
+        state: &'static str,
+        /// What it had become.
+        value: f64,
+        /// When.
+        time: f64,
+        /// Why the motion could not be followed any further.
+        cause: &'static str,
+    },
+    /// A law was used outside the bounds of its fields.
+    #[error(
+        "the friction `{force}` has no law at t = {}: `{law}` wants {bound}, and there it is {}, where {state}",
+        brief(*.time),
+        brief(*.value)
+    )]
+    OutOfLaw {
+        /// The force.
+        force: &'static str,
+        /// Its law.
+        law: &'static str,
+        /// The bounds of the field, as a user writes them.
+        bound: String,
+        /// The value of the field.
+        value: f64,
+        /// When.
+        time: f64,
+        /// Where.
+        state: Values,
+    },
     /// A smoothing was used outside the sliding direction for which it stands.
     #[error(
         "the smoothing stands for one sliding direction only, but contact {contact} slides backwards at t = {time}: \
@@ -66,10 +102,10 @@ pub enum FlowError {
     #[error(transparent)]
     Smoothing(#[from] SmoothingError),
     /// A periodic orbit has shrunk to a point.
-    #[error("the orbit has shrunk to an equilibrium at {state:?}")]
+    #[error("the orbit has shrunk to an equilibrium at {state}")]
     Vanished {
         /// Where.
-        state: Vec<f64>,
+        state: Values,
     },
     /// A motion that should close comes back in another mode.
     #[error("the motion comes back in mode {found}, but began in mode {wanted}")]
@@ -115,6 +151,93 @@ pub enum FlowError {
     },
 }
 
+/// A state so many times as large as the usual ones, half of all digits, has left where it belongs.
+const GROWN: f64 = 1.0 / ROOT_OF_EPSILON;
+const ROOT_OF_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
+
+impl FlowError {
+    /// A law that is out of its bounds, with when and where.
+    pub(super) fn beyond(found: &Beyond, time: f64, state: &[f64]) -> Self {
+        Self::OutOfLaw {
+            force: found.force,
+            law: found.law,
+            bound: found.field.bounds.describe(found.field.name),
+            value: found.value,
+            time,
+            state: state.to_vec().into(),
+        }
+    }
+
+    /// The same in the words of a model: states by their names, and a failure of the integrator for what it is where a state
+    /// has left the usual ones behind.
+    #[must_use]
+    pub(crate) fn of(self, model: &'static ModelInfo) -> Self {
+        let Self::Integration(error) = self else {
+            return self.named(model);
+        };
+        let (time, state, cause) = match &error {
+            IntegrationError::StepTooSmall { time, state, .. } => {
+                (*time, state, "no step is small enough any more")
+            }
+            IntegrationError::NotFinite { time, state } => {
+                (*time, state, "the right-hand side is not finite any more")
+            }
+            _ => return Self::Integration(error).named(model),
+        };
+        let starts = model.states.iter().map(|state| state.start.abs());
+        let usual = starts.fold(0.0, f64::max);
+        let usual = if usual > 0.0 { usual } else { 1.0 };
+        let sizes = state.iter().copied().enumerate();
+        let largest = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        match largest {
+            Some((j, value)) if value.is_finite() && value.abs() >= GROWN * usual => {
+                Self::Unbounded {
+                    state: model.states.get(j).map_or("?", |state| state.name),
+                    value,
+                    time,
+                    cause,
+                }
+            }
+            _ => Self::Integration(error).named(model),
+        }
+    }
+
+    /// The same with the states by their names.
+    #[must_use]
+    pub(crate) fn named(self, model: &'static ModelInfo) -> Self {
+        match self {
+            Self::Integration(error) => Self::Integration(error.named(model)),
+            Self::OutOfLaw {
+                force,
+                law,
+                bound,
+                value,
+                time,
+                state,
+            } => Self::OutOfLaw {
+                force,
+                law,
+                bound,
+                value,
+                time,
+                state: state.named(model),
+            },
+            other => other,
+        }
+    }
+
+    /// The same of a motion that began so much earlier.
+    #[must_use]
+    pub(crate) fn later(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::Integration(error) => *error = error.clone().later(by),
+            Self::Unbounded { time, .. } | Self::OutOfLaw { time, .. } => *time += by,
+            _ => {}
+        }
+        self
+    }
+}
+
 /// Why a motion has no derivative at an event; the motion itself goes on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SensitivityUndefined {
@@ -132,7 +255,8 @@ pub enum SensitivityUndefined {
     },
     /// Events at one time whose order matters.
     #[error(
-        "no derivative: contacts {contacts:?} switch together at t = {time}, and their order matters"
+        "no derivative: contacts {} switch together at t = {time}, and their order matters",
+        listed(.contacts)
     )]
     Simultaneous {
         /// Numbers of the contacts.

@@ -3,11 +3,13 @@
 mod bounds;
 mod info;
 mod unit;
+mod values;
 
 pub use crate::linear::Linear;
 pub use bounds::{Bound, Bounds, ParameterError, within_reach};
 pub use info::{Contact, Memory, ModelInfo, Observable, Parameter, State};
 pub use unit::Unit;
+pub use values::{Values, brief, listed};
 
 use std::fmt;
 use std::marker::PhantomData;

@@ -179,9 +179,10 @@ fn newton(
     let family = family
         .with_tolerance(effort.tolerance)
         .with_magnitude(&guess.magnitude);
-    if at_rest(family.at(r)?.as_ref(), guess)? {
+    let flow = family.at(r)?;
+    if at_rest(flow.as_ref(), guess)? {
         return Err(OrbitError::Equilibrium {
-            state: guess.place.state.clone(),
+            state: flow.values(&guess.place.state),
         });
     }
     let (mut problem, z) = problem(family, r, guess, segments)?;
@@ -197,7 +198,7 @@ fn newton(
     });
     if flat {
         return Err(OrbitError::Equilibrium {
-            state: shot.start.state.clone(),
+            state: flow.values(&shot.start.state),
         });
     }
     Ok((found, problem))

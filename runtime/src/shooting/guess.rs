@@ -117,7 +117,8 @@ impl Watch {
             extrema: true,
             ..Want::default()
         };
-        let passage = flow.advance(&self.place, chunk, want)?;
+        let passage = flow.advance(&self.place, chunk, want);
+        let passage = passage.map_err(|error| error.later(self.time))?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
         let section = flow.phase().unwrap_or(0);

@@ -11,7 +11,7 @@ use crate::motion::exact::fixed_modes;
 use crate::motion::{Enclosure, Family, fixed};
 use crate::scalar::Inline;
 use crate::shooting::Orbit;
-use crate::study::law::{Characteristic, Laws};
+use crate::study::law::{Acting, Laws};
 use crate::study::predict::{PredictError, Prediction, Rubbed, predict};
 
 /// A declared model, whatever its type and its number of states.
@@ -31,8 +31,8 @@ pub(super) trait Physics: Send + Sync {
         tolerance: Tolerance,
     ) -> Family;
 
-    /// Shows the law of each contact with its number.
-    fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(usize, &dyn Characteristic));
+    /// Shows the law of each contact and each law with internal state.
+    fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(Acting<'_>));
 
     /// Its field over boxes: sliding in these modes, or else with this smoothing.
     fn enclosure(
@@ -113,7 +113,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         family.into()
     }
 
-    fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(usize, &dyn Characteristic)) {
+    fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(Acting<'_>)) {
         let values = model::<M, N>(values).values();
         let _ = M::rhs(&values, fixed(start), &mut Laws(see));
     }

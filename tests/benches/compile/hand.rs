@@ -77,6 +77,7 @@ impl Model<2> for Belt {
             speed_unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]),
         }],
         memories: &[],
+            moving: false,
         drive: None,
     };
     const KINEMATIC: [Option<usize>; 2] = [Some(1), None];

@@ -7,4 +7,5 @@ mod enclosed_cycles;
 mod henon;
 mod metamorphic;
 mod properties;
+mod reach;
 mod reference;

@@ -9,7 +9,7 @@ use super::mode::{Mode, Modes};
 use super::rule::Branches;
 use crate::field::memory;
 use crate::friction::{ContactRule, FrictionLaw};
-use crate::model::Model;
+use crate::model::{Model, listed};
 use crate::scalar::{Inline, Lanes};
 
 /// Why the forces at rest are not determined.
@@ -17,7 +17,8 @@ use crate::scalar::{Inline, Lanes};
 pub enum ContactError {
     /// Several contacts resist the same motion, or a force does not act on any speed.
     #[error(
-        "the sticking forces of contacts {contacts:?} are not unique: their compliance matrix is singular"
+        "the sticking forces of contacts {} are not unique: their compliance matrix is singular",
+        listed(.contacts)
     )]
     Singular {
         /// Numbers of the contacts that would stick together.

@@ -16,6 +16,7 @@ mod run;
 mod settle;
 mod switch;
 
+use crate::field::beyond;
 use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::integrate::explicit::Settings;
@@ -95,6 +96,15 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         self
     }
 
+    /// Whether all laws hold at a state.
+    ///
+    /// # Errors
+    /// A field of a law is out of its bounds there.
+    pub(crate) fn within_laws(&self, state: [f64; N]) -> Result<(), FlowError> {
+        let found = beyond::<M, N>(self.system.values(), state);
+        found.map_or(Ok(()), |found| Err(FlowError::beyond(&found, 0.0, &state)))
+    }
+
     /// A contact without relative speed sticks if it can, the others slide.
     fn settle_at(&self, state: [f64; N]) -> Result<Place<N, Modes<M, N>>, FlowError> {
         let speeds = self.system.speeds(&state);
@@ -165,6 +175,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
         if !(time.is_finite() && time >= 0.0) {
             return Err(FlowError::BadTime { time });
         }
+        self.within_laws(from.state)?;
         if want.derivatives {
             Run::<M, Motion<N>, N>::new(self, from, time, want).finish()
         } else {

@@ -10,7 +10,7 @@ pub(super) use rest::check_stops;
 use std::ops::ControlFlow;
 
 use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want};
-use crate::field::{Field, SmoothField, Work};
+use crate::field::{Field, SmoothField, Work, beyond, leaves};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
 use crate::model::Model;
@@ -55,6 +55,27 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     #[must_use]
     pub fn field(&self) -> &SmoothField<M, N> {
         &self.field
+    }
+
+    /// Whether all laws hold at a state.
+    ///
+    /// # Errors
+    /// A field of a law is out of its bounds there.
+    pub(crate) fn within_laws(&self, state: [f64; N]) -> Result<(), FlowError> {
+        let found = beyond::<M, N>(self.field.values(), state);
+        found.map_or(Ok(()), |found| Err(FlowError::beyond(&found, 0.0, &state)))
+    }
+
+    /// Whether all laws hold along a step of this length from this time.
+    fn keep_laws(
+        &self,
+        (time, length): (f64, f64),
+        at: impl Fn(f64) -> [f64; N],
+    ) -> Result<(), FlowError> {
+        let left = leaves::<M, N>(self.field.values(), &at);
+        left.map_or(Ok(()), |(theta, found)| {
+            Err(FlowError::beyond(&found, time + theta * length, &at(theta)))
+        })
     }
 
     /// Whether some state decays so fast that an explicit method could not follow it for this time.
@@ -105,16 +126,22 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
             integrate(field, settings, from, span, &mut work, |step| {
                 record.motion = *step.end();
                 record.explicit_step(field, step);
+                let span = (record.since + step.time(), step.length());
+                let kept = M::INFO.moving.then(|| step.dense());
+                let kept = kept.map_or(Ok(()), |dense| self.keep_laws(span, |t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
-                self.watch(record, switched, &mut verdict)
+                self.watch(record, switched, (kept, &mut verdict))
             })
             .map(|motion| motion.state)
         } else {
             integrate(field, settings, from.state, span, &mut work, |step| {
                 record.motion.state = *step.end();
                 record.explicit_step(field, step);
+                let span = (record.since + step.time(), step.length());
+                let kept = M::INFO.moving.then(|| step.dense());
+                let kept = kept.map_or(Ok(()), |dense| self.keep_laws(span, |t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
-                self.watch(record, switched, &mut verdict)
+                self.watch(record, switched, (kept, &mut verdict))
             })
         };
         record.work += work;
@@ -130,9 +157,9 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         &self,
         record: &Record<N>,
         switched: bool,
-        verdict: &mut Result<(), FlowError>,
+        (kept, verdict): (Result<(), FlowError>, &mut Result<(), FlowError>),
     ) -> ControlFlow<()> {
-        *verdict = self.check_direction(record);
+        *verdict = kept.and_then(|()| self.check_direction(record));
         if verdict.is_err() || switched {
             ControlFlow::Break(())
         } else {
@@ -189,7 +216,12 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                 Ok(step) => {
                     record.implicit_step(&mut radau, &step, offset + since);
                     switched = record.switch(field, radau.fallen());
-                    self.check_direction(record)
+                    let span = (offset + since + step.time, step.step);
+                    let kept = self.keep_laws(span, |theta| {
+                        let increment = step.collocation.at(theta);
+                        std::array::from_fn(|j| step.start[j] + increment[j])
+                    });
+                    kept.and_then(|()| self.check_direction(record))
                 }
                 Err(error) => Err(error.into()),
             };
@@ -246,6 +278,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
             return Err(FlowError::BadTime { time });
         }
         check_stops(&self.field)?;
+        self.within_laws(from.state)?;
         let mut record = Record::new(from.state, want, M::INFO.drive);
         record.settle(&self.field);
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
@@ -264,7 +297,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         if !linear.f.iter().all(|component| component.is_finite()) {
             return Err(IntegrationError::NotFinite {
                 time: 0.0,
-                state: at.state.to_vec(),
+                state: at.state.to_vec().into(),
             }
             .into());
         }

@@ -14,6 +14,7 @@ use super::{Contacts, Derivatives, Family, Flow, Flows, Passage, Place, Reading,
 use crate::field::Design;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
+use crate::model::Values;
 
 /// Told of a record.
 pub type Note = Box<dyn Fn(&[u8]) + Send + Sync>;
@@ -154,6 +155,10 @@ impl Flow for TapedFlow {
 
     fn phase(&self) -> Option<usize> {
         self.flow.phase()
+    }
+
+    fn values(&self, state: &[f64]) -> Values {
+        self.flow.values(state)
     }
 
     fn place(&self, state: &[f64]) -> Result<Place, FlowError> {

@@ -78,7 +78,7 @@ impl Specimen<dyn Hysteresis> {
         build: fn([f64; N]) -> L,
     ) -> Self {
         let build = move |values: &[f64]| -> Box<dyn Hysteresis> {
-            Box::new(Shaken::new(build(taken(values))))
+            Box::new(Shaken::<L, L, S>::new(build(taken(values))))
         };
         Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
     }

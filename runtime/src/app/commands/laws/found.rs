@@ -6,14 +6,15 @@ use super::arguments::Wish;
 use super::curve::Curve;
 use super::drawn::Drawn;
 use super::exhibit::Exhibit;
-use super::swing::swing;
+use super::swing::{self, swing};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
 use crate::app::request;
 use crate::app::values::Assignment;
 use crate::app::words::{place, unknown};
-use crate::study::{Case, Characteristic, Dynamics, Shown, Specimen, System};
+use crate::model::ModelInfo;
+use crate::study::{Acting, Case, Characteristic, Dynamics, Shown, Specimen, System};
 
 pub(super) enum Found<'a> {
     Law(&'a Shown),
@@ -96,29 +97,48 @@ pub(super) fn acting(
     wish: &Wish,
 ) -> Result<Vec<Exhibit>, Failure> {
     let info = entry.info();
-    if info.contacts.is_empty() {
+    if info.contacts.is_empty() && info.memories.is_empty() {
         return refuse!("`{}` has no friction", info.command);
     }
     let mut case = Case::declared(info, Dynamics::Exact);
     request::set(info, set, &mut case)?;
     let mut drawn = Vec::new();
-    entry.laws(&case, &mut |index, law| {
-        let contact = &info.contacts[index];
-        let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
-        let name = format!("{}-{}", info.command, contact.name);
-        let place = format!(
-            "{} = {} {{ {} }} opposing {}",
-            contact.name, contact.law.name, contact.fields, contact.speed
-        );
-        let exhibit = |curve| Drawn {
-            law: contact.law,
-            place: Some((name, place)),
-            values: &[],
-            curve,
-        };
-        drawn.push(curve(wish, law, units).map(|curve| exhibit(curve).exhibit()));
-    });
+    entry.laws(&case, &mut |law| drawn.push(exhibit(info, law, wish)));
     drawn.into_iter().collect()
+}
+
+/// A law where it acts.
+fn exhibit(info: &ModelInfo, law: Acting<'_>, wish: &Wish) -> Result<Exhibit, Failure> {
+    let placed = |name: &str, law: &str, fields: &str, speed: &str| {
+        let place = format!("{name} = {law} {{ {fields} }} opposing {speed}");
+        (format!("{}-{name}", info.command), place)
+    };
+    match law {
+        Acting::Static(index, law) => {
+            let contact = &info.contacts[index];
+            let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
+            let place = placed(
+                contact.name,
+                contact.law.name,
+                contact.fields,
+                contact.speed,
+            );
+            let drawn = Drawn {
+                law: contact.law,
+                place: Some(place),
+                values: &[],
+                curve: curve(wish, law, units)?,
+            };
+            Ok(drawn.exhibit())
+        }
+        Acting::Remembering(index, law) => {
+            let memory = &info.memories[index];
+            let (name, place) = placed(memory.name, memory.law.name, memory.fields, memory.speed);
+            let states = memory.states.iter().map(|state| info.states[*state].name);
+            let with = states.collect::<Vec<_>>().join(", ");
+            swing::acting(law, (name, format!("{place} with {with}")), wish)
+        }
+    }
 }
 
 /// The curve of a law as wished for.

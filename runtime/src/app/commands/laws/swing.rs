@@ -23,11 +23,34 @@ struct Loop {
     points: Vec<[f64; 2]>,
 }
 
-/// The law as it is shown.
+/// A law of the list as it is shown.
 pub(super) fn swing(
     remembering: &Remembering,
     built: &dyn Hysteresis,
     values: &[f64],
+    wish: &Wish,
+) -> Result<Exhibit, Failure> {
+    let amplitude = wish.amplitude.unwrap_or(remembering.amplitude);
+    let slow = wish.speed.unwrap_or(remembering.speed);
+    shown(built, (amplitude, slow), values, None, wish)
+}
+
+/// A law as it acts in a model: where it acts is its name, and how it is declared.
+pub(super) fn acting(
+    built: &dyn Hysteresis,
+    place: (String, String),
+    wish: &Wish,
+) -> Result<Exhibit, Failure> {
+    let amplitude = wish.amplitude.unwrap_or_else(|| built.yielding());
+    let slow = wish.speed.unwrap_or(amplitude);
+    shown(built, (amplitude, slow), &[], Some(place), wish)
+}
+
+fn shown(
+    built: &dyn Hysteresis,
+    (amplitude, slow): (f64, f64),
+    values: &[f64],
+    place: Option<(String, String)>,
     wish: &Wish,
 ) -> Result<Exhibit, Failure> {
     let law = built.law();
@@ -37,8 +60,6 @@ pub(super) fn swing(
             law.name
         );
     }
-    let amplitude = wish.amplitude.unwrap_or(remembering.amplitude);
-    let slow = wish.speed.unwrap_or(remembering.speed);
     let mut loops = Vec::new();
     for speed in [slow, FASTER * slow] {
         let points = built.swing(amplitude, speed).map_err(|error| {
@@ -53,11 +74,16 @@ pub(super) fn swing(
         parameters: law.parameters,
         values,
     };
-    let name = known.command();
+    let (name, place) = place.unzip();
+    let name = name.unwrap_or_else(|| known.command());
+    let mut document = document(&name, law, &known, amplitude, &loops);
+    if let Some(place) = &place {
+        document["contact"] = json!(place);
+    }
     Ok(Exhibit {
         listing: known.listing(),
-        text: known.text(&name, None) + &text(amplitude, &loops),
-        document: document(&name, law, &known, amplitude, &loops),
+        text: known.text(&name, place.as_deref()) + &text(amplitude, &loops),
+        document,
         figure: figure(&name, &loops),
         sheet: sheet(&loops),
         name,
