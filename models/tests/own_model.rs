@@ -44,11 +44,13 @@ mod program {
             state z: N = 0.0;
             state w: m = 1.0;
             param growth: 1/s = 0.0;
+            param loss: m/s = 0.0;
+            param m0: m = 1.0;
             param mass: kg = 1.0;
             friction F: N = Jenkins { stiffness: 0.5, level: 0.2 } opposing v with z;
             der(x) = v;
             der(v) = F / mass;
-            der(w) = growth * w;
+            der(w) = growth * w - loss * ln(w / m0);
         }
     }
 
@@ -113,6 +115,14 @@ fn tells(ask: impl Fn(&str) -> (Option<i32>, String, String)) {
     assert_eq!(code, Some(1), "{stderr}");
     assert!(
         stderr.contains("the motion grows without bound: `w` passed "),
+        "{stderr}"
+    );
+    let (code, _, stderr) = ask("simulate damped --start w=-2 --time 1");
+    assert_eq!(code, Some(1), "{stderr}");
+    assert!(
+        stderr.contains(
+            "at t = 0, where x = 0, v = 1, z = 0, w = -2, `ln(w / m0)` in `der(w)` is NaN at -2"
+        ),
         "{stderr}"
     );
     let (_, _, stderr) = ask("trade squeal");

@@ -1,6 +1,7 @@
 //! Declarations that are known to be good: nothing can go wrong any more.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use proc_macro2::Ident;
 use syn::{Attribute, Path};
@@ -167,6 +168,25 @@ impl<'a> Model<'a> {
             Step::Contact(contact) => Some(contact),
             Step::Let(_) | Step::Memory(_) => None,
         })
+    }
+
+    /// Whether a field of a law reads a state, itself or by what it is named.
+    pub(crate) fn moving(&self) -> bool {
+        let mut moving: HashSet<&Ident> = self.states.iter().map(|state| state.name).collect();
+        let moves = |moving: &HashSet<&Ident>, formula: &Formula| {
+            formula.names().iter().any(|name| moving.contains(name))
+        };
+        for quantity in self.lets() {
+            if moves(&moving, quantity.formula) {
+                moving.insert(quantity.name);
+            }
+        }
+        let remembering = self.memories().map(|memory| &memory.contact);
+        let mut fields = self
+            .contacts()
+            .chain(remembering)
+            .flat_map(|contact| &contact.fields);
+        fields.any(|field| moves(&moving, field.formula))
     }
 
     pub(crate) fn memories(&self) -> impl Iterator<Item = &Memory<'a>> {

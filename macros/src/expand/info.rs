@@ -1,7 +1,5 @@
 //! Models and laws as data.
 
-use std::collections::HashSet;
-
 use heck::ToKebabCase;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -27,7 +25,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
     let drive = drive(model);
     let memories = model.memories().enumerate();
     let memories = memories.map(|(index, line)| memory(index, line, model));
-    let moving = moving(model);
+    let moving = model.moving();
     quote! {
         ::stickslip::model::ModelInfo {
             name: #name,
@@ -205,32 +203,6 @@ fn observable(quantity: &Let) -> TokenStream {
     quote! {
         ::stickslip::model::Observable { name: #name, doc: #doc, unit: #unit, formula: #formula }
     }
-}
-
-/// Whether a field of a law reads a state, itself or by what it is named.
-fn moving(model: &Model) -> bool {
-    let mut moving: HashSet<&Ident> = model.states.iter().map(|state| state.name).collect();
-    for quantity in model.lets() {
-        if quantity
-            .formula
-            .names()
-            .iter()
-            .any(|name| moving.contains(name))
-        {
-            moving.insert(quantity.name);
-        }
-    }
-    let contacts = model
-        .contacts()
-        .chain(model.memories().map(|memory| &memory.contact));
-    let mut fields = contacts.flat_map(|contact| &contact.fields);
-    fields.any(|field| {
-        field
-            .formula
-            .names()
-            .iter()
-            .any(|name| moving.contains(name))
-    })
 }
 
 fn contact(index: usize, contact: &Contact) -> TokenStream {

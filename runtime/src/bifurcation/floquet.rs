@@ -4,6 +4,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exponents::exponents;
 use super::growth::{Growth, Growths};
+use super::stability::Stability;
 use crate::linear::{Eigenvalue, eigenvalues};
 use crate::motion::Factor;
 
@@ -11,34 +12,6 @@ use crate::motion::Factor;
 const RESOLVED: f64 = 1e-9;
 /// Errors of the section map that are allowed for.
 const MARGIN: f64 = 10.0;
-
-/// What the multipliers say of a periodic orbit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "app",
-    derive(serde::Serialize),
-    serde(rename_all = "lowercase")
-)]
-pub enum Stability {
-    /// All multipliers lie inside the unit circle.
-    Stable,
-    /// At least one lies outside.
-    Unstable,
-    /// One lies closer to the unit circle than its accuracy.
-    Undecided,
-}
-
-impl Stability {
-    /// The word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Undecided => "undecided",
-        }
-    }
-}
 
 /// Multipliers of the section map: the trivial one is projected out and only measures accuracy.
 #[derive(Debug, Clone, PartialEq)]

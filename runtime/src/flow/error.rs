@@ -1,9 +1,9 @@
 //! Why a motion cannot be followed, or has no derivative.
 
+use crate::field::SmoothingError;
 use crate::field::exact::{ContactError, Mode};
-use crate::field::{Beyond, SmoothingError};
 use crate::integrate::IntegrationError;
-use crate::model::{ModelInfo, ParameterError, Values, brief, listed};
+use crate::model::{ParameterError, Values, brief, listed};
 
 /// Why a motion could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -26,6 +26,16 @@ pub enum FlowError {
         time: f64,
         /// Why the motion could not be followed any further.
         cause: &'static str,
+    },
+    /// A formula of the model is not finite.
+    #[error("at t = {}, where {state}, {culprit}", brief(*.time))]
+    Undefined {
+        /// Which, in words.
+        culprit: String,
+        /// When.
+        time: f64,
+        /// Where.
+        state: Values,
     },
     /// A law was used outside the bounds of its fields.
     #[error(
@@ -149,93 +159,6 @@ pub enum FlowError {
         /// The duration.
         time: f64,
     },
-}
-
-/// A state so many times as large as the usual ones, half of all digits, has left where it belongs.
-const GROWN: f64 = 1.0 / ROOT_OF_EPSILON;
-const ROOT_OF_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
-
-impl FlowError {
-    /// A law that is out of its bounds, with when and where.
-    pub(super) fn beyond(found: &Beyond, time: f64, state: &[f64]) -> Self {
-        Self::OutOfLaw {
-            force: found.force,
-            law: found.law,
-            bound: found.field.bounds.describe(found.field.name),
-            value: found.value,
-            time,
-            state: state.to_vec().into(),
-        }
-    }
-
-    /// The same in the words of a model: states by their names, and a failure of the integrator for what it is where a state
-    /// has left the usual ones behind.
-    #[must_use]
-    pub(crate) fn of(self, model: &'static ModelInfo) -> Self {
-        let Self::Integration(error) = self else {
-            return self.named(model);
-        };
-        let (time, state, cause) = match &error {
-            IntegrationError::StepTooSmall { time, state, .. } => {
-                (*time, state, "no step is small enough any more")
-            }
-            IntegrationError::NotFinite { time, state } => {
-                (*time, state, "the right-hand side is not finite any more")
-            }
-            _ => return Self::Integration(error).named(model),
-        };
-        let starts = model.states.iter().map(|state| state.start.abs());
-        let usual = starts.fold(0.0, f64::max);
-        let usual = if usual > 0.0 { usual } else { 1.0 };
-        let sizes = state.iter().copied().enumerate();
-        let largest = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        match largest {
-            Some((j, value)) if value.is_finite() && value.abs() >= GROWN * usual => {
-                Self::Unbounded {
-                    state: model.states.get(j).map_or("?", |state| state.name),
-                    value,
-                    time,
-                    cause,
-                }
-            }
-            _ => Self::Integration(error).named(model),
-        }
-    }
-
-    /// The same with the states by their names.
-    #[must_use]
-    pub(crate) fn named(self, model: &'static ModelInfo) -> Self {
-        match self {
-            Self::Integration(error) => Self::Integration(error.named(model)),
-            Self::OutOfLaw {
-                force,
-                law,
-                bound,
-                value,
-                time,
-                state,
-            } => Self::OutOfLaw {
-                force,
-                law,
-                bound,
-                value,
-                time,
-                state: state.named(model),
-            },
-            other => other,
-        }
-    }
-
-    /// The same of a motion that began so much earlier.
-    #[must_use]
-    pub(crate) fn later(mut self, by: f64) -> Self {
-        match &mut self {
-            Self::Integration(error) => *error = error.clone().later(by),
-            Self::Unbounded { time, .. } | Self::OutOfLaw { time, .. } => *time += by,
-            _ => {}
-        }
-        self
-    }
 }
 
 /// Why a motion has no derivative at an event; the motion itself goes on.

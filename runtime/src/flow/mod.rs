@@ -6,8 +6,10 @@ pub mod event;
 pub mod exact;
 mod extrema;
 mod family;
+mod reach;
 pub(crate) mod saltation;
 mod smooth;
+mod told;
 
 pub(crate) use drive::{standing, strobes};
 pub use error::{FlowError, SensitivityUndefined};

@@ -1,6 +1,8 @@
 //! What a declared model is: one right-hand side over any scalar, and itself as data.
 
 mod bounds;
+mod culprit;
+mod formula;
 mod info;
 mod unit;
 mod values;

@@ -52,13 +52,23 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
 
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
         let passage = flow::Flow::advance(self, &place(from), time, want);
-        let passage = passage.map_err(|error| error.of(M::INFO))?;
+        let passage = passage.map_err(|error| {
+            let values = self.system().values().as_ref();
+            error.of(M::INFO).undefined(M::INFO, values, |state| {
+                let at = flow::Flow::place(self, fixed(state)).ok()?;
+                flow::Flow::velocity(self, &at)
+                    .ok()
+                    .map(|rate| rate.f.to_vec())
+            })
+        })?;
         Ok(Passage::of(passage, modes))
     }
 
     fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
         let velocity = flow::Flow::velocity(self, &place(at));
-        let velocity = velocity.map_err(|error| error.named(M::INFO))?;
+        let values = self.system().values().as_ref();
+        let velocity =
+            velocity.map_err(|error| error.undefined(M::INFO, values, |_| None).named(M::INFO))?;
         Ok(velocity.into())
     }
 

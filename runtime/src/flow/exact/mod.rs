@@ -16,8 +16,8 @@ mod run;
 mod settle;
 mod switch;
 
-use crate::field::beyond;
 use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
+use crate::flow::reach::beyond;
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::integrate::explicit::Settings;
 use crate::integrate::{Motion, Tolerance};

@@ -4,8 +4,9 @@ use super::ExactFlow;
 use super::extrema::Extrema;
 use super::guard::{Departure, Sighting, Watch};
 use super::switch::Strike;
+use crate::field::Work;
 use crate::field::exact::{ExactField, Modes};
-use crate::field::{Work, leaves};
+use crate::flow::reach::leaves;
 use crate::flow::saltation::{Tracked, product};
 use crate::flow::{
     Calm, Derivatives, Event, Factor, FlowError, Passage, Place, Sample, Segment, Want,

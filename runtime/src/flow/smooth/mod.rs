@@ -2,6 +2,7 @@
 //!
 //! Where internal states of laws have stops, it is smooth between the instants at which they meet or leave one.
 
+mod laws;
 mod record;
 mod rest;
 
@@ -10,7 +11,7 @@ pub(super) use rest::check_stops;
 use std::ops::ControlFlow;
 
 use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want};
-use crate::field::{Field, SmoothField, Work, beyond, leaves};
+use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
 use crate::model::Model;
@@ -55,27 +56,6 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     #[must_use]
     pub fn field(&self) -> &SmoothField<M, N> {
         &self.field
-    }
-
-    /// Whether all laws hold at a state.
-    ///
-    /// # Errors
-    /// A field of a law is out of its bounds there.
-    pub(crate) fn within_laws(&self, state: [f64; N]) -> Result<(), FlowError> {
-        let found = beyond::<M, N>(self.field.values(), state);
-        found.map_or(Ok(()), |found| Err(FlowError::beyond(&found, 0.0, &state)))
-    }
-
-    /// Whether all laws hold along a step of this length from this time.
-    fn keep_laws(
-        &self,
-        (time, length): (f64, f64),
-        at: impl Fn(f64) -> [f64; N],
-    ) -> Result<(), FlowError> {
-        let left = leaves::<M, N>(self.field.values(), &at);
-        left.map_or(Ok(()), |(theta, found)| {
-            Err(FlowError::beyond(&found, time + theta * length, &at(theta)))
-        })
     }
 
     /// Whether some state decays so fast that an explicit method could not follow it for this time.
