@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn the_loop_of_dahl_is_the_one_in_closed_form() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken::<_, Dahl, 1>::new(Dahl { stiffness, level });
+        let law = Shaken::<_, Dahl<f64>, 1>::new(Dahl { stiffness, level });
         let points = law.swing(amplitude, 1e-3).unwrap();
         // From rest, F = F_c (1 − e^{−σ₀ x/F_c}).
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn the_loop_of_jenkins_is_a_parallelogram() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken::<_, Jenkins, 1>::new(Jenkins { stiffness, level });
+        let law = Shaken::<_, Jenkins<f64>, 1>::new(Jenkins { stiffness, level });
         let points = law.swing(amplitude, 1e-3).unwrap();
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
         for [x, force] in virgin.copied() {
