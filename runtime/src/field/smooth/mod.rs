@@ -86,11 +86,6 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         })
     }
 
-    /// The values of the parameters.
-    pub(crate) fn values(&self) -> &M::Params<f64> {
-        &self.values
-    }
-
     /// The same field, its states measured against these magnitudes where they pass through zero.
     #[must_use]
     pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
