@@ -64,6 +64,15 @@ impl Formula {
         }
     }
 
+    /// The number that it is, sign and parentheses aside.
+    pub(crate) fn literal(&self) -> Option<f64> {
+        match &self.bare().kind {
+            Kind::Number(number) => Some(number.value),
+            Kind::Minus(inner) => inner.literal().map(|value| -value),
+            _ => None,
+        }
+    }
+
     /// The formulas of which this one is made.
     pub(crate) fn parts(&self) -> Vec<&Self> {
         match &self.kind {
@@ -116,17 +125,20 @@ impl Formula {
     }
 }
 
-impl ToTokens for Formula {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
+/// What is underlined of these: the tokens from which they were read.
+macro_rules! underlined {
+    ($($read:ty),*) => {$(
+        impl quote::ToTokens for $read {
+            fn to_tokens(&self, tokens: &mut proc_macro2::TokenStream) {
+                self.source.to_tokens(tokens);
+            }
+        }
+    )*};
 }
 
-impl ToTokens for Number {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
+pub(crate) use underlined;
+
+underlined!(Formula, Number);
 
 /// As written, with tidy spacing.
 impl Display for Formula {
@@ -162,6 +174,12 @@ impl Display for Number {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         f.write_str(&tight(&self.source))
     }
+}
+
+/// The last word of a path.
+pub(crate) fn last_word(path: &Path) -> String {
+    let last = path.segments.last();
+    last.map_or_else(String::new, |segment| segment.ident.to_string())
 }
 
 /// Tokens as text without spaces.

@@ -3,10 +3,9 @@
 use std::fmt::{Display, Formatter, Result};
 
 use proc_macro2::{Ident, TokenStream};
-use quote::ToTokens;
 use syn::{Attribute, Path, Token, Visibility};
 
-use crate::formula::{Formula, Number, tight};
+use crate::formula::{Formula, Number, tight, underlined};
 use crate::repeated::Repeated;
 
 /// The words that join the parts of a line.
@@ -18,69 +17,51 @@ pub(crate) mod word {
 
 /// `pub struct Name { lines }`.
 pub(crate) struct Declaration {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) visibility: Visibility,
-    pub(crate) keyword: Token![struct],
-    pub(crate) name: Ident,
+    pub(crate) header: Header,
     pub(crate) lines: Vec<Line>,
     pub(crate) repeated: Repeated,
 }
 
 /// What stands before the braces.
-#[derive(Clone, Copy)]
-pub(crate) struct Header<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) visibility: &'a Visibility,
+#[derive(Clone)]
+pub(crate) struct Header {
+    pub(crate) docs: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
     pub(crate) keyword: Token![struct],
-    pub(crate) name: &'a Ident,
-}
-
-impl Declaration {
-    pub(crate) fn header(&self) -> Header<'_> {
-        Header {
-            docs: &self.docs,
-            visibility: &self.visibility,
-            keyword: self.keyword,
-            name: &self.name,
-        }
-    }
+    pub(crate) name: Ident,
 }
 
 pub(crate) enum Line {
-    State(State),
-    Param(Param),
-    Let(Let),
+    State(Value),
+    Param(Value),
+    Let(Rule),
     Friction(Friction),
-    Derivative(Derivative),
-    Stick(Stick),
-    Slip(Slip),
-    Force(Force),
-    Stop(Stop),
-    Drive(Drive),
+    Derivative(Rule),
+    Stick(Rule),
+    Slip(Rule),
+    Force(Rule),
+    Stop(Rule),
+    Drive(Rule),
     /// A line that could not be read; what it declares is known nevertheless.
     Broken(Broken),
 }
 
-/// `state name: unit = start;`, in a law without the start.
-pub(crate) struct State {
+/// `state name: unit = number;` or `param name: unit = number where bounds;`, in a law without the number.
+pub(crate) struct Value {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) name: Ident,
     pub(crate) unit: Option<Unit>,
-    pub(crate) start: Option<Number>,
-}
-
-/// `param name: unit = default where bounds;`, in a law without the default.
-pub(crate) struct Param {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) name: Ident,
-    pub(crate) unit: Option<Unit>,
-    pub(crate) default: Option<Number>,
+    /// The start of a state, or the default of a parameter.
+    pub(crate) number: Option<Number>,
     pub(crate) bounds: Option<Bounds>,
 }
 
-/// `let name = formula;`
-pub(crate) struct Let {
+/// A word, a name and a formula: `let name = formula;`, `der(state) = formula;`, `stick = formula;`,
+/// `slip(speed) = formula;`, `force(speed) = formula;`, `stop state at formula;` or `drive phase at formula;`.
+pub(crate) struct Rule {
     pub(crate) docs: Vec<Attribute>,
+    pub(crate) word: Ident,
+    /// What the formula is of; for `stick`, that word.
     pub(crate) name: Ident,
     pub(crate) formula: Formula,
 }
@@ -101,45 +82,6 @@ pub(crate) struct Friction {
 pub(crate) struct Field {
     pub(crate) name: Ident,
     pub(crate) formula: Formula,
-}
-
-/// `der(state) = formula;`
-pub(crate) struct Derivative {
-    pub(crate) state: Ident,
-    pub(crate) formula: Formula,
-}
-
-/// `stick = formula;`
-pub(crate) struct Stick {
-    pub(crate) word: Ident,
-    pub(crate) formula: Formula,
-}
-
-/// `slip(speed) = formula;`
-pub(crate) struct Slip {
-    pub(crate) word: Ident,
-    pub(crate) speed: Ident,
-    pub(crate) formula: Formula,
-}
-
-/// `force(speed) = formula;`
-pub(crate) struct Force {
-    pub(crate) word: Ident,
-    pub(crate) speed: Ident,
-    pub(crate) formula: Formula,
-}
-
-/// `stop state at formula;`
-pub(crate) struct Stop {
-    pub(crate) state: Ident,
-    pub(crate) bound: Formula,
-}
-
-/// `drive phase at rate;`
-pub(crate) struct Drive {
-    pub(crate) docs: Vec<Attribute>,
-    pub(crate) name: Ident,
-    pub(crate) rate: Formula,
 }
 
 /// What is left of a line that could not be read.
@@ -185,24 +127,13 @@ impl Display for Unit {
     }
 }
 
-impl ToTokens for Unit {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
-
-impl ToTokens for Bounds {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.source.to_tokens(tokens);
-    }
-}
+underlined!(Bounds, Unit);
 
 /// Picks the lines of one kind.
 macro_rules! lines_of {
-    ($($(#[$doc:meta])* $method:ident: $kind:ident;)*) => {
+    ($($method:ident: $kind:ident($line:ident);)*) => {
         impl Declaration {$(
-            $(#[$doc])*
-            pub(crate) fn $method(&self) -> impl Iterator<Item = &$kind> {
+            pub(crate) fn $method(&self) -> impl Iterator<Item = &$line> {
                 self.lines.iter().filter_map(|line| match line {
                     Line::$kind(found) => Some(found),
                     _ => None,
@@ -213,48 +144,92 @@ macro_rules! lines_of {
 }
 
 lines_of! {
-    states: State;
-    params: Param;
-    lets: Let;
-    frictions: Friction;
-    derivatives: Derivative;
-    sticks: Stick;
-    slips: Slip;
-    forces: Force;
-    stops: Stop;
-    drives: Drive;
-    broken: Broken;
+    states: State(Value);
+    params: Param(Value);
+    lets: Let(Rule);
+    frictions: Friction(Friction);
+    derivatives: Derivative(Rule);
+    sticks: Stick(Rule);
+    slips: Slip(Rule);
+    forces: Force(Rule);
+    stops: Stop(Rule);
+    drives: Drive(Rule);
+    broken: Broken(Broken);
 }
 
 impl Line {
+    /// The word with which it begins, as far as that is known.
+    pub(crate) fn keyword(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::State(_) => "state",
+            Self::Param(_) => "param",
+            Self::Let(_) => "let",
+            Self::Friction(_) => "friction",
+            Self::Derivative(_) => "der",
+            Self::Stick(_) => "stick",
+            Self::Slip(_) => "slip",
+            Self::Force(_) => "force",
+            Self::Stop(_) => "stop",
+            Self::Drive(_) => "drive",
+            Self::Broken(line) => return line.keyword,
+        })
+    }
+
+    /// What it declares, or says something of.
+    pub(crate) fn name(&self) -> Option<&Ident> {
+        match self {
+            Self::State(line) | Self::Param(line) => Some(&line.name),
+            Self::Friction(line) => Some(&line.name),
+            Self::Broken(line) => line.name.as_ref(),
+            _ => self.rule().map(|line| &line.name),
+        }
+    }
+
+    fn rule(&self) -> Option<&Rule> {
+        match self {
+            Self::Let(line) | Self::Derivative(line) | Self::Stick(line) | Self::Slip(line) => {
+                Some(line)
+            }
+            Self::Force(line) | Self::Stop(line) | Self::Drive(line) => Some(line),
+            Self::State(_) | Self::Param(_) | Self::Friction(_) | Self::Broken(_) => None,
+        }
+    }
+
     /// The formulas of this line, from left to right.
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
         match self {
-            Self::State(_) | Self::Param(_) | Self::Broken(_) => Vec::new(),
-            Self::Let(line) => vec![&line.formula],
-            Self::Derivative(line) => vec![&line.formula],
-            Self::Stick(line) => vec![&line.formula],
-            Self::Slip(line) => vec![&line.formula],
-            Self::Force(line) => vec![&line.formula],
-            Self::Stop(line) => vec![&line.bound],
-            Self::Drive(line) => vec![&line.rate],
-            Self::Friction(line) => {
-                let fields = line.fields.iter().map(|field| &field.formula);
-                fields.chain([&line.speed]).collect()
-            }
+            Self::Friction(line) => line.formulas().collect(),
+            _ => self.rule().map(|line| &line.formula).into_iter().collect(),
         }
     }
 }
 
+impl Friction {
+    /// The fields of the law, and the speed.
+    pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
+        let fields = self.fields.iter().map(|field| &field.formula);
+        fields.chain([&self.speed])
+    }
+}
+
 impl Declaration {
+    /// What lines of this kind declare or say something of, broken ones too.
+    pub(crate) fn named(&self, keyword: &'static str) -> impl Iterator<Item = &Ident> {
+        let of_kind = self.lines.iter();
+        let of_kind = of_kind.filter(move |line| line.keyword() == Some(keyword));
+        of_kind.filter_map(Line::name)
+    }
+
+    /// Whether a line of this kind is broken.
+    pub(crate) fn lost(&self, keyword: &str) -> bool {
+        self.broken().any(|line| line.keyword == Some(keyword))
+    }
+
     /// Whether this law has internal state: any line that only such a law has, broken or not.
     pub(crate) fn has_memory(&self) -> bool {
-        self.lines.iter().any(|line| match line {
-            Line::State(_) | Line::Derivative(_) | Line::Force(_) | Line::Stop(_) => true,
-            Line::Broken(line) => line
-                .keyword
-                .is_some_and(|word| ["state", "der", "force", "stop"].contains(&word)),
-            _ => false,
-        })
+        let words = self.lines.iter().filter_map(Line::keyword);
+        words
+            .into_iter()
+            .any(|word| ["state", "der", "force", "stop"].contains(&word))
     }
 }

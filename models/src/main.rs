@@ -1,14 +1,13 @@
 //! The program `stickslip`.
 
 use std::error::Error;
-use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 
 use stickslip::app::App;
 use stickslip::study::System;
 use stickslip_models::friction::{library, with_memory};
-use stickslip_models::reproduce::{extremes, reproduce, reproduce_atlas};
+use stickslip_models::reproduce::{Part, reproduce};
 use stickslip_models::{
     BeltOscillator, BeltPair, BristleOscillator, DrillString, ForcedBelt, VanDerPol,
 };
@@ -23,25 +22,16 @@ fn main() -> ExitCode {
         .offer(System::of::<ForcedBelt, _>())
         .laws(library())
         .laws(with_memory())
-        .reproduce(report)
-        .reproduce_part("atlas", the_atlas)
-        .reproduce_part("extremes", the_extremes)
+        .reproduce(|folder, quiet| report(Part::Whole, folder, quiet))
+        .reproduce_part("atlas", |folder, quiet| report(Part::Atlas, folder, quiet))
+        .reproduce_part("extremes", |folder, quiet| {
+            report(Part::Extremes, folder, quiet)
+        })
         .run()
 }
 
-fn report(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
-    tell(&reproduce(folder, quiet)?, quiet)
-}
-
-fn the_atlas(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
-    tell(&reproduce_atlas(folder, quiet)?, quiet)
-}
-
-fn the_extremes(folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
-    tell(&extremes::reproduce(folder)?, quiet)
-}
-
-fn tell(summary: &impl Display, quiet: bool) -> Result<(), Box<dyn Error>> {
+fn report(part: Part, folder: &Path, quiet: bool) -> Result<(), Box<dyn Error>> {
+    let summary = reproduce(part, folder, quiet)?;
     if !quiet {
         println!("{summary}");
     }

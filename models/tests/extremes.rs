@@ -35,7 +35,7 @@ fn every_cell_holds_what_it_is_to_hold() {
     for (range, cells) in map {
         for cell in &cells {
             if let Some(fault) = fault(cell) {
-                let (system, varied) = (range.system.command(), range.varied);
+                let (system, varied) = (range.system(), range.varied());
                 let (value, expected) = (cell.value, cell.expected);
                 faults.push(format!(
                     "{system} {varied} = {value:e}: {expected:?}, but {fault}"
@@ -53,9 +53,9 @@ fn the_number_of_cores_changes_nothing() {
     let ranges = ranges();
     let some: Vec<(usize, f64)> = (ranges.iter().enumerate())
         .flat_map(|(i, range)| {
-            let found = range.cells().into_iter();
+            let found = range.cells.iter();
             let found = found.filter(|(_, expected)| matches!(expected, Expected::Digits(_)));
-            found.step_by(9).map(move |(value, _)| (i, value))
+            found.step_by(9).map(move |&(value, _)| (i, value))
         })
         .collect();
     let ask = |cores| parallel_on(Some(cores), &some, |&(i, value)| ranges[i].outcome(value));

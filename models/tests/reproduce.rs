@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stickslip_models::reproduce::reproduce_the_rest;
+use stickslip_models::reproduce::{Part, reproduce};
 
 const FIGURES: [&str; 20] = [
     "3.1", "3.2", "3.3", "3.5", "3.6", "3.7", "3.8", "3.9", "3.10", "3.11", "3.13", "3.14", "4.3",
@@ -22,7 +22,7 @@ const TABLES: usize = 11;
 fn the_report_is_complete_and_stands_alone() {
     let out = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("report");
     let _ = fs::remove_dir_all(&out);
-    let summary = reproduce_the_rest(&out, true).expect("a report");
+    let summary = reproduce(Part::Rest, &out, true).expect("a report");
     assert_eq!(summary.written.figures, FIGURES.len());
     let page = fs::read_to_string(&summary.written.page).expect("the page");
     every_figure_is_there(&out, &page);

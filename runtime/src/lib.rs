@@ -10,7 +10,7 @@
 //! | [`integrate`] | steps: explicit, implicit, with events |
 //! | [`flow`] | where a motion is after a time, how that depends on where it began; saltation |
 //! | [`motion`] | the joint: from here on, no model and no number of states is known any more |
-//! | [`poincare`], [`lyapunov`] | points of motions on sections, exponents |
+//! | [`poincare`], [`lyapunov`], [`harmonics`] | points of motions on sections, exponents, amplitudes and phases |
 //! | [`continuation`] | zero problems, their branches, named monitors, one walk that locates, accounts and ends |
 //! | [`bifurcation`] | multipliers, and the monitors made of them |
 //! | [`equilibrium`], [`shooting`], [`curve`] | equilibria, periodic orbits, bifurcations in two parameters |
@@ -35,6 +35,7 @@ pub mod equilibrium;
 pub mod field;
 pub mod flow;
 pub mod friction;
+pub mod harmonics;
 pub mod integrate;
 mod linear;
 pub mod lyapunov;
@@ -46,11 +47,10 @@ pub mod poincare;
 #[cfg(feature = "app")]
 pub mod report;
 pub mod scalar;
-#[cfg(feature = "app")]
-mod serial;
 pub mod shooting;
 pub mod study;
 pub mod suggest;
+mod words;
 
 #[cfg(test)]
 mod examples;

@@ -1,7 +1,7 @@
 //! The reference systems as subjects of one questionnaire.
 
 use stickslip::field::{Design, Kernel, SmoothField, Smoothing};
-use stickslip::flow::{Family as _, SmoothFamily, SmoothFlow};
+use stickslip::flow::{SmoothFamily, SmoothFlow};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip::motion::{Family, Place};
@@ -154,6 +154,7 @@ impl<M: Model<N>, const N: usize> Subject<M, N> {
             },
             period: orbit.period,
             magnitude,
+            pins: Vec::new(),
         }
     }
 }

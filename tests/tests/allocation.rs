@@ -1,7 +1,7 @@
 //! Steps allocate nothing: a passage asks the heap for as much as it does however many steps it makes.
 
 use stickslip::field::{Design, SmoothField};
-use stickslip::flow::{Family, Flow, Place, SmoothFlow, Want};
+use stickslip::flow::{Flow, Place, SmoothFlow, Want};
 use stickslip::model;
 use stickslip::model::Model;
 use stickslip_models::friction::Jenkins;

@@ -16,14 +16,38 @@ use crate::formula::{Formula, Kind, Operator};
 use crate::parse::Grammar;
 use crate::repeated::Repeated;
 
+type Function = (&'static str, fn(f64) -> f64);
+
 /// The functions of one argument.
-const FUNCTIONS: [&str; 15] = [
-    "acos", "acosh", "asin", "asinh", "atan", "atanh", "cos", "cosh", "exp", "ln", "sin", "sinh",
-    "sqrt", "tan", "tanh",
+const FUNCTIONS: [Function; 15] = [
+    ("acos", f64::acos),
+    ("acosh", f64::acosh),
+    ("asin", f64::asin),
+    ("asinh", f64::asinh),
+    ("atan", f64::atan),
+    ("atanh", f64::atanh),
+    ("cos", f64::cos),
+    ("cosh", f64::cosh),
+    ("exp", f64::exp),
+    ("ln", f64::ln),
+    ("sin", f64::sin),
+    ("sinh", f64::sinh),
+    ("sqrt", f64::sqrt),
+    ("tan", f64::tan),
+    ("tanh", f64::tanh),
 ];
 
 /// Functions with a kink, for laws with internal state.
 pub(crate) const CORNERS: [&str; 2] = ["abs", "sign"];
+
+/// The value of a function of one argument.
+pub(crate) fn apply(function: &Ident, x: f64) -> f64 {
+    match FUNCTIONS.iter().find(|(name, _)| function == name) {
+        Some((_, value)) => value(x),
+        None if function == "sign" => 1.0_f64.copysign(x),
+        None => x.abs(),
+    }
+}
 
 const ONLY: &str =
     "a formula is made of numbers, names, `+ - * /`, parentheses and functions such as `sin(x)`";
@@ -31,29 +55,15 @@ const ONLY: &str =
 const WHOLE: &str = "the exponent of `powi` is a whole number such as 2; \
      other powers are written `powf(x, 1.5)`";
 
-/// Reads an expression; where something is wrong, a number stands in its place.
-pub(crate) fn formula(
-    expression: &Expr,
-    grammar: Grammar,
-    repeated: &mut Repeated,
-    errors: &mut Errors,
-) -> Formula {
-    let mut arithmetic = Arithmetic {
-        grammar,
-        repeated,
-        errors,
-    };
-    arithmetic.read(expression)
-}
-
-struct Arithmetic<'a> {
-    grammar: Grammar,
-    repeated: &'a mut Repeated,
-    errors: &'a mut Errors,
+/// Reads expressions; where something is wrong, a number stands in its place.
+pub(crate) struct Arithmetic<'a> {
+    pub(crate) grammar: Grammar,
+    pub(crate) repeated: &'a mut Repeated,
+    pub(crate) errors: &'a mut Errors,
 }
 
 impl Arithmetic<'_> {
-    fn read(&mut self, expression: &Expr) -> Formula {
+    pub(crate) fn read(&mut self, expression: &Expr) -> Formula {
         let kind = self.kind(expression);
         let source = expression.to_token_stream();
         Formula { kind, source }
@@ -181,13 +191,12 @@ impl Arithmetic<'_> {
 
     /// Whether this is a function of one argument here.
     fn knows(&self, function: &Ident) -> bool {
-        let is = |known: &&str| function == known;
-        let corner = self.grammar == Grammar::Memory && CORNERS.iter().any(&is);
-        corner || FUNCTIONS.iter().any(is)
+        let corner = self.grammar == Grammar::Memory && CORNERS.iter().any(|name| function == name);
+        corner || FUNCTIONS.iter().any(|(name, _)| function == name)
     }
 
     fn power(&mut self, base: &Formula, exponent: &Formula) -> Kind {
-        match number::whole_number(exponent) {
+        match exponent.literal().and_then(whole) {
             Some(whole) => Kind::Power(Box::new(base.clone()), whole),
             None => self.refuse(exponent, WHOLE),
         }

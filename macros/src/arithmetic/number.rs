@@ -3,7 +3,7 @@
 use quote::ToTokens;
 use syn::Lit;
 
-use crate::formula::{Formula, Kind, Number};
+use crate::formula::Number;
 
 /// The value of a literal.
 pub(crate) fn number(literal: &Lit) -> syn::Result<Number> {
@@ -42,15 +42,6 @@ fn with_suffix(digits: &str, suffix: &str) -> String {
     } else {
         let factor = suffix.trim_start_matches('_');
         format!("`{digits}{suffix}` is no number; a product is written `{digits} * {factor}`")
-    }
-}
-
-/// The exponent `2` or `-2`.
-pub(super) fn whole_number(formula: &Formula) -> Option<i32> {
-    match &formula.bare().kind {
-        Kind::Number(number) => whole(number.value),
-        Kind::Minus(inner) => whole_number(inner).map(|n| -n),
-        _ => None,
     }
 }
 

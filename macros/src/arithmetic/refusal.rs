@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 use syn::{Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, Lit, Path};
 
 use super::{Arithmetic, FUNCTIONS};
-use crate::formula::{Kind, Number};
+use crate::formula::{Kind, Number, last_word};
 use crate::parse::Grammar;
 use crate::suggest::nearest;
 
@@ -143,9 +143,7 @@ impl Arithmetic<'_> {
     }
 
     pub(super) fn path_of_function(&mut self, path: &Path) -> Kind {
-        let last = path.segments.last();
-        let name = last.map(|segment| segment.ident.to_string());
-        let name = name.unwrap_or_default();
+        let name = last_word(path);
         self.refuse(
             path,
             format!("functions have no path in a formula: write `{name}(x)`"),
@@ -156,7 +154,7 @@ impl Arithmetic<'_> {
     pub(super) fn wrong_call(&mut self, call: &ExprCall, function: &Ident) -> Kind {
         let name = function.to_string();
         match name.as_str() {
-            known if FUNCTIONS.contains(&known) => {
+            known if FUNCTIONS.iter().any(|(name, _)| *name == known) => {
                 self.refuse(call, format!("`{known}` takes one argument: `{known}(x)`"))
             }
             "powi" => self.refuse(call, "`powi` takes a base and a whole number: `powi(x, 2)`"),
@@ -172,7 +170,8 @@ impl Arithmetic<'_> {
 
     fn unknown_function(&mut self, function: &Ident) -> Kind {
         let name = function.to_string();
-        let known = FUNCTIONS.into_iter().chain(["powi", "powf"]);
+        let known = FUNCTIONS.into_iter().map(|(name, _)| name);
+        let known = known.chain(["powi", "powf"]);
         let advice = match SYNONYMS.iter().find(|(other, _)| *other == name) {
             Some((_, ours)) => format!("write `{ours}`"),
             None => match nearest(&name, known.clone()) {

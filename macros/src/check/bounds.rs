@@ -1,54 +1,35 @@
-//! Bounds: on their own parameter, not empty, and kept by the default.
+//! Bounds of parameters.
 
 use crate::errors::Errors;
-use crate::syntax::{Bound, Bounds, Declaration, Param};
+use crate::syntax::{Bound, Bounds, Declaration};
 
-/// The bounds of a parameter are about that parameter.
-pub(super) fn check_bound_names(written: &Declaration, errors: &mut Errors) {
-    for (param, bounds) in bounded(written) {
-        let (own, other) = (&param.name, &bounds.name);
-        if own != other {
+/// The bounds of a parameter are about that parameter, leave some value, and its default keeps them.
+pub(super) fn check_bounds(written: &Declaration, errors: &mut Errors) {
+    for param in written.params() {
+        let Some(bounds) = &param.bounds else {
+            continue;
+        };
+        let (name, other, described) = (&param.name, &bounds.name, describe(bounds));
+        if name != other {
             errors.at(
                 other,
-                format!("the bounds of `{own}` are on `{other}`; write them on `{own}`"),
+                format!("the bounds of `{name}` are on `{other}`; write them on `{name}`"),
             );
         }
-    }
-}
-
-/// Some value is left between the bounds.
-pub(super) fn check_bounds_not_empty(written: &Declaration, errors: &mut Errors) {
-    for (param, bounds) in bounded(written) {
         if is_empty(bounds) {
-            let (name, described) = (&param.name, describe(bounds));
             errors.at(
                 bounds,
                 format!("no value of `{name}` can keep the bound `{described}`"),
             );
-        }
-    }
-}
-
-/// The default keeps its own bounds.
-pub(super) fn check_defaults_in_bounds(written: &Declaration, errors: &mut Errors) {
-    for (param, bounds) in bounded(written) {
-        let Some(default) = &param.default else {
-            continue;
-        };
-        if !is_empty(bounds) && !contains(bounds, default.value) {
-            let (name, described) = (&param.name, describe(bounds));
+        } else if let Some(default) = &param.number
+            && !contains(bounds, default.value)
+        {
             errors.at(
                 default,
                 format!("default {default} of `{name}` breaks its own bound `{described}`"),
             );
         }
     }
-}
-
-fn bounded(written: &Declaration) -> impl Iterator<Item = (&Param, &Bounds)> {
-    written
-        .params()
-        .filter_map(|param| Some((param, param.bounds.as_ref()?)))
 }
 
 fn is_empty(bounds: &Bounds) -> bool {

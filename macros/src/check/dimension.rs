@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::suggest::nearest;
 
 /// Exponents of m, kg, s, A, K, mol, cd, in twelfths: roots of units occur inside formulas.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Dimension([i32; 7]);
 
 const TWELFTHS: i32 = 12;

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::names::{Names, Role};
+use super::names::Names;
 use crate::arithmetic;
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
@@ -26,10 +26,11 @@ pub(super) fn check_one_drive(written: &Declaration, errors: &mut Errors) {
 /// The rate of a drive is a formula of parameters.
 pub(super) fn check_rate(written: &Declaration, names: &Names, errors: &mut Errors) {
     for drive in written.drives() {
-        for name in drive.rate.names() {
-            let role = names.role_of(name);
-            if role.is_some_and(|role| role != Role::Parameter) {
-                let (noun, phase) = (names.noun_of(name).unwrap_or_default(), &drive.name);
+        for name in drive.formula.names() {
+            if let Some(noun) = names.noun_of(name)
+                && names.word_of(name) != Some("param")
+            {
+                let phase = &drive.name;
                 errors.at(
                     name,
                     format!(
@@ -90,7 +91,7 @@ fn turns(formula: &Formula, phase: &Ident) -> Option<f64> {
         Kind::Binary(x, Operator::Subtract, y) => Some(turns(x, phase)? - turns(y, phase)?),
         Kind::Binary(x, Operator::Multiply, y) => {
             let (left, right) = (turns(x, phase)?, turns(y, phase)?);
-            match (number(x), number(y)) {
+            match (x.literal(), y.literal()) {
                 _ if left == 0.0 && right == 0.0 => Some(0.0),
                 (Some(factor), _) => Some(factor * right),
                 (_, Some(factor)) => Some(left * factor),
@@ -98,13 +99,5 @@ fn turns(formula: &Formula, phase: &Ident) -> Option<f64> {
             }
         }
         _ => (!formula.names().contains(&phase)).then_some(0.0),
-    }
-}
-
-fn number(formula: &Formula) -> Option<f64> {
-    match &formula.bare().kind {
-        Kind::Number(number) => Some(number.value),
-        Kind::Minus(inner) => number(inner).map(|value| -value),
-        _ => None,
     }
 }

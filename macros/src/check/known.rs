@@ -4,14 +4,14 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 
 use proc_macro2::Ident;
-use syn::{Attribute, Path};
+use syn::Attribute;
 
 use super::dimension::Dimension;
 use crate::formula::Formula;
-use crate::syntax::Header;
+use crate::syntax::{Friction, Header, Rule, Value};
 
 pub(crate) struct Model<'a> {
-    pub(crate) header: Header<'a>,
+    pub(crate) header: &'a Header,
     pub(crate) states: Vec<State<'a>>,
     pub(crate) parameters: Vec<Parameter<'a>>,
     /// Whether the last of the states is the phase of a drive.
@@ -33,15 +33,10 @@ pub(crate) struct State<'a> {
     pub(crate) carries: Option<&'a Ident>,
 }
 
-/// A parameter of a model, or of a law, where it has no default.
+/// A parameter of a model, or of a law.
 pub(crate) struct Parameter<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) name: &'a Ident,
+    pub(crate) line: &'a Value,
     pub(crate) unit: Option<Unit>,
-    pub(crate) default: Option<f64>,
-    pub(crate) bounds: Bounds,
-    /// The parameter as named in its bounds.
-    pub(crate) bounded: Option<&'a Ident>,
 }
 
 pub(crate) struct Unit {
@@ -49,45 +44,29 @@ pub(crate) struct Unit {
     pub(crate) dimension: Dimension,
 }
 
-/// Each end with whether it belongs to the interval, and the whole as written.
-#[derive(Default)]
-pub(crate) struct Bounds {
-    pub(crate) lower: Option<(f64, bool)>,
-    pub(crate) upper: Option<(f64, bool)>,
-    pub(crate) text: String,
-}
-
 pub(crate) enum Step<'a> {
     Let(Let<'a>),
-    Contact(Contact<'a>),
-    Memory(Memory<'a>),
+    Friction(Box<Contact<'a>>),
 }
 
 pub(crate) struct Let<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) name: &'a Ident,
+    pub(crate) line: &'a Rule,
     /// The unit of its formula, where it is known.
     pub(crate) unit: Option<Unit>,
-    pub(crate) formula: &'a Formula,
 }
 
 pub(crate) struct Contact<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) name: &'a Ident,
+    pub(crate) line: &'a Friction,
+    /// Its number, among the contacts with internal state if it has such.
+    pub(crate) place: usize,
     pub(crate) unit: Option<Unit>,
-    pub(crate) law: &'a Path,
-    pub(crate) fields: Vec<Field<'a>>,
-    pub(crate) speed: &'a Formula,
+    /// The dimensions of the fields of its law, where they are known.
+    pub(crate) fields: Vec<Option<Dimension>>,
     /// The unit of the speed, where it is known.
     pub(crate) speed_unit: Option<Unit>,
     pub(crate) measures: Measures,
-}
-
-/// `name: formula` in the braces of a law, and its dimension where it is known.
-pub(crate) struct Field<'a> {
-    pub(crate) name: &'a Ident,
-    pub(crate) formula: &'a Formula,
-    pub(crate) dimension: Option<Dimension>,
+    /// The states that carry the internal states of its law, if that has such.
+    pub(crate) carriers: Vec<Carrier<'a>>,
 }
 
 /// The dimensions against which a contact measures the fields of its law.
@@ -97,61 +76,44 @@ pub(crate) struct Measures {
     pub(crate) time: Dimension,
 }
 
-/// A contact whose law has internal state.
-pub(crate) struct Memory<'a> {
-    pub(crate) contact: Contact<'a>,
-    pub(crate) carriers: Vec<Carrier>,
-}
-
 /// A state that carries an internal state of a law.
-pub(crate) struct Carrier {
-    pub(crate) state: Ident,
+pub(crate) struct Carrier<'a> {
+    pub(crate) state: &'a Ident,
     pub(crate) formula: Formula,
     pub(crate) dimension: Option<Dimension>,
     /// What the law says of its rate.
     pub(crate) rate: Ident,
 }
 
-pub(crate) enum Law<'a> {
-    Static(StaticLaw<'a>),
-    Memory(MemoryLaw<'a>),
-}
-
-/// A law without internal state; nothing in its formulas is abbreviated any more.
-pub(crate) struct StaticLaw<'a> {
-    pub(crate) header: Header<'a>,
-    pub(crate) parameters: Vec<Parameter<'a>>,
-    pub(crate) speed: &'a Ident,
-    pub(crate) stick: Formula,
-    pub(crate) slip: Formula,
-}
-
-/// A law with internal state; nothing in its formulas is abbreviated any more.
-pub(crate) struct MemoryLaw<'a> {
-    pub(crate) header: Header<'a>,
+pub(crate) struct Law<'a> {
+    pub(crate) header: &'a Header,
     pub(crate) parameters: Vec<Parameter<'a>>,
     pub(crate) lets: Vec<Let<'a>>,
     pub(crate) speed: &'a Ident,
+    /// The internal states, if it has such.
     pub(crate) states: Vec<LawState<'a>>,
-    pub(crate) force: Formula,
-    /// The force as written.
-    pub(crate) written: &'a Formula,
+    pub(crate) force: Force<'a>,
+}
+
+pub(crate) enum Force<'a> {
+    /// Without internal state: at rest, and while sliding.
+    Static(Whole<'a>, Whole<'a>),
+    /// With internal state, at any speed.
+    Memory(Whole<'a>),
 }
 
 pub(crate) struct LawState<'a> {
-    pub(crate) docs: &'a [Attribute],
-    pub(crate) name: &'a Ident,
+    pub(crate) line: &'a Value,
     pub(crate) unit: Option<Unit>,
-    pub(crate) rate: Formula,
-    /// The rate as written.
-    pub(crate) written: &'a Formula,
-    pub(crate) stop: Option<Stop<'a>>,
+    pub(crate) rate: Whole<'a>,
+    /// The magnitude at which it stops.
+    pub(crate) stop: Option<Whole<'a>>,
 }
 
-/// The magnitude at which an internal state stops.
-pub(crate) struct Stop<'a> {
-    pub(crate) bound: Formula,
-    /// The same as written.
+/// A formula of a law.
+pub(crate) struct Whole<'a> {
+    /// Nothing in it is abbreviated any more.
+    pub(crate) formula: Formula,
     pub(crate) written: &'a Formula,
 }
 
@@ -159,15 +121,18 @@ impl<'a> Model<'a> {
     pub(crate) fn lets(&self) -> impl Iterator<Item = &Let<'a>> {
         self.steps.iter().filter_map(|step| match step {
             Step::Let(quantity) => Some(quantity),
-            Step::Contact(_) | Step::Memory(_) => None,
+            Step::Friction(_) => None,
         })
     }
 
+    /// The contacts whose laws have no internal state.
     pub(crate) fn contacts(&self) -> impl Iterator<Item = &Contact<'a>> {
-        self.steps.iter().filter_map(|step| match step {
-            Step::Contact(contact) => Some(contact),
-            Step::Let(_) | Step::Memory(_) => None,
-        })
+        self.frictions().filter(|contact| !contact.has_memory())
+    }
+
+    /// The contacts whose laws have internal state.
+    pub(crate) fn memories(&self) -> impl Iterator<Item = &Contact<'a>> {
+        self.frictions().filter(|contact| contact.has_memory())
     }
 
     /// Whether a field of a law reads a state, itself or by what it is named.
@@ -176,23 +141,19 @@ impl<'a> Model<'a> {
         let moves = |moving: &HashSet<&Ident>, formula: &Formula| {
             formula.names().iter().any(|name| moving.contains(name))
         };
-        for quantity in self.lets() {
-            if moves(&moving, quantity.formula) {
-                moving.insert(quantity.name);
+        for step in &self.steps {
+            if step.formulas().iter().any(|line| moves(&moving, line)) {
+                moving.extend(step.computes());
             }
         }
-        let remembering = self.memories().map(|memory| &memory.contact);
-        let mut fields = self
-            .contacts()
-            .chain(remembering)
-            .flat_map(|contact| &contact.fields);
-        fields.any(|field| moves(&moving, field.formula))
+        let mut fields = self.frictions().flat_map(|contact| &contact.line.fields);
+        fields.any(|field| moves(&moving, &field.formula))
     }
 
-    pub(crate) fn memories(&self) -> impl Iterator<Item = &Memory<'a>> {
+    fn frictions(&self) -> impl Iterator<Item = &Contact<'a>> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Memory(memory) => Some(memory),
-            Step::Let(_) | Step::Contact(_) => None,
+            Step::Friction(contact) => Some(contact.as_ref()),
+            Step::Let(_) => None,
         })
     }
 }
@@ -200,47 +161,42 @@ impl<'a> Model<'a> {
 impl<'a> Step<'a> {
     pub(crate) fn name(&self) -> &'a Ident {
         match self {
-            Self::Let(quantity) => quantity.name,
-            Self::Contact(contact) => contact.name,
-            Self::Memory(memory) => memory.contact.name,
+            Self::Let(quantity) => &quantity.line.name,
+            Self::Friction(contact) => &contact.line.name,
         }
     }
 
     pub(crate) fn docs(&self) -> &'a [Attribute] {
         match self {
-            Self::Let(quantity) => quantity.docs,
-            Self::Contact(contact) => contact.docs,
-            Self::Memory(memory) => memory.contact.docs,
+            Self::Let(quantity) => &quantity.line.docs,
+            Self::Friction(contact) => &contact.line.docs,
         }
     }
 
-    /// Every quantity that the step computes: its name, and the rates that it answers.
+    /// Every quantity that the step computes: the rates that it answers, and its name.
     pub(crate) fn computes(&self) -> Vec<&Ident> {
-        match self {
-            Self::Let(_) | Self::Contact(_) => vec![self.name()],
-            Self::Memory(memory) => {
-                let rates = memory.carriers.iter().map(|carrier| &carrier.rate);
-                rates.chain([memory.contact.name]).collect()
-            }
-        }
+        let carriers = match self {
+            Self::Let(_) => &[],
+            Self::Friction(contact) => contact.carriers.as_slice(),
+        };
+        let rates = carriers.iter().map(|carrier| &carrier.rate);
+        rates.chain([self.name()]).collect()
     }
 
     /// The formulas from which the step is computed.
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
         match self {
-            Self::Let(quantity) => vec![quantity.formula],
-            Self::Contact(contact) => contact.formulas().collect(),
-            Self::Memory(memory) => {
-                let carriers = memory.carriers.iter().map(|carrier| &carrier.formula);
-                memory.contact.formulas().chain(carriers).collect()
+            Self::Let(quantity) => vec![&quantity.line.formula],
+            Self::Friction(contact) => {
+                let carriers = contact.carriers.iter().map(|carrier| &carrier.formula);
+                contact.line.formulas().chain(carriers).collect()
             }
         }
     }
 }
 
-impl<'a> Contact<'a> {
-    fn formulas(&self) -> impl Iterator<Item = &'a Formula> {
-        let fields = self.fields.iter().map(|field| field.formula);
-        fields.chain([self.speed])
+impl Contact<'_> {
+    pub(crate) fn has_memory(&self) -> bool {
+        !self.carriers.is_empty()
     }
 }

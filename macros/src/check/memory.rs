@@ -3,42 +3,33 @@
 use std::collections::HashMap;
 
 use proc_macro2::Ident;
-use syn::ext::IdentExt;
 
-use super::known::{Law, MemoryLaw};
+use super::equations::{check_a_state_named, check_one, state_names};
+use super::known::{Force, Law};
 use super::names::Names;
-use crate::arithmetic::CORNERS;
+use crate::arithmetic::{CORNERS, apply};
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
-use crate::suggest::nearest;
 use crate::syntax::Declaration;
 
 /// What stands after `with` is a state of the model.
 pub(super) fn check_carriers(written: &Declaration, names: &Names, errors: &mut Errors) {
-    let states = written.states().map(|state| state.name.unraw().to_string());
-    let states: Vec<String> = states.collect();
+    let states = state_names(written);
     for name in misnamed(written) {
-        let text = name.unraw().to_string();
-        let advice = if let Some(noun) = names.noun_of(name) {
-            format!("a {noun}, and only a state can carry the internal state of a law")
-        } else if let Some(near) = nearest(&text, states.iter().map(String::as_str)) {
-            format!("not a state; did you mean `{near}`?")
-        } else {
-            format!("not a state; declare it with `state {text} = 0.0;`")
-        };
-        errors.at(name, format!("`{text}` is {advice}"));
+        let only = "and only a state can carry the internal state of a law";
+        check_a_state_named(name, names, &states, only, errors);
     }
 }
 
 /// What stands after `with` and is no state, not even one whose line is broken.
 pub(super) fn misnamed(written: &Declaration) -> impl Iterator<Item = &Ident> {
     let meant = |name: &Ident| {
-        let broken = written
-            .broken()
-            .filter(|line| matches!(line.keyword, None | Some("state")));
-        let lost = broken.filter_map(|line| line.name.as_ref());
-        let whole = written.states().map(|state| &state.name);
-        whole.chain(lost).any(|state| state == name)
+        let doubtful = written.broken().filter(|line| line.keyword.is_none());
+        let doubtful = doubtful.filter_map(|line| line.name.as_ref());
+        written
+            .named("state")
+            .chain(doubtful)
+            .any(|state| state == name)
     };
     let named = written.frictions().flat_map(|friction| &friction.memory);
     named.filter(move |name| !meant(name))
@@ -64,7 +55,7 @@ pub(super) fn check_carried_once(written: &Declaration, errors: &mut Errors) {
 /// The law moves what carries its internal state, and no equation of the model does.
 pub(super) fn check_carriers_move_alone(written: &Declaration, errors: &mut Errors) {
     for derivative in written.derivatives() {
-        let name = &derivative.state;
+        let name = &derivative.name;
         if let Some(owner) = written
             .frictions()
             .find(|friction| friction.memory.contains(name))
@@ -97,17 +88,14 @@ pub(super) fn check_no_rest(written: &Declaration, errors: &mut Errors) {
 
 /// A law with internal state has one force.
 pub(super) fn check_a_force(written: &Declaration, errors: &mut Errors) {
-    let name = &written.name;
-    let lost = written.broken().any(|line| line.keyword == Some("force"));
-    if written.forces().next().is_none() && !lost {
+    let name = &written.header.name;
+    if written.forces().next().is_none() && !written.lost("force") {
         errors.at(
             name,
             format!("law `{name}` has internal state but no force: add `force(w) = ...;`"),
         );
     }
-    for second in written.forces().skip(1) {
-        errors.at(&second.word, "second `force` line; keep one");
-    }
+    check_one(written.forces(), errors);
 }
 
 /// A law with a `force` line has internal state.
@@ -128,7 +116,7 @@ pub(super) fn check_internal_state(written: &Declaration, errors: &mut Errors) {
 
 /// The sign is taken of the speed or of an internal state: what has a surface of its own.
 pub(super) fn check_signs(written: &Declaration, errors: &mut Errors) {
-    let speeds = written.forces().map(|force| &force.speed);
+    let speeds = written.forces().map(|force| &force.name);
     let states = written.states().map(|state| &state.name);
     let plain: Vec<&Ident> = speeds.chain(states).collect();
     let formulas = written.lines.iter().flat_map(|line| line.formulas());
@@ -162,16 +150,15 @@ pub(super) fn check_kinks_have_memory(written: &Declaration, errors: &mut Errors
 
 /// Where a sign changes, the formulas do not jump: a force that jumps is dry friction, which `stick` and `slip` describe.
 pub(super) fn check_continuous(law: &Law, errors: &mut Errors) {
-    let Law::Memory(law) = law else { return };
-    let rates = law
-        .states
-        .iter()
-        .map(|state| (format!("der({})", state.name), &state.rate, state.written));
-    let force = (format!("force({})", law.speed), &law.force, law.written);
-    for (line, formula, written) in rates.chain([force]) {
-        if let Some(name) = jump(law, formula) {
+    let Force::Memory(force) = &law.force else {
+        return;
+    };
+    let rates = law.states.iter();
+    let rates = rates.map(|state| (format!("der({})", state.line.name), &state.rate));
+    for (line, formula) in rates.chain([(format!("force({})", law.speed), force)]) {
+        if let Some(name) = jump(law, &formula.formula) {
             errors.at(
-                written,
+                formula.written,
                 format!(
                     "`{line}` jumps where `{name}` changes its sign: `sign({name})` must be multiplied by something \
                      that vanishes there; a force that jumps is described by `stick` and `slip`"
@@ -185,7 +172,7 @@ pub(super) fn check_continuous(law: &Law, errors: &mut Errors) {
 const NEXT_TO: f64 = 1e-200;
 
 /// The name at whose zero a formula jumps, tried with numbers that mean nothing.
-fn jump<'a>(law: &MemoryLaw<'a>, formula: &'a Formula) -> Option<&'a Ident> {
+fn jump<'a>(law: &Law<'_>, formula: &'a Formula) -> Option<&'a Ident> {
     let signs = formula.calls_of(&["sign"]).into_iter();
     signs
         .filter_map(|(_, argument)| match &argument.bare().kind {
@@ -212,9 +199,10 @@ fn jump<'a>(law: &MemoryLaw<'a>, formula: &'a Formula) -> Option<&'a Ident> {
 }
 
 /// A number between 0.2 and 1 for each name, its place among all of them, and each trial.
-fn generic(law: &MemoryLaw, name: &Ident, trial: u32) -> f64 {
-    let parameters = law.parameters.iter().map(|parameter| parameter.name);
-    let states = law.states.iter().map(|state| state.name);
+fn generic(law: &Law, name: &Ident, trial: u32) -> f64 {
+    let parameters = law.parameters.iter();
+    let parameters = parameters.map(|parameter| &parameter.line.name);
+    let states = law.states.iter().map(|state| &state.line.name);
     let mut names = parameters.chain(states);
     let place = names.position(|known| known == name).unwrap_or(97);
     let seed = 0.618_033_988_749_895 * (place + 1) as f64 + 0.377 * f64::from(trial);
@@ -237,28 +225,6 @@ fn evaluate(formula: &Formula, value: &dyn Fn(&Ident) -> f64) -> f64 {
         },
         Kind::Power(x, exponent) => of(x).powi(*exponent),
         Kind::RealPower(_, x, y) => of(x).powf(of(y)),
-        Kind::Call(function, x) => call(&function.to_string(), of(x)),
-    }
-}
-
-fn call(function: &str, x: f64) -> f64 {
-    match function {
-        "abs" => x.abs(),
-        "sign" => 1.0_f64.copysign(x),
-        "acos" => x.acos(),
-        "acosh" => x.acosh(),
-        "asin" => x.asin(),
-        "asinh" => x.asinh(),
-        "atan" => x.atan(),
-        "atanh" => x.atanh(),
-        "cos" => x.cos(),
-        "cosh" => x.cosh(),
-        "exp" => x.exp(),
-        "ln" => x.ln(),
-        "sin" => x.sin(),
-        "sinh" => x.sinh(),
-        "sqrt" => x.sqrt(),
-        "tan" => x.tan(),
-        _ => x.tanh(),
+        Kind::Call(function, x) => apply(function, of(x)),
     }
 }

@@ -13,21 +13,22 @@ mod resolve;
 mod stops;
 mod units;
 
+pub(crate) use self::bounds::describe;
 pub(crate) use self::dimension::Dimension;
 pub(crate) use self::known::{
-    Bounds, Carrier, Contact, Field, Law, LawState, Let, Memory, MemoryLaw, Model, Parameter,
-    State, StaticLaw, Step, Stop, Unit,
+    Contact, Force, Law, LawState, Let, Model, Parameter, State, Step, Unit, Whole,
 };
 use self::names::Names;
 pub(crate) use self::reserved::is_field;
 use self::units::Units;
 use crate::errors::Errors;
+use crate::parse::Grammar;
 use crate::syntax::Declaration;
 
 /// Asks everything that a model must answer.
 pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Model<'a>> {
     let legible = errors.is_empty();
-    let names = Names::of_model(written);
+    let names = Names::of(written, Grammar::Model);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     arrays::check_counters(written, &names, errors);
@@ -45,9 +46,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
     drive::check_periodic(written, errors);
     equations::check_laws_read_no_force(written, errors);
     equations::check_forces_linear(written, errors);
-    bounds::check_bound_names(written, errors);
-    bounds::check_bounds_not_empty(written, errors);
-    bounds::check_defaults_in_bounds(written, errors);
+    bounds::check_bounds(written, errors);
     let units = Units::of(written, errors);
     units::check_drive(written, &units, errors);
     units::check_contacts(written, &units, errors);
@@ -65,7 +64,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
 /// Asks everything that a friction law must answer.
 pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Law<'a>> {
     let legible = errors.is_empty();
-    let names = Names::of_law(written);
+    let names = Names::of(written, Grammar::Law);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     names::check_known(written, &names, errors);
@@ -85,8 +84,7 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
         equations::check_stick_and_slip(written, errors);
         memory::check_kinks_have_memory(written, errors);
     }
-    bounds::check_bound_names(written, errors);
-    bounds::check_bounds_not_empty(written, errors);
+    bounds::check_bounds(written, errors);
     let units = Units::of(written, errors);
     units::check_law(written, &units, errors);
     units::check_equations(written, &units, errors);
@@ -100,4 +98,14 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
         .flatten()?;
     memory::check_continuous(&law, errors);
     errors.is_empty().then_some(law)
+}
+
+/// Takes over a model of which nothing is asked.
+pub(crate) fn unasked_model(written: &Declaration) -> Option<Model<'_>> {
+    resolve::model(written, &Units::default())
+}
+
+/// Takes over a law of which nothing is asked.
+pub(crate) fn unasked_law(written: &Declaration) -> Option<Law<'_>> {
+    resolve::law(written, &Units::default())
 }

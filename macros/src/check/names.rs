@@ -8,38 +8,27 @@ use syn::ext::IdentExt;
 use super::arrays;
 use crate::errors::Errors;
 use crate::formula::Formula;
+use crate::parse::Grammar;
 use crate::suggest::nearest;
 use crate::syntax::{Declaration, Line};
 
-/// What a name stands for, as a reader would say it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
-    State,
-    Parameter,
-    Let,
-    Friction,
-    Speed,
-    RelativeSpeed,
-    Phase,
-}
-
-impl Role {
-    fn noun(self) -> &'static str {
-        match self {
-            Self::State => "state",
-            Self::Parameter => "parameter",
-            Self::Let => "`let`",
-            Self::Friction => "friction force",
-            Self::Speed => "sliding speed",
-            Self::RelativeSpeed => "relative speed",
-            Self::Phase => "phase of the drive",
-        }
+/// What a line that begins with this word declares, as a reader would say it; `None` if it declares nothing.
+fn noun(keyword: &str) -> Option<&'static str> {
+    match keyword {
+        "state" => Some("state"),
+        "param" => Some("parameter"),
+        "let" => Some("`let`"),
+        "friction" => Some("friction force"),
+        "slip" => Some("sliding speed"),
+        "force" => Some("relative speed"),
+        "drive" => Some("phase of the drive"),
+        _ => None,
     }
 }
 
-/// Every declared name with its role, in the order of declaration.
+/// Every declared name with the word of its line, in the order of declaration.
 pub(super) struct Names {
-    pub(super) declared: Vec<(Ident, Role)>,
+    pub(super) declared: Vec<(Ident, &'static str)>,
     /// Names of broken lines of which not even the kind is known.
     doubtful: Vec<Ident>,
     /// Elements of arrays about which enough is said already.
@@ -50,15 +39,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn of_model(written: &Declaration) -> Self {
-        Self::of(written, true)
-    }
-
-    pub(super) fn of_law(written: &Declaration) -> Self {
-        Self::of(written, false)
-    }
-
-    fn of(written: &Declaration, in_model: bool) -> Self {
+    pub(super) fn of(written: &Declaration, grammar: Grammar) -> Self {
         let unknown = written.broken().filter(|line| line.keyword.is_none());
         Self {
             declared: written.lines.iter().filter_map(declared_by).collect(),
@@ -70,20 +51,19 @@ impl Names {
                 .into_iter()
                 .filter_map(|(array, indices)| Some((array, *indices.first()?)))
                 .collect(),
-            in_model,
+            in_model: grammar == Grammar::Model,
         }
     }
 
     /// What a name stands for, if it is declared.
     pub(super) fn noun_of(&self, name: &Ident) -> Option<&'static str> {
-        let found = self.declared.iter().find(|(known, _)| known == name);
-        found.map(|(_, role)| role.noun())
+        noun(self.word_of(name)?)
     }
 
-    /// The role of a name, if it is declared.
-    pub(super) fn role_of(&self, name: &Ident) -> Option<Role> {
+    /// The word of the line that declares a name.
+    pub(super) fn word_of(&self, name: &Ident) -> Option<&'static str> {
         let found = self.declared.iter().find(|(known, _)| known == name);
-        found.map(|(_, role)| *role)
+        found.map(|(_, word)| *word)
     }
 
     fn know(&self, name: &Ident) -> bool {
@@ -96,46 +76,24 @@ impl Names {
     }
 }
 
-fn declared_by(line: &Line) -> Option<(Ident, Role)> {
-    match line {
-        Line::State(line) => Some((line.name.clone(), Role::State)),
-        Line::Param(line) => Some((line.name.clone(), Role::Parameter)),
-        Line::Let(line) => Some((line.name.clone(), Role::Let)),
-        Line::Friction(line) => Some((line.name.clone(), Role::Friction)),
-        Line::Slip(line) => Some((line.speed.clone(), Role::Speed)),
-        Line::Force(line) => Some((line.speed.clone(), Role::RelativeSpeed)),
-        Line::Drive(line) => Some((line.name.clone(), Role::Phase)),
-        Line::Broken(line) => Some((line.name.clone()?, role_after(line.keyword?)?)),
-        Line::Derivative(_) | Line::Stick(_) | Line::Stop(_) => None,
-    }
-}
-
-fn role_after(keyword: &str) -> Option<Role> {
-    match keyword {
-        "state" => Some(Role::State),
-        "param" => Some(Role::Parameter),
-        "let" => Some(Role::Let),
-        "friction" => Some(Role::Friction),
-        "slip" => Some(Role::Speed),
-        "force" => Some(Role::RelativeSpeed),
-        "drive" => Some(Role::Phase),
-        _ => None,
-    }
+fn declared_by(line: &Line) -> Option<(Ident, &'static str)> {
+    let word = line.keyword().filter(|word| noun(word).is_some())?;
+    Some((line.name()?.clone(), word))
 }
 
 /// Nothing is declared twice.
 pub(super) fn check_declared_once(names: &Names, errors: &mut Errors) {
-    let mut seen: Vec<&(Ident, Role)> = Vec::new();
+    let mut seen: Vec<&(Ident, &str)> = Vec::new();
     for declared in &names.declared {
-        let (name, role) = declared;
+        let (name, word) = declared;
         match seen.iter().find(|(known, _)| known == name) {
             None => seen.push(declared),
             // Two lines for sliding are one mistake, of which another check tells.
-            Some((_, Role::Speed)) if *role == Role::Speed => {}
+            Some((_, "slip")) if *word == "slip" => {}
             Some((_, first)) => {
-                let (first, role) = (first.noun(), role.noun());
+                let [first, noun] = [first, word].map(|word| noun(word).unwrap_or_default());
                 errors.at(name, format!(
-                    "`{name}` is declared twice: first as a {first}, here as a {role}; rename one"
+                    "`{name}` is declared twice: first as a {first}, here as a {noun}; rename one"
                 ));
             }
         }
@@ -217,7 +175,7 @@ pub(super) fn made_of<'a>(written: &'a Declaration, mut names: Vec<&'a Ident>) -
 /// At rest there is no sliding speed.
 pub(super) fn check_rest_has_no_speed(written: &Declaration, errors: &mut Errors) {
     let is_parameter = |name: &Ident| written.params().any(|param| param.name == *name);
-    let speeds = written.slips().map(|slip| &slip.speed);
+    let speeds = written.slips().map(|slip| &slip.name);
     let speeds = made_of(
         written,
         speeds.filter(|speed| !is_parameter(speed)).collect(),
@@ -247,10 +205,10 @@ pub(super) fn check_used(written: &Declaration, names: &Names, errors: &mut Erro
         return;
     };
     let whole = if names.in_model { "model" } else { "law" };
-    for (name, role) in &names.declared {
-        let needed = matches!(role, Role::Parameter | Role::Friction | Role::Phase);
+    for (name, word) in &names.declared {
+        let needed = matches!(*word, "param" | "friction" | "drive");
         if needed && !used.contains(name) && !meant.contains(&name.unraw().to_string()) {
-            let noun = role.noun();
+            let noun = noun(word).unwrap_or_default();
             errors.at(
                 name,
                 format!("{noun} `{name}` is never used in this {whole}; use it or remove its line"),

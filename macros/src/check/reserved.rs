@@ -41,7 +41,10 @@ pub(super) fn check_reserved(written: &Declaration, names: &Names, errors: &mut 
     let types = written
         .frictions()
         .filter_map(|friction| friction.law.get_ident());
-    for name in types.chain([&written.name]).filter(|name| *name == "D") {
+    for name in types
+        .chain([&written.header.name])
+        .filter(|name| *name == "D")
+    {
         errors.at(name, "`D` cannot be the name of a type here: formulas use it for their numbers; choose another");
     }
 }

@@ -7,62 +7,60 @@ use proc_macro2::Ident;
 use quote::format_ident;
 use syn::ext::IdentExt;
 
-use super::bounds;
 use super::dimension::Dimension;
 use super::known::{
-    Bounds, Carrier, Contact, Field, Law, LawState, Let, Measures, Memory, MemoryLaw, Model,
-    Parameter, State, StaticLaw, Step, Stop, Unit,
+    Carrier, Contact, Force, Law, LawState, Let, Measures, Model, Parameter, State, Step, Unit,
+    Whole,
 };
 use super::units::Units;
 use crate::formula::Formula;
-use crate::syntax::{self, Declaration, Line};
+use crate::syntax::{self, Declaration, Friction, Line, Rule, Value};
 
 /// Takes over a model in which no mistake was found.
 pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model<'a>> {
     let states = written.states().map(|line| state(line, written, units));
-    let states: Option<Vec<_>> = states.collect();
-    let phase = written.drives().map(|line| phase(line, units));
-    let states = states.map(|states| states.into_iter().chain(phase).collect());
+    let phase = written.drives().map(|line| Some(phase(line, units)));
     Some(Model {
         driven: written.drives().next().is_some(),
-        header: written.header(),
-        states: states?,
+        header: &written.header,
+        states: states.chain(phase).collect::<Option<_>>()?,
         parameters: parameters(written, units),
-        steps: written
-            .lines
-            .iter()
-            .filter_map(|line| step(line, units))
-            .collect(),
+        steps: steps(written, units),
     })
 }
 
 /// Takes over a law in which no mistake was found.
 pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>> {
-    let (header, parameters) = (written.header(), parameters(written, units));
     let meanings = meanings(written);
-    if let Some(force) = written.forces().next() {
-        let states: Option<_> = written
-            .states()
-            .map(|line| law_state(line, written, &meanings, units))
-            .collect();
-        return Some(Law::Memory(MemoryLaw {
-            header,
-            parameters,
-            lets: written.lets().map(|line| quantity(line, units)).collect(),
-            speed: &force.speed,
-            states: states?,
-            force: force.formula.unabbreviated(&meanings),
-            written: &force.formula,
-        }));
-    }
-    let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
-    Some(Law::Static(StaticLaw {
-        header,
-        parameters,
-        speed: &slip.speed,
-        stick: stick.formula.unabbreviated(&meanings),
-        slip: slip.formula.unabbreviated(&meanings),
-    }))
+    let whole = |written: &'a Formula| Whole {
+        formula: written.unabbreviated(&meanings),
+        written,
+    };
+    let (speed, force) = if let Some(force) = written.forces().next() {
+        (&force.name, Force::Memory(whole(&force.formula)))
+    } else {
+        let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
+        let [stick, sliding] = [stick, slip].map(|line| whole(&line.formula));
+        (&slip.name, Force::Static(stick, sliding))
+    };
+    let states = written.states().map(|line| {
+        let rate = written.derivatives().find(|one| one.name == line.name)?;
+        let stop = written.stops().find(|stop| stop.name == line.name);
+        Some(LawState {
+            line,
+            unit: unit(&line.name, line.unit.as_ref(), units),
+            rate: whole(&rate.formula),
+            stop: stop.map(|stop| whole(&stop.formula)),
+        })
+    });
+    Some(Law {
+        header: &written.header,
+        parameters: parameters(written, units),
+        lets: written.lets().map(|line| quantity(line, units)).collect(),
+        speed,
+        states: states.collect::<Option<_>>()?,
+        force,
+    })
 }
 
 /// What the `let` lines of a law abbreviate.
@@ -75,124 +73,97 @@ fn meanings(written: &Declaration) -> HashMap<&Ident, Formula> {
     meanings
 }
 
-fn law_state<'a>(
-    line: &'a syntax::State,
-    written: &'a Declaration,
-    meanings: &HashMap<&Ident, Formula>,
-    units: &Units,
-) -> Option<LawState<'a>> {
-    let equation = written.derivatives().find(|one| one.state == line.name)?;
-    Some(LawState {
-        docs: &line.docs,
-        name: &line.name,
-        unit: unit(&line.name, line.unit.as_ref(), units),
-        rate: equation.formula.unabbreviated(meanings),
-        written: &equation.formula,
-        stop: written
-            .stops()
-            .find(|stop| stop.state == line.name)
-            .map(|stop| Stop {
-                bound: stop.bound.unabbreviated(meanings),
-                written: &stop.bound,
-            }),
-    })
+fn quantity<'a>(line: &'a Rule, units: &Units) -> Let<'a> {
+    let unit = units.of_name(&line.name).and_then(familiar);
+    Let { line, unit }
 }
 
-fn quantity<'a>(line: &'a syntax::Let, units: &Units) -> Let<'a> {
-    Let {
-        docs: &line.docs,
-        name: &line.name,
-        unit: units.of_name(&line.name).and_then(familiar),
-        formula: &line.formula,
-    }
-}
-
-fn state<'a>(
-    line: &'a syntax::State,
-    written: &'a Declaration,
-    units: &Units,
-) -> Option<State<'a>> {
-    let equation = written
-        .derivatives()
-        .find(|equation| equation.state == line.name);
-    let (left, rate) = match equation {
-        Some(equation) => (&equation.state, Cow::Borrowed(&equation.formula)),
+fn state<'a>(line: &'a Value, written: &'a Declaration, units: &Units) -> Option<State<'a>> {
+    let mut equations = written.derivatives();
+    let (left, rate) = match equations.find(|equation| equation.name == line.name) {
+        Some(equation) => (&equation.name, Cow::Borrowed(&equation.formula)),
         None => (&line.name, Cow::Owned(Formula::name(&rate_of(&line.name)))),
     };
+    let mut owners = written.frictions();
+    let owner = owners.find(|friction| friction.memory.contains(&line.name));
     Some(State {
         docs: &line.docs,
         name: &line.name,
         unit: unit(&line.name, line.unit.as_ref(), units),
-        start: line.start.as_ref()?.value,
+        start: line.number.as_ref()?.value,
         left,
         rate,
-        carries: written
-            .frictions()
-            .find(|friction| friction.memory.contains(&line.name))
-            .map(|friction| &friction.name),
+        carries: owner.map(|friction| &friction.name),
     })
 }
 
 /// The phase of a drive is a state like any other to everything but orbits.
-fn phase<'a>(line: &'a syntax::Drive, units: &Units) -> State<'a> {
+fn phase<'a>(line: &'a Rule, units: &Units) -> State<'a> {
+    let unit = units.of_name(&line.name).map(|dimension| Unit {
+        text: "rad".to_owned(),
+        dimension,
+    });
     State {
         docs: &line.docs,
         name: &line.name,
-        unit: units.of_name(&line.name).map(|dimension| Unit {
-            text: "rad".to_owned(),
-            dimension,
-        }),
+        unit,
         start: 0.0,
         left: &line.name,
-        rate: Cow::Borrowed(&line.rate),
+        rate: Cow::Borrowed(&line.formula),
         carries: None,
     }
 }
 
 fn parameters<'a>(written: &'a Declaration, units: &Units) -> Vec<Parameter<'a>> {
-    let parameter = |line: &'a syntax::Param| Parameter {
-        docs: &line.docs,
-        name: &line.name,
+    let parameter = |line: &'a Value| Parameter {
+        line,
         unit: unit(&line.name, line.unit.as_ref(), units),
-        default: line.default.as_ref().map(|number| number.value),
-        bounds: line.bounds.as_ref().map(known_bounds).unwrap_or_default(),
-        bounded: line.bounds.as_ref().map(|bounds| &bounds.name),
     };
     written.params().map(parameter).collect()
 }
 
-fn known_bounds(written: &syntax::Bounds) -> Bounds {
-    let end = |bound: &Option<syntax::Bound>| {
-        bound
-            .as_ref()
-            .map(|bound| (bound.number.value, bound.inclusive))
-    };
-    Bounds {
-        lower: end(&written.lower),
-        upper: end(&written.upper),
-        text: bounds::describe(written),
-    }
-}
-
-fn step<'a>(line: &'a Line, units: &Units) -> Option<Step<'a>> {
-    match line {
+fn steps<'a>(written: &'a Declaration, units: &Units) -> Vec<Step<'a>> {
+    let (mut contacts, mut memories) = (0.., 0..);
+    let step = |line: &'a Line| match line {
         Line::Let(line) => Some(Step::Let(quantity(line, units))),
-        Line::Friction(line) if line.memory.is_empty() => Some(Step::Contact(contact(line, units))),
-        Line::Friction(line) => Some(Step::Memory(Memory {
-            contact: contact(line, units),
-            carriers: line
-                .memory
-                .iter()
-                .map(|name| carrier(name, units))
-                .collect(),
-        })),
+        Line::Friction(line) => {
+            let places = if line.memory.is_empty() {
+                &mut contacts
+            } else {
+                &mut memories
+            };
+            let contact = contact(line, places.next()?, units);
+            Some(Step::Friction(Box::new(contact)))
+        }
         _ => None,
+    };
+    written.lines.iter().filter_map(step).collect()
+}
+
+fn contact<'a>(line: &'a Friction, place: usize, units: &Units) -> Contact<'a> {
+    let speed = units.of_formula(&line.speed);
+    let fields = line.fields.iter();
+    let carriers = line.memory.iter();
+    Contact {
+        line,
+        place,
+        unit: unit(&line.name, line.unit.as_ref(), units),
+        fields: fields
+            .map(|field| units.of_formula(&field.formula))
+            .collect(),
+        speed_unit: speed.and_then(familiar),
+        measures: Measures {
+            force: units.of_name(&line.name),
+            speed,
+            time: units.time,
+        },
+        carriers: carriers.map(|state| carrier(state, units)).collect(),
     }
 }
 
-fn carrier(state: &Ident, units: &Units) -> Carrier {
+fn carrier<'a>(state: &'a Ident, units: &Units) -> Carrier<'a> {
     Carrier {
-        state: state.clone(),
+        state,
         formula: Formula::name(state),
         dimension: units.of_name(state),
         rate: rate_of(state),
@@ -202,28 +173,6 @@ fn carrier(state: &Ident, units: &Units) -> Carrier {
 /// The name under which a law's answer to the rate of a state is kept.
 fn rate_of(state: &Ident) -> Ident {
     format_ident!("__der_{}", state.unraw(), span = state.span())
-}
-
-fn contact<'a>(line: &'a syntax::Friction, units: &Units) -> Contact<'a> {
-    let field = |field: &'a syntax::Field| Field {
-        name: &field.name,
-        formula: &field.formula,
-        dimension: units.of_formula(&field.formula),
-    };
-    Contact {
-        docs: &line.docs,
-        name: &line.name,
-        unit: unit(&line.name, line.unit.as_ref(), units),
-        law: &line.law,
-        fields: line.fields.iter().map(field).collect(),
-        speed: &line.speed,
-        speed_unit: units.of_formula(&line.speed).and_then(familiar),
-        measures: Measures {
-            force: units.of_name(&line.name),
-            speed: units.of_formula(&line.speed),
-            time: units.time(),
-        },
-    }
 }
 
 fn unit(name: &Ident, stated: Option<&syntax::Unit>, units: &Units) -> Option<Unit> {

@@ -2,29 +2,26 @@
 
 use proc_macro2::Ident;
 
-use super::equations::{not_a_state, state_names};
+use super::equations::{check_a_state_named, state_names};
 use super::names::{Names, made_of};
 use super::units::Units;
 use crate::errors::Errors;
-use crate::syntax::{Declaration, Stop};
+use crate::syntax::{Declaration, Rule};
 
 /// What stops is a state of the law.
 pub(super) fn check_stopped_states(written: &Declaration, names: &Names, errors: &mut Errors) {
     let states = state_names(written);
     for stop in written.stops() {
-        let name = stop.state.to_string();
-        if !states.contains(&name) {
-            let advice = not_a_state(&stop.state, names, &states, "stop");
-            errors.at(&stop.state, format!("`{name}` is {advice}"));
-        }
+        let only = "not a state; only states stop";
+        check_a_state_named(&stop.name, names, &states, only, errors);
     }
 }
 
 /// A state stops at one magnitude.
 pub(super) fn check_one_stop_each(written: &Declaration, errors: &mut Errors) {
     for (i, stop) in written.stops().enumerate() {
-        if written.stops().take(i).any(|one| one.state == stop.state) {
-            let name = &stop.state;
+        let name = &stop.name;
+        if written.stops().take(i).any(|one| one.name == *name) {
             errors.at(
                 name,
                 format!("second stop of `{name}`; keep one: it stands on both sides of zero"),
@@ -35,13 +32,13 @@ pub(super) fn check_one_stop_each(written: &Declaration, errors: &mut Errors) {
 
 /// A stop is where the parameters put it, and stays there while the system moves.
 pub(super) fn check_stops_stand_still(written: &Declaration, errors: &mut Errors) {
-    let speeds = written.forces().map(|force| &force.speed);
+    let speeds = written.forces().map(|force| &force.name);
     let states = written.states().map(|state| &state.name);
     let moving: Vec<&Ident> = made_of(written, speeds.chain(states).collect());
     for stop in written.stops() {
-        for name in stop.bound.names() {
+        for name in stop.formula.names() {
             if moving.contains(&name) {
-                let state = &stop.state;
+                let state = &stop.name;
                 errors.at(
                     name,
                     format!(
@@ -56,17 +53,11 @@ pub(super) fn check_stops_stand_still(written: &Declaration, errors: &mut Errors
 
 /// A stop is in the unit of what it stops.
 pub(super) fn check_units(written: &Declaration, units: &Units, errors: &mut Errors) {
-    let of_state = |stop: &&Stop| written.states().any(|state| state.name == stop.state);
+    let of_state = |stop: &&Rule| written.states().any(|state| state.name == stop.name);
     for stop in written.stops().filter(of_state) {
-        let found = units.measure(&stop.bound, errors);
-        if let (Some(wanted), Some(found)) = (units.of_name(&stop.state), found)
-            && wanted != found
-        {
-            let (state, bound) = (&stop.state, &stop.bound);
-            errors.at(
-                bound,
-                format!("unit mismatch: `{state}` is in {wanted}, but it is to stop at `{bound}`, which is in {found}"),
-            );
-        }
+        let (state, bound) = (&stop.name, &stop.formula);
+        units.demand(bound, units.of_name(state), errors, |wanted, found| {
+            format!("`{state}` is in {wanted}, but it is to stop at `{bound}`, which is in {found}")
+        });
     }
 }

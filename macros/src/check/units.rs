@@ -7,12 +7,13 @@ use proc_macro2::Ident;
 use super::dimension::Dimension;
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
-use crate::syntax::{Declaration, Line, Unit};
+use crate::syntax::{Declaration, Line, Rule, Unit};
 
 /// The dimension of each name that has one, and of time.
+#[derive(Default)]
 pub(super) struct Units {
     known: HashMap<Ident, Dimension>,
-    time: Dimension,
+    pub(super) time: Dimension,
 }
 
 impl Units {
@@ -38,13 +39,10 @@ impl Units {
             .collect();
         let mut units = Self { known, time };
         if !plain {
-            let slips = written.slips().map(|slip| &slip.speed);
-            for speed in slips.chain(written.forces().map(|force| &force.speed)) {
-                let speed = units.known.entry(speed.clone());
+            for line in written.slips().chain(written.forces()) {
+                let speed = units.known.entry(line.name.clone());
                 speed.or_insert(Dimension::SPEED);
             }
-        }
-        if !plain {
             for drive in written.drives() {
                 units.known.insert(drive.name.clone(), Dimension::NONE);
             }
@@ -64,16 +62,31 @@ impl Units {
         self.known.get(name).copied()
     }
 
-    /// The dimension of time.
-    pub(super) fn time(&self) -> Dimension {
-        self.time
-    }
-
     /// The dimension of a formula in which everything agrees, if it is known.
     pub(super) fn of_formula(&self, formula: &Formula) -> Option<Dimension> {
         let mut found = Errors::new();
         let dimension = self.measure(formula, &mut found);
         found.finish().ok().and(dimension)
+    }
+
+    /// Reports, besides, a formula that is known not to have the wanted dimension: in the words that `message` has for
+    /// the two.
+    pub(super) fn demand(
+        &self,
+        formula: &Formula,
+        wanted: Option<Dimension>,
+        errors: &mut Errors,
+        message: impl FnOnce(Dimension, Dimension) -> String,
+    ) {
+        let found = self.measure(formula, errors);
+        if let (Some(wanted), Some(found)) = (wanted, found)
+            && wanted != found
+        {
+            errors.at(
+                formula,
+                format!("unit mismatch: {}", message(wanted, found)),
+            );
+        }
     }
 
     /// The dimension of a formula, if it is known; reports what does not agree inside it.
@@ -165,8 +178,7 @@ impl Units {
 /// Every name with a stated unit.
 fn stated(written: &Declaration) -> impl Iterator<Item = (&Ident, &Unit)> {
     written.lines.iter().filter_map(|line| match line {
-        Line::State(line) => Some((&line.name, line.unit.as_ref()?)),
-        Line::Param(line) => Some((&line.name, line.unit.as_ref()?)),
+        Line::State(line) | Line::Param(line) => Some((&line.name, line.unit.as_ref()?)),
         Line::Friction(line) => Some((&line.name, line.unit.as_ref()?)),
         _ => None,
     })
@@ -197,49 +209,32 @@ fn dimension_of(unit: &Unit, errors: &mut Errors) -> Option<Dimension> {
 
 /// The unit of each equation is that of its state over time.
 pub(super) fn check_equations(written: &Declaration, units: &Units, errors: &mut Errors) {
-    for derivative in written.derivatives() {
-        let found = units.measure(&derivative.formula, errors);
-        let state = written
-            .states()
-            .find(|state| state.name == derivative.state);
-        let wanted = state.and_then(|state| units.of_name(&state.name));
-        if let (Some(wanted), Some(found)) = (wanted.map(|state| state.over(units.time)), found)
-            && wanted != found
-        {
-            let (name, formula) = (&derivative.state, &derivative.formula);
-            errors.at(
-                formula,
-                format!(
-                    "unit mismatch: `der({name})` is in {wanted}, but `{formula}` is in {found}"
-                ),
-            );
-        }
+    for Rule { name, formula, .. } in written.derivatives() {
+        let state = written.states().find(|state| state.name == *name);
+        let state = state.and_then(|state| units.of_name(&state.name));
+        let wanted = state.map(|state| state.over(units.time));
+        units.demand(formula, wanted, errors, |wanted, found| {
+            format!("`der({name})` is in {wanted}, but `{formula}` is in {found}")
+        });
     }
 }
 
 /// A drive advances so many radians in a unit of time.
 pub(super) fn check_drive(written: &Declaration, units: &Units, errors: &mut Errors) {
-    for drive in written.drives() {
+    for Rule { name, formula, .. } in written.drives() {
         let wanted = Dimension::NONE.over(units.time);
-        if let Some(found) = units.measure(&drive.rate, errors)
-            && found != wanted
-        {
-            let name = &drive.name;
-            errors.at(
-                &drive.rate,
-                format!("unit mismatch: the rate of `{name}` is in rad/s, but this is in {found}"),
-            );
-        }
+        units.demand(formula, Some(wanted), errors, |_, found| {
+            format!("the rate of `{name}` is in rad/s, but this is in {found}")
+        });
     }
 }
 
 /// The fields and the speed of a contact agree in themselves.
 pub(super) fn check_contacts(written: &Declaration, units: &Units, errors: &mut Errors) {
     for friction in written.frictions() {
-        for field in &friction.fields {
-            units.measure(&field.formula, errors);
+        for formula in friction.formulas() {
+            units.measure(formula, errors);
         }
-        units.measure(&friction.speed, errors);
     }
 }
 
@@ -253,22 +248,13 @@ pub(super) fn check_law(written: &Declaration, units: &Units, errors: &mut Error
     };
     let reads_speed = |formula: &Formula| {
         let names = formula.names();
-        written.slips().any(|slip| names.contains(&&slip.speed))
+        written.slips().any(|slip| names.contains(&&slip.name))
     };
-    let sticks = written.sticks().map(|stick| ("stick", &stick.formula));
-    let sticks = sticks.filter(|(_, formula)| !reads_speed(formula));
-    let slips = written.slips().map(|slip| ("slip", &slip.formula));
-    let forces = written.forces().map(|force| ("force", &force.formula));
-    for (line, formula) in sticks.chain(slips).chain(forces) {
-        if let Some(found) = units.measure(formula, errors)
-            && found != force
-        {
-            errors.at(
-                formula,
-                format!(
-                    "unit mismatch: `{line}` is the contact's force, in {force}, but `{formula}` is in {found}"
-                ),
-            );
-        }
+    let sticks = written.sticks();
+    let sticks = sticks.filter(|stick| !reads_speed(&stick.formula));
+    for Rule { word, formula, .. } in sticks.chain(written.slips()).chain(written.forces()) {
+        units.demand(formula, Some(force), errors, |force, found| {
+            format!("`{word}` is the contact's force, in {force}, but `{formula}` is in {found}")
+        });
     }
 }

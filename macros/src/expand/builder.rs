@@ -4,93 +4,66 @@
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
-use syn::Path;
 use syn::spanned::Spanned;
 
 use super::allowed;
-use crate::check::{Contact, Model};
-use crate::syntax::Friction;
+use crate::check::Contact;
+use crate::syntax::{Declaration, Friction};
 
-/// A law as a contact names it: its path and its fields.
-pub(super) struct Named<'a> {
-    law: &'a Path,
-    fields: Vec<&'a Ident>,
-    /// How many states carry its memory.
-    memory: usize,
+/// The name of the function for a contact.
+pub(super) fn name(contact: &Contact) -> Ident {
+    numbered(contact.place, contact.has_memory())
 }
 
-impl<'a> From<&Contact<'a>> for Named<'a> {
-    fn from(contact: &Contact<'a>) -> Self {
-        Self {
-            law: contact.law,
-            fields: contact.fields.iter().map(|field| field.name).collect(),
-            memory: 0,
-        }
+fn numbered(place: usize, memory: bool) -> Ident {
+    if memory {
+        format_ident!("__memory_{place}")
+    } else {
+        format_ident!("__law_{place}")
     }
 }
 
-impl<'a> From<&'a Friction> for Named<'a> {
-    fn from(line: &'a Friction) -> Self {
-        Self {
-            law: &line.law,
-            fields: line.fields.iter().map(|field| &field.name).collect(),
-            memory: line.memory.len(),
-        }
-    }
-}
-
-/// The name of the function for the contact of this index.
-pub(super) fn name(contact: usize) -> Ident {
-    format_ident!("__law_{contact}")
-}
-
-/// The name of the function for the law with internal state of this index.
-pub(super) fn memory_name(element: usize) -> Ident {
-    format_ident!("__memory_{element}")
-}
-
-/// The laws that a model names.
-pub(super) fn named<'a>(model: &Model<'a>) -> Vec<Named<'a>> {
-    let memories = model.memories().map(|memory| Named {
-        memory: memory.carriers.len(),
-        ..Named::from(&memory.contact)
-    });
-    model.contacts().map(Named::from).chain(memories).collect()
+/// The data of the law of a contact of this model.
+pub(super) fn info(model: &TokenStream, contact: &Contact) -> TokenStream {
+    let law = name(contact);
+    let info = if contact.has_memory() {
+        quote!(memory_info_of)
+    } else {
+        quote!(info_of)
+    };
+    quote!(::stickslip::declared::#info(#model::#law::<f64>))
 }
 
 /// One function for each contact, from the fields in the order in which they are written.
-pub(super) fn builders<'a>(
-    model: &Ident,
-    contacts: impl Iterator<Item = Named<'a>>,
-) -> TokenStream {
-    let (memories, contacts): (Vec<_>, Vec<_>) = contacts.partition(|named| named.memory > 0);
-    let contacts = contacts.into_iter().enumerate();
-    let contacts = contacts.map(|(index, named)| builder(&name(index), &named));
-    let memories = memories.into_iter().enumerate();
-    let memories = memories.map(|(index, named)| builder(&memory_name(index), &named));
-    let builders: Vec<TokenStream> = contacts.chain(memories).collect();
+pub(super) fn builders(written: &Declaration) -> TokenStream {
+    let kind = |memory: bool| {
+        let lines = written.frictions();
+        let lines = lines.filter(move |line| line.memory.is_empty() != memory);
+        let numbered = move |place| numbered(place, memory);
+        lines
+            .enumerate()
+            .map(move |(place, line)| builder(&numbered(place), line))
+    };
+    let builders: Vec<TokenStream> = kind(false).chain(kind(true)).collect();
     if builders.is_empty() {
         return quote!();
     }
-    let allowed = allowed();
+    let (allowed, model) = (allowed(), &written.header.name);
     quote! {
         #allowed
         impl #model { #(#builders)* }
     }
 }
 
-fn builder(name: &Ident, named: &Named) -> TokenStream {
-    let Named {
-        law,
-        fields,
-        memory,
-    } = named;
-    let count = Literal::usize_unsuffixed(fields.len());
-    let places = (0..fields.len()).map(Literal::usize_unsuffixed);
-    let is_law = if *memory == 0 {
+fn builder(name: &Ident, line: &Friction) -> TokenStream {
+    let law = &line.law;
+    let fields = line.fields.iter().map(|field| &field.name);
+    let count = Literal::usize_unsuffixed(line.fields.len());
+    let places = (0..line.fields.len()).map(Literal::usize_unsuffixed);
+    let is_law = if line.memory.is_empty() {
         quote_spanned!(law.span()=> impl ::stickslip::friction::FrictionLaw<D>)
     } else {
-        let states = Literal::usize_unsuffixed(*memory);
+        let states = Literal::usize_unsuffixed(line.memory.len());
         quote_spanned!(law.span()=> impl ::stickslip::memory::MemoryLaw<D, #states>)
     };
     quote! {

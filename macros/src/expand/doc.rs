@@ -1,6 +1,6 @@
 //! Doc comments as data.
 
-use syn::{Attribute, Expr, ExprLit, Lit, Meta};
+use syn::{Attribute, Expr, ExprLit, Lit};
 
 /// Doc comments as one text, without the space after the slashes.
 pub(super) fn doc(docs: &[Attribute]) -> String {
@@ -9,9 +9,7 @@ pub(super) fn doc(docs: &[Attribute]) -> String {
 }
 
 fn doc_line(attribute: &Attribute) -> Option<String> {
-    let Meta::NameValue(doc) = &attribute.meta else {
-        return None;
-    };
+    let doc = attribute.meta.require_name_value().ok()?;
     let Expr::Lit(ExprLit {
         lit: Lit::Str(line),
         ..
@@ -20,10 +18,6 @@ fn doc_line(attribute: &Attribute) -> Option<String> {
         return None;
     };
     let line = line.value();
-    Some(
-        line.strip_prefix(' ')
-            .unwrap_or(&line)
-            .trim_end()
-            .to_owned(),
-    )
+    let line = line.strip_prefix(' ').unwrap_or(&line);
+    Some(line.trim_end().to_owned())
 }

@@ -1,24 +1,31 @@
-//! A friction law: its struct and its two formulas over any scalar.
+//! A friction law: its struct and its formulas over any scalar.
 
 use std::collections::HashMap;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::quote;
 
 use super::lift::Lift;
-use super::shell::Shell;
+use super::shell::{Shell, generics};
 use super::tangent::{Slope, Slopes, Tangents};
-use super::{allowed, info, page};
-use crate::check::{Parameter, StaticLaw};
-use crate::syntax::Header;
+use super::{allowed, info, memory_law, page};
+use crate::check::{Force, Law, Parameter};
+use crate::formula::Formula;
 
-pub(super) fn tokens(law: &StaticLaw) -> TokenStream {
-    let structure = structure(law.header, &law.parameters, page::of_law(law));
-    let (name, speed, allowed, info) = (law.header.name, law.speed, allowed(), info::of_law(law));
-    let generics = generics(law.header.name, law.parameters.is_empty());
+pub(super) fn tokens(law: &Law) -> TokenStream {
+    let shell = Shell {
+        header: law.header,
+        page: page::of_law(law),
+        parameters: &law.parameters,
+    };
+    let (name, allowed) = (&law.header.name, allowed());
+    let generics = generics(name, law.parameters.is_empty());
+    let structure = shell.structure(&generics, &quote!(D));
+    let uses = shell.uses(&generics);
     let quantity = |name: &Ident| {
-        if name == speed {
-            quote!(__sliding.#name)
+        let moves = name == law.speed || law.states.iter().any(|state| state.line.name == *name);
+        if moves {
+            quote!(__moving.#name)
         } else {
             quote!(self.#name)
         }
@@ -27,35 +34,29 @@ pub(super) fn tokens(law: &StaticLaw) -> TokenStream {
         scalar: quote!(D),
         quantity: &quantity,
     };
-    let (stick, slip) = (lift.formula(&law.stick), lift.formula(&law.slip));
-    let slopes = slopes(law, lift);
+    let info = info::of_law(law);
+    let (kind, items) = match &law.force {
+        Force::Static(stick, slip) => {
+            let kind = quote!(friction::FrictionLaw<D>);
+            (kind, items(law, [&stick.formula, &slip.formula], lift))
+        }
+        Force::Memory(force) => {
+            let count = Literal::usize_unsuffixed(law.states.len());
+            let kind = quote!(memory::MemoryLaw<D, #count>);
+            (kind, memory_law::items(law, force, lift))
+        }
+    };
     let fields = fields(&law.parameters);
     quote! {
         #structure
+        #uses
 
         #allowed
         #[automatically_derived]
-        impl<D: ::stickslip::scalar::Scalar> ::stickslip::friction::FrictionLaw<D> for #name #generics {
-            const INFO: &'static ::stickslip::friction::LawInfo = &#info;
+        impl<D: ::stickslip::scalar::Scalar> ::stickslip::#kind for #name #generics {
+            #info
 
-            #[inline]
-            fn stick(&self) -> D {
-                #stick
-            }
-
-            #[inline]
-            fn slip(&self, __speed: D) -> D {
-                struct __Sliding<D> { #speed: D }
-                let __sliding = __Sliding { #speed: __speed };
-                #slip
-            }
-
-            #[inline]
-            fn slopes(&self, __along: &Self, __speed: D) -> ::stickslip::friction::LawSlopes<D> {
-                struct __Sliding<D> { #speed: D }
-                let __sliding = __Sliding { #speed: __speed };
-                #slopes
-            }
+            #items
 
             #fields
         }
@@ -63,9 +64,9 @@ pub(super) fn tokens(law: &StaticLaw) -> TokenStream {
 }
 
 /// Shows the values of all fields; nothing where there are none.
-pub(super) fn fields(parameters: &[Parameter]) -> Option<TokenStream> {
+fn fields(parameters: &[Parameter]) -> Option<TokenStream> {
     let lines = parameters.iter().enumerate().map(|(place, parameter)| {
-        let (place, name) = (Literal::usize_unsuffixed(place), parameter.name);
+        let (place, name) = (Literal::usize_unsuffixed(place), &parameter.line.name);
         quote!(__visit(#place, self.#name);)
     });
     (!parameters.is_empty()).then(|| {
@@ -78,61 +79,73 @@ pub(super) fn fields(parameters: &[Parameter]) -> Option<TokenStream> {
     })
 }
 
-/// The directions in which a law is differentiated: its speed, and along the given derivatives of its fields.
-const SPEED: usize = 0;
-const ALONG: usize = 1;
-
-/// The body of `slopes`.
-fn slopes<'a>(law: &'a StaticLaw, lift: Lift<'a>) -> TokenStream {
-    let along = |name: &Ident| Slopes::from([(ALONG, Slope::of(quote!(__along.#name)))]);
-    let fields = law.parameters.iter().map(|parameter| parameter.name);
-    let mut known: HashMap<&Ident, Slopes> = fields.map(|name| (name, along(name))).collect();
-    known.insert(law.speed, Slopes::from([(SPEED, Slope::One)]));
-    let mut tangents = Tangents::new(lift, known);
-    let (stick, slip) = (tangents.formula(&law.stick), tangents.formula(&law.slip));
-    let stick_along = tangents.slope(&stick.slopes, ALONG);
-    let [slip_by_speed, slip_along] =
-        [SPEED, ALONG].map(|direction| tangents.slope(&slip.slopes, direction));
+/// The functions of a law without internal state, from its force at rest and while sliding.
+fn items<'l>(law: &'l Law<'_>, formulas: [&Formula; 2], lift: Lift<'l>) -> TokenStream {
+    let opening = opening(law);
+    let [at_rest, sliding] = formulas.map(|formula| lift.formula(formula));
+    let mut tangents = tangents(law, lift);
+    let [stick, slip] = formulas.map(|formula| tangents.formula(formula));
+    let [stick_along, slip_along] =
+        [&stick, &slip].map(|quantity| tangents.slope(&quantity.slopes, along(law)));
+    let by_speed = tangents.slope(&slip.slopes, SPEED);
     let (stick, slip) = (tangents.value(&stick), tangents.value(&slip));
     let lines = tangents.lines;
     quote! {
-        #lines
-        ::stickslip::friction::LawSlopes {
-            stick: #stick,
-            stick_along: #stick_along,
-            slip: #slip,
-            slip_by_speed: #slip_by_speed,
-            slip_along: #slip_along,
+        #[inline]
+        fn stick(&self) -> D {
+            #at_rest
+        }
+
+        #[inline]
+        fn slip(&self, __speed: D) -> D {
+            #opening
+            #sliding
+        }
+
+        #[inline]
+        fn slopes(&self, __along: &Self, __speed: D) -> ::stickslip::friction::LawSlopes<D> {
+            #opening
+            #lines
+            ::stickslip::friction::LawSlopes {
+                stick: #stick,
+                stick_along: #stick_along,
+                slip: #slip,
+                slip_by_speed: #by_speed,
+                slip_along: #slip_along,
+            }
         }
     }
 }
 
-/// A law without parameters has nothing to be generic over.
-pub(super) fn generics(law: &Ident, no_parameters: bool) -> TokenStream {
-    if no_parameters {
-        quote!()
-    } else {
-        quote_spanned!(law.span()=> <D>)
+/// Speed and internal states as fields, which nothing can capture.
+pub(super) fn opening(law: &Law) -> TokenStream {
+    let states = law.states.iter().map(|state| &state.line.name);
+    let (speed, names): (_, Vec<&Ident>) = (law.speed, states.collect());
+    let places = (0..names.len()).map(Literal::usize_unsuffixed);
+    quote! {
+        struct __Moving<D> { #speed: D, #(#names: D),* }
+        let __moving = __Moving { #speed: __speed, #(#names: __memory[#places]),* };
     }
 }
 
-/// The struct of a law.
-pub(super) fn structure(
-    header: Header,
-    parameters: &[Parameter],
-    page: TokenStream,
-) -> TokenStream {
-    let bounded = parameters.iter();
-    let shell = Shell {
-        header,
-        page,
-        fields: parameters.iter().map(Into::into).collect(),
-        bounded: bounded.filter_map(|parameter| parameter.bounded).collect(),
-    };
-    let generics = generics(header.name, parameters.is_empty());
-    let (structure, uses) = (
-        shell.structure(&generics, &quote!(D)),
-        shell.uses(&generics),
-    );
-    quote!(#structure #uses)
+/// The first of the directions in which a law is differentiated; its internal states follow.
+pub(super) const SPEED: usize = 0;
+
+/// The last of these directions: along given derivatives of its fields.
+pub(super) fn along(law: &Law) -> usize {
+    law.states.len() + 1
+}
+
+/// What differentiates the formulas of a law in these directions.
+pub(super) fn tangents<'l>(law: &'l Law<'_>, lift: Lift<'l>) -> Tangents<'l> {
+    let fields = law.parameters.iter().map(|parameter| {
+        let name = &parameter.line.name;
+        let slope = Slope::of(quote!(__along.#name));
+        (name, Slopes::from([(along(law), slope)]))
+    });
+    let states = law.states.iter().map(|state| &state.line.name);
+    let moving = std::iter::once(law.speed).chain(states).enumerate();
+    let moving = moving.map(|(direction, name)| (name, Slopes::from([(direction, Slope::One)])));
+    let known: HashMap<&Ident, Slopes> = fields.chain(moving).collect();
+    Tangents::new(lift, known)
 }

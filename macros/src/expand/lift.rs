@@ -91,12 +91,10 @@ impl Lift<'_> {
         if exponent.is_constant {
             let is_constant = base.is_constant;
             let (base, exponent) = (base.tokens, exponent.tokens);
-            let tokens = quote!(::stickslip::math::power(#base, #exponent));
-            return Lifted {
-                tokens,
-                binding: Binding::Atom,
+            return atom(
+                quote!(::stickslip::math::power(#base, #exponent)),
                 is_constant,
-            };
+            );
         }
         let (base, exponent) = (self.as_scalar(base), self.as_scalar(exponent));
         scalar(quote!(::stickslip::math::#function(#base, #exponent)))
@@ -105,19 +103,20 @@ impl Lift<'_> {
 
 /// A constant that needs no parentheses.
 pub(super) fn constant(tokens: TokenStream) -> Lifted {
-    Lifted {
-        tokens,
-        binding: Binding::Atom,
-        is_constant: true,
-    }
+    atom(tokens, true)
 }
 
 /// A scalar that needs no parentheses.
 pub(super) fn scalar(tokens: TokenStream) -> Lifted {
+    atom(tokens, false)
+}
+
+/// What needs no parentheses.
+pub(super) fn atom(tokens: TokenStream, is_constant: bool) -> Lifted {
     Lifted {
         tokens,
         binding: Binding::Atom,
-        is_constant: false,
+        is_constant,
     }
 }
 
@@ -177,11 +176,8 @@ fn joined(left: Lifted, operator: Operator, right: Lifted) -> Lifted {
 
 pub(super) fn call(function: &Ident, argument: Lifted) -> Lifted {
     let inside = argument.tokens;
-    Lifted {
-        tokens: quote!(::stickslip::math::#function(#inside)),
-        binding: Binding::Atom,
-        is_constant: argument.is_constant,
-    }
+    let call = quote!(::stickslip::math::#function(#inside));
+    atom(call, argument.is_constant)
 }
 
 /// A whole power as products of squares, the base computed once.
@@ -194,16 +190,12 @@ pub(super) fn power(base: Lifted, exponent: i32) -> Lifted {
         return base;
     }
     let product = product_of_squares(&base.tokens, exponent.unsigned_abs());
-    let tokens = if exponent < 0 {
+    let power = if exponent < 0 {
         quote!(#product.recip())
     } else {
         product
     };
-    Lifted {
-        tokens,
-        binding: Binding::Atom,
-        is_constant,
-    }
+    atom(power, is_constant)
 }
 
 fn product_of_squares(base: &TokenStream, exponent: u32) -> TokenStream {

@@ -8,7 +8,7 @@ use quote::quote;
 use super::lift::{Lift, scalar};
 use super::tangent::{Quantity, Slope, Slopes, Tangents};
 use super::{builder, model as whole, pattern};
-use crate::check::{Contact, Memory, Model, Step};
+use crate::check::{Contact, Model, Step};
 
 /// The body of `entries`.
 pub(super) fn body(model: &Model) -> TokenStream {
@@ -43,7 +43,7 @@ fn independent<'m>(model: &'m Model<'_>) -> HashMap<&'m Ident, Slopes> {
     let parameters = parameters.map(|(index, parameter)| {
         let place = Literal::usize_unsuffixed(index);
         let slope = Slope::of(quote!(__seeds[#place]));
-        (parameter.name, Slopes::from([(design(model), slope)]))
+        (&parameter.line.name, Slopes::from([(design(model), slope)]))
     });
     states.chain(parameters).collect()
 }
@@ -52,11 +52,11 @@ fn independent<'m>(model: &'m Model<'_>) -> HashMap<&'m Ident, Slopes> {
 fn follow<'m>(step: &'m Step<'_>, model: &Model, tangents: &mut Tangents<'m>) {
     let computed = match step {
         Step::Let(quantity) => {
-            let quantity = tangents.formula(quantity.formula);
+            let quantity = tangents.formula(&quantity.line.formula);
             vec![(tangents.value(&quantity), quantity.slopes)]
         }
-        Step::Contact(contact) => vec![force(contact, model, tangents)],
-        Step::Memory(memory) => answer(memory, model, tangents),
+        Step::Friction(contact) if contact.has_memory() => answer(contact, model, tangents),
+        Step::Friction(contact) => vec![force(contact, model, tangents)],
     };
     for (name, (value, slopes)) in step.computes().into_iter().zip(computed) {
         let place = whole::field(name);
@@ -66,26 +66,20 @@ fn follow<'m>(step: &'m Step<'_>, model: &Model, tangents: &mut Tangents<'m>) {
 }
 
 /// The rates and the force of a law with internal state, in this order.
-fn answer(memory: &Memory, model: &Model, tangents: &mut Tangents) -> Vec<(TokenStream, Slopes)> {
-    let element = whole::element(memory, model);
-    let builder = builder::memory_name(element);
-    let asked = Asked::of(&memory.contact, element, builder, tangents);
-    let carriers = memory.carriers.iter();
-    let states: Vec<_> = carriers
-        .map(|carrier| tangents.formula(&carrier.formula))
-        .collect();
+fn answer(contact: &Contact, model: &Model, tangents: &mut Tangents) -> Vec<(TokenStream, Slopes)> {
+    let asked = Asked::of(contact, tangents);
     let design = design(model);
-    let mut answers = vec![(design, asked.recalled(&states, design, tangents))];
+    let mut answers = vec![(design, asked.along(design, tangents))];
     for state in asked.moving(design) {
-        answers.push((state, asked.recalled(&states, state, tangents)));
+        answers.push((state, asked.along(state, tangents)));
     }
     let first = answers[0].1.clone();
-    let places = (0..states.len()).map(Literal::usize_unsuffixed);
+    let places = (0..asked.states.len()).map(Literal::usize_unsuffixed);
     let rates = places.map(|place| quote!(rates[#place]));
     let mut chain = |part: TokenStream| {
         let by_speed = scalar(quote!(#first.#part.by_speed));
         let mut total = tangents.scaled(&asked.speed.slopes, &by_speed);
-        for (place, state) in states.iter().enumerate() {
+        for (place, state) in asked.states.iter().enumerate() {
             let place = Literal::usize_unsuffixed(place);
             let by_state = scalar(quote!(#first.#part.by_memory[#place]));
             let through = tangents.scaled(&state.slopes, &by_state);
@@ -104,8 +98,7 @@ fn answer(memory: &Memory, model: &Model, tangents: &mut Tangents) -> Vec<(Token
 
 /// A friction force by the chain rule: through the speed, the fields of its law, and the rule that decides it.
 fn force(contact: &Contact, model: &Model, tangents: &mut Tangents) -> (TokenStream, Slopes) {
-    let place = whole::place(contact, model);
-    let asked = Asked::of(contact, place, builder::name(place), tangents);
+    let asked = Asked::of(contact, tangents);
     let design = design(model);
     let slopes = asked.along(design, tangents);
     let by_speed = scalar(quote!(#slopes.by_speed));
@@ -123,28 +116,35 @@ fn force(contact: &Contact, model: &Model, tangents: &mut Tangents) -> (TokenStr
 }
 
 /// What is asked of the rule for one contact.
-struct Asked {
-    contact: usize,
-    builder: Ident,
+struct Asked<'a> {
+    contact: &'a Contact<'a>,
     law: Ident,
     fields: Vec<Quantity>,
+    /// The internal states of the law, if it has such.
+    states: Vec<Quantity>,
     speed: Quantity,
 }
 
-impl Asked {
-    fn of(contact: &Contact, place: usize, builder: Ident, tangents: &mut Tangents) -> Self {
-        let fields = contact.fields.iter();
+impl<'a> Asked<'a> {
+    fn of(contact: &'a Contact<'a>, tangents: &mut Tangents) -> Self {
+        let fields = contact.line.fields.iter();
         let fields: Vec<_> = fields
-            .map(|field| tangents.formula(field.formula))
+            .map(|field| tangents.formula(&field.formula))
             .collect();
-        let speed = tangents.formula(contact.speed);
-        let values = fields.iter().map(|field| tangents.value(field));
+        let speed = tangents.formula(&contact.line.speed);
+        let (builder, values) = (
+            builder::name(contact),
+            fields.iter().map(|field| tangents.value(field)),
+        );
         let law = quote!(Self::#builder::<f64>([#(#values),*]));
+        let law = tangents.bind(law);
+        let carriers = contact.carriers.iter();
+        let states = carriers.map(|carrier| tangents.formula(&carrier.formula));
         Self {
-            contact: place,
-            builder,
-            law: tangents.bind(law),
+            contact,
+            law,
             fields,
+            states: states.collect(),
             speed,
         }
     }
@@ -158,34 +158,20 @@ impl Asked {
         states
     }
 
-    /// The force and its derivatives, the fields of the law moving in one direction.
+    /// What the law answers and its derivatives, its fields moving in one direction.
     fn along(&self, direction: usize, tangents: &mut Tangents) -> Ident {
-        let (law, along) = (&self.law, self.moved(direction, tangents));
-        let (contact, speed) = (
-            Literal::usize_unsuffixed(self.contact),
-            tangents.value(&self.speed),
-        );
-        tangents.bind(quote!(__contacts.force(#contact, &#law, &#along, #speed)))
-    }
-
-    /// The answer of a law with internal state and its derivatives, the fields of the law moving in one direction.
-    fn recalled(&self, states: &[Quantity], direction: usize, tangents: &mut Tangents) -> Ident {
-        let (law, along) = (&self.law, self.moved(direction, tangents));
-        let (element, speed) = (
-            Literal::usize_unsuffixed(self.contact),
-            tangents.value(&self.speed),
-        );
-        let states = states.iter().map(|state| tangents.value(state));
-        let states = quote!([#(#states),*]);
-        tangents.bind(quote!(__contacts.recall(#element, &#law, &#along, #states, #speed)))
-    }
-
-    /// The law whose fields are the derivatives of this one's fields in a direction.
-    fn moved(&self, direction: usize, tangents: &Tangents) -> TokenStream {
         let fields = self.fields.iter();
-        let slopes = fields.map(|field| tangents.slope(&field.slopes, direction));
-        let builder = &self.builder;
-        quote!(Self::#builder::<f64>([#(#slopes),*]))
+        let along = fields.map(|field| tangents.slope(&field.slopes, direction));
+        let (law, builder) = (&self.law, builder::name(self.contact));
+        let along = quote!(Self::#builder::<f64>([#(#along),*]));
+        let place = Literal::usize_unsuffixed(self.contact.place);
+        let speed = tangents.value(&self.speed);
+        if !self.contact.has_memory() {
+            return tangents.bind(quote!(__contacts.force(#place, &#law, &#along, #speed)));
+        }
+        let states = self.states.iter().map(|state| tangents.value(state));
+        let states = quote!([#(#states),*]);
+        tangents.bind(quote!(__contacts.recall(#place, &#law, &#along, #states, #speed)))
     }
 }
 

@@ -1,87 +1,47 @@
-//! A law with internal state: its struct, and its force and rates over any scalar.
+//! The functions of a law with internal state.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::law::{fields, generics, structure};
+use super::law::{SPEED, along, opening, tangents};
 use super::lift::Lift;
-use super::tangent::{Slope, Slopes, Tangents};
-use super::{allowed, info, page};
 use crate::arithmetic::CORNERS;
-use crate::check::MemoryLaw;
+use crate::check::{Law, Whole};
 use crate::formula::{Formula, Kind};
 
-pub(super) fn tokens(law: &MemoryLaw) -> TokenStream {
-    let structure = structure(law.header, &law.parameters, page::of_memory_law(law));
-    let (name, allowed, info) = (law.header.name, allowed(), info::of_memory_law(law));
-    let generics = generics(name, law.parameters.is_empty());
+pub(super) fn items<'l>(law: &'l Law<'_>, force: &Whole, lift: Lift<'l>) -> TokenStream {
     let count = Literal::usize_unsuffixed(law.states.len());
-    let quantity = |name: &Ident| {
-        let moving = name == law.speed || law.states.iter().any(|state| state.name == name);
-        if moving {
-            quote!(__moving.#name)
-        } else {
-            quote!(self.#name)
-        }
-    };
-    let lift = |scalar| Lift {
-        scalar,
-        quantity: &quantity,
-    };
     let opening = opening(law);
-    let force = opposing(&law.force);
-    let answer = answer(law, &force, &lift(quote!(D)));
-    let slopes = slopes(law, &force, lift(quote!(D)));
-    let kinks = kinks(law, &lift(quote!(D)));
-    let stops = stops(law, &lift(quote!(D)));
-    let fields = fields(&law.parameters);
+    let opposing = opposing(&force.formula);
+    let answer = answer(law, &opposing, &lift);
+    let (kinks, stops) = (kinks(law, &force.formula, &lift), stops(law, &lift));
+    let slopes = slopes(law, &opposing, lift);
     quote! {
-        #structure
-
-        #allowed
-        #[automatically_derived]
-        impl<D: ::stickslip::scalar::Scalar> ::stickslip::memory::MemoryLaw<D, #count> for #name #generics {
-            const INFO: &'static ::stickslip::memory::MemoryLawInfo = &#info;
-
-            #[inline]
-            fn answer(&self, __memory: [D; #count], __speed: D) -> ::stickslip::memory::Answer<D, #count> {
-                #opening
-                #answer
-            }
-
-            #[inline]
-            fn slopes(
-                &self,
-                __along: &Self,
-                __memory: [D; #count],
-                __speed: D,
-            ) -> ::stickslip::memory::AnswerSlopes<D, #count> {
-                #opening
-                #slopes
-            }
-
-            fn kinks(&self, __memory: [D; #count], __speed: D, mut __visit: impl ::core::ops::FnMut(D)) {
-                #opening
-                #kinks
-            }
-
-            #stops
-
-            #fields
+        #[inline]
+        fn answer(&self, __memory: [D; #count], __speed: D) -> ::stickslip::memory::Answer<D, #count> {
+            #opening
+            #answer
         }
-    }
-}
 
-/// Speed and internal states as fields, which nothing can capture.
-fn opening(law: &MemoryLaw) -> TokenStream {
-    let (speed, states) = (law.speed, law.states.iter().map(|state| state.name));
-    let names: Vec<&Ident> = states.collect();
-    let places = (0..names.len()).map(Literal::usize_unsuffixed);
-    quote! {
-        struct __Moving<D> { #speed: D, #(#names: D),* }
-        let __moving = __Moving { #speed: __speed, #(#names: __memory[#places]),* };
+        #[inline]
+        fn slopes(
+            &self,
+            __along: &Self,
+            __memory: [D; #count],
+            __speed: D,
+        ) -> ::stickslip::memory::AnswerSlopes<D, #count> {
+            #opening
+            #slopes
+        }
+
+        fn kinks(&self, __memory: [D; #count], __speed: D, mut __visit: impl ::core::ops::FnMut(D)) {
+            #opening
+            #kinks
+        }
+
+        #stops
     }
 }
 
@@ -97,9 +57,10 @@ fn opposing(force: &Formula) -> Formula {
     }
 }
 
-fn answer(law: &MemoryLaw, force: &Formula, lift: &Lift) -> TokenStream {
+fn answer(law: &Law, force: &Formula, lift: &Lift) -> TokenStream {
     let force = lift.formula(force);
-    let rates = law.states.iter().map(|state| lift.formula(&state.rate));
+    let rates = law.states.iter();
+    let rates = rates.map(|state| lift.formula(&state.rate.formula));
     quote! {
         ::stickslip::memory::Answer {
             force: #force,
@@ -108,42 +69,28 @@ fn answer(law: &MemoryLaw, force: &Formula, lift: &Lift) -> TokenStream {
     }
 }
 
-/// The directions in which a law is differentiated: its speed, its internal states, and along given derivatives of its fields.
-const SPEED: usize = 0;
-
 /// The body of `slopes`.
-fn slopes<'a>(law: &'a MemoryLaw, force: &Formula, lift: Lift<'a>) -> TokenStream {
-    let count = law.states.len();
-    let along = count + 1;
-    let fields = law.parameters.iter().map(|parameter| {
-        let name = parameter.name;
-        (
-            name,
-            Slopes::from([(along, Slope::of(quote!(__along.#name)))]),
-        )
-    });
-    let mut known: HashMap<&Ident, Slopes> = fields.collect();
-    known.insert(law.speed, Slopes::from([(SPEED, Slope::One)]));
-    for (place, state) in law.states.iter().enumerate() {
-        known.insert(state.name, Slopes::from([(place + 1, Slope::One)]));
-    }
-    let mut tangents = Tangents::new(lift, known);
+fn slopes<'l>(law: &'l Law<'_>, force: &Formula, lift: Lift<'l>) -> TokenStream {
+    let along = along(law);
+    let mut tangents = tangents(law, lift);
     let mut sloped = |formula: &Formula| {
         let quantity = tangents.formula(formula);
-        let [by_speed, along] = [SPEED, along].map(|d| tangents.slope(&quantity.slopes, d));
-        let by_memory = (1..=count).map(|d| tangents.slope(&quantity.slopes, d));
+        let [by_speed, by_fields] =
+            [SPEED, along].map(|direction| tangents.slope(&quantity.slopes, direction));
+        let by_memory = (SPEED + 1..along).map(|d| tangents.slope(&quantity.slopes, d));
         let (by_memory, value): (Vec<_>, _) = (by_memory.collect(), tangents.value(&quantity));
         quote! {
             ::stickslip::memory::Sloped {
                 value: #value,
                 by_speed: #by_speed,
                 by_memory: [#(#by_memory),*],
-                along: #along,
+                along: #by_fields,
             }
         }
     };
     let force = sloped(force);
-    let rates: Vec<_> = law.states.iter().map(|state| sloped(&state.rate)).collect();
+    let rates = law.states.iter().map(|state| sloped(&state.rate.formula));
+    let rates: Vec<_> = rates.collect();
     let lines = tangents.lines;
     quote! {
         #lines
@@ -155,10 +102,10 @@ fn slopes<'a>(law: &'a MemoryLaw, force: &Formula, lift: Lift<'a>) -> TokenStrea
 }
 
 /// Each argument of a function with a kink, once.
-fn kinks(law: &MemoryLaw, lift: &Lift) -> TokenStream {
-    let rates = law.states.iter().map(|state| &state.rate);
+fn kinks(law: &Law, force: &Formula, lift: &Lift) -> TokenStream {
+    let rates = law.states.iter().map(|state| &state.rate.formula);
     let calls = rates
-        .chain([&law.force])
+        .chain([force])
         .flat_map(|formula| formula.calls_of(&CORNERS));
     let arguments: BTreeMap<String, &Formula> = calls
         .map(|(_, argument)| (argument.bare().to_string(), argument))
@@ -168,13 +115,10 @@ fn kinks(law: &MemoryLaw, lift: &Lift) -> TokenStream {
 }
 
 /// The magnitude at which each internal state stops; nothing where none does.
-fn stops(law: &MemoryLaw, lift: &Lift) -> Option<TokenStream> {
+fn stops(law: &Law, lift: &Lift) -> Option<TokenStream> {
     let stops = law.states.iter().enumerate().filter_map(|(place, state)| {
-        let (place, bound) = (
-            Literal::usize_unsuffixed(place),
-            &state.stop.as_ref()?.bound,
-        );
-        let bound = lift.formula(bound);
+        let bound = lift.formula(&state.stop.as_ref()?.formula);
+        let place = Literal::usize_unsuffixed(place);
         Some(quote!(__visit(#place, #bound);))
     });
     let stops: Vec<_> = stops.collect();

@@ -23,7 +23,7 @@ pub(crate) use self::lift::lifted;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::check::{self, Law};
+use crate::check;
 use crate::errors::Errors;
 use crate::parse::{self, Grammar};
 
@@ -33,7 +33,10 @@ pub(crate) fn model(tokens: TokenStream) -> TokenStream {
     let written = parse::declaration(tokens, Grammar::Model, &mut errors);
     let expanded = written.as_ref().map(|written| {
         let good = check::model(written, &mut errors);
-        good.map_or_else(|| stub::model(written), |good| model::tokens(&good))
+        good.map_or_else(
+            || stub::model(written),
+            |good| model::tokens(&good, written),
+        )
     });
     with_errors(expanded, errors)
 }
@@ -44,11 +47,7 @@ pub(crate) fn law(tokens: TokenStream) -> TokenStream {
     let written = parse::declaration(tokens, Grammar::Law, &mut errors);
     let expanded = written.as_ref().map(|written| {
         let good = check::law(written, &mut errors);
-        match good {
-            None => stub::law(written),
-            Some(Law::Static(good)) => law::tokens(&good),
-            Some(Law::Memory(good)) => memory_law::tokens(&good),
-        }
+        good.map_or_else(|| stub::law(written), |good| law::tokens(&good))
     });
     with_errors(expanded, errors)
 }
@@ -60,6 +59,14 @@ fn with_errors(expanded: Option<TokenStream>, errors: Errors) -> TokenStream {
             let errors = errors.into_compile_error();
             quote!(#errors #expanded)
         }
+    }
+}
+
+/// An `Option` as an expression.
+fn option(some: Option<TokenStream>) -> TokenStream {
+    match some {
+        None => quote!(::core::option::Option::None),
+        Some(some) => quote!(::core::option::Option::Some(#some)),
     }
 }
 

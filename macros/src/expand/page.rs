@@ -7,7 +7,8 @@ use quote::quote;
 
 use super::doc::doc;
 use super::{info, typeset};
-use crate::check::{Contact, Memory, MemoryLaw, Model, State, StaticLaw, Step};
+use crate::check::{Contact, Force, Law, LawState, Let, Model, State, Step};
+use crate::formula::{Formula, last_word};
 
 /// The attributes that follow a model's own documentation.
 pub(super) fn of_model(model: &Model) -> TokenStream {
@@ -18,59 +19,63 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
 }
 
 /// The attributes that follow a law's own documentation.
-pub(super) fn of_law(law: &StaticLaw) -> TokenStream {
-    let sliding = typeset::applied("slip", &typeset::name(law.speed));
-    let (stick, slip) = (typeset::row(&law.stick), typeset::row(&law.slip));
-    let formulas = [("<mi>stick</mi>".to_owned(), stick), (sliding, slip)];
-    let lines = [
-        format!("stick = {}", law.stick),
-        format!("slip({}) = {}", law.speed, law.slip),
-    ];
-    formulas_and(formulas.to_vec(), &lines)
+pub(super) fn of_law(law: &Law) -> TokenStream {
+    let applied = |word: &str| typeset::applied(word, &typeset::name(law.speed));
+    let speed = law.speed;
+    let rows: Vec<Row> = match &law.force {
+        Force::Static(stick, slip) => vec![
+            Row::of("stick", "<mi>stick</mi>".to_owned(), &stick.formula),
+            Row::of(&format!("slip({speed})"), applied("slip"), &slip.formula),
+        ],
+        Force::Memory(force) => {
+            let force = Row::of(&format!("force({speed})"), applied("force"), force.written);
+            let rows = lets(&law.lets).chain(law.states.iter().map(rate));
+            let rows = rows.chain(law.states.iter().filter_map(stop));
+            rows.chain([force]).collect()
+        }
+    };
+    let (lines, sides): (Vec<_>, Vec<_>) =
+        rows.into_iter().map(|row| (row.line, row.sides)).unzip();
+    let sides = typeset::aligned(sides.into_iter());
+    attributes(&format!("\n# Formulas\n\n{sides}\n"), &lines.join("\n"))
 }
 
-/// The same for a law with internal state.
-pub(super) fn of_memory_law(law: &MemoryLaw) -> TokenStream {
-    let lets = law.lets.iter();
-    let lets = lets.map(|line| (typeset::name(line.name), typeset::row(line.formula)));
-    let states = law.states.iter();
-    let rates = states.map(|state| (typeset::derivative(state.name), typeset::row(state.written)));
-    let stops = law.states.iter().filter_map(|state| {
-        let most = format!(
-            "<mi>max</mi><mo>|</mo>{}<mo>|</mo>",
-            typeset::name(state.name)
-        );
-        Some((most, typeset::row(state.stop.as_ref()?.written)))
-    });
-    let force = typeset::applied("force", &typeset::name(law.speed));
-    let formulas = lets
-        .chain(rates)
-        .chain(stops)
-        .chain([(force, typeset::row(law.written))]);
-    let lets = law.lets.iter();
-    let mut lines: Vec<String> = lets
-        .map(|line| format!("{} = {}", line.name, line.formula))
-        .collect();
-    let states = law.states.iter();
-    lines.extend(states.map(|state| format!("der({}) = {}", state.name, state.written)));
-    for state in &law.states {
-        lines.extend(
-            state
-                .stop
-                .as_ref()
-                .map(|stop| format!("stop {} at {}", state.name, stop.written)),
-        );
+/// A line as written, and both sides of its formula for the page.
+struct Row {
+    line: String,
+    sides: (String, String),
+}
+
+impl Row {
+    fn of(left: &str, shown: String, right: &Formula) -> Self {
+        Self {
+            line: format!("{left} = {right}"),
+            sides: (shown, typeset::row(right)),
+        }
     }
-    lines.push(format!("force({}) = {}", law.speed, law.written));
-    formulas_and(formulas.collect(), &lines)
 }
 
-fn formulas_and(formulas: Vec<(String, String)>, lines: &[String]) -> TokenStream {
-    let page = format!(
-        "\n# Formulas\n\n{}\n",
-        typeset::aligned(formulas.into_iter())
-    );
-    attributes(&page, &lines.join("\n"))
+fn lets<'a>(lets: impl IntoIterator<Item = &'a Let<'a>>) -> impl Iterator<Item = Row> {
+    lets.into_iter().map(|Let { line, .. }| {
+        let name = &line.name;
+        Row::of(&name.to_string(), typeset::name(name), &line.formula)
+    })
+}
+
+fn rate(state: &LawState) -> Row {
+    let name = &state.line.name;
+    let left = format!("der({name})");
+    Row::of(&left, typeset::derivative(name), state.rate.written)
+}
+
+fn stop(state: &LawState) -> Option<Row> {
+    let (name, bound) = (&state.line.name, state.stop.as_ref()?.written);
+    let shown = typeset::name(name);
+    let most = format!("<mi>max</mi><mo>|</mo>{shown}<mo>|</mo>");
+    Some(Row {
+        line: format!("stop {name} at {bound}"),
+        sides: (most, typeset::row(bound)),
+    })
 }
 
 fn attributes(page: &str, lines: &str) -> TokenStream {
@@ -80,8 +85,6 @@ fn attributes(page: &str, lines: &str) -> TokenStream {
 
 /// Both sides of every `let` line and every equation.
 fn equations(model: &Model) -> impl Iterator<Item = (String, String)> {
-    let lets = model.lets();
-    let lets = lets.map(|line| (typeset::name(line.name), typeset::row(line.formula)));
     let rates = model.states.iter().map(|state| {
         let rate = match state.carries {
             Some(force) => format!(
@@ -92,13 +95,13 @@ fn equations(model: &Model) -> impl Iterator<Item = (String, String)> {
         };
         (typeset::derivative(state.name), rate)
     });
-    lets.chain(rates)
+    lets(model.lets()).map(|row| row.sides).chain(rates)
 }
 
 /// One item for each contact.
 fn friction(model: &Model) -> String {
-    let memories = model.memories().map(|memory| &memory.contact);
-    let items: Vec<String> = model.contacts().chain(memories).map(contact).collect();
+    let items = model.contacts().chain(model.memories()).map(contact);
+    let items: Vec<String> = items.collect();
     if items.is_empty() {
         return String::new();
     }
@@ -106,8 +109,9 @@ fn friction(model: &Model) -> String {
 }
 
 fn contact(contact: &Contact) -> String {
-    let fields = contact.fields.iter().map(|field| {
-        let (name, value) = (typeset::name(field.name), typeset::row(field.formula));
+    let line = contact.line;
+    let fields = line.fields.iter().map(|field| {
+        let (name, value) = (typeset::name(&field.name), typeset::row(&field.formula));
         format!("<math>{name}<mo>=</mo>{value}</math>")
     });
     let unit = contact
@@ -116,11 +120,11 @@ fn contact(contact: &Contact) -> String {
         .map(|unit| format!(" in `{}`", unit.text));
     format!(
         "* <math>{}</math>{} is `{}` with {}, opposing {}",
-        typeset::name(contact.name),
+        typeset::name(&line.name),
         unit.unwrap_or_default(),
-        law(contact),
+        last_word(&line.law),
         fields.collect::<Vec<_>>().join(", "),
-        typeset::inline(contact.speed),
+        typeset::inline(&line.speed),
     )
 }
 
@@ -149,23 +153,17 @@ fn row(state: &State) -> String {
 /// The lines as written.
 fn lines(model: &Model) -> Vec<String> {
     let steps = model.steps.iter().map(|step| match step {
-        Step::Let(line) => format!("{} = {}", line.name, line.formula),
-        Step::Contact(contact) | Step::Memory(Memory { contact, .. }) => format!(
-            "{} = {} {{ {} }} opposing {}",
-            contact.name,
-            law(contact),
-            info::fields(contact),
-            contact.speed
-        ),
+        Step::Let(Let { line, .. }) => format!("{} = {}", line.name, line.formula),
+        Step::Friction(contact) => {
+            let line = contact.line;
+            let (law, fields) = (last_word(&line.law), info::fields(line));
+            format!(
+                "{} = {law} {{ {fields} }} opposing {}",
+                line.name, line.speed
+            )
+        }
     });
     let rates = model.states.iter();
     let rates = rates.map(|state| format!("der({}) = {}", state.name, info::equation(state)));
     steps.chain(rates).collect()
-}
-
-/// The last word of a law's path.
-fn law(contact: &Contact) -> String {
-    let last = contact.law.segments.last();
-    last.map(|segment| segment.ident.to_string())
-        .unwrap_or_default()
 }

@@ -66,7 +66,7 @@ fn read_by(formulas: &[&Formula], reads: &HashMap<&Ident, HashSet<usize>>) -> Ha
 pub(super) fn needed<'m>(model: &'m Model<'_>) -> HashSet<&'m Ident> {
     let rates = model.states.iter().map(|state| state.rate.as_ref());
     let mut needed: HashSet<&Ident> = rates.flat_map(Formula::names).collect();
-    needed.extend(model.contacts().map(|contact| contact.name));
+    needed.extend(model.contacts().map(|contact| &contact.line.name));
     for step in model.steps.iter().rev() {
         if step.computes().iter().any(|name| needed.contains(name)) {
             needed.extend(step.formulas().into_iter().flat_map(Formula::names));

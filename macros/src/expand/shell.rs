@@ -1,25 +1,26 @@
-//! What is emitted even beside errors: the struct of the parameters, its defaults and the handles.
+//! The struct of the parameters, its defaults and the handles.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{quote, quote_spanned};
 
 use super::{allowed, info};
-use crate::check::Parameter;
-use crate::syntax::Header;
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use crate::check::{Parameter, describe};
+use crate::syntax::{Header, Value};
 
 pub(super) struct Shell<'a> {
-    pub(super) header: Header<'a>,
+    pub(super) header: &'a Header,
     /// Documentation that follows the header's own.
     pub(super) page: TokenStream,
-    pub(super) fields: Vec<Field<'a>>,
-    /// The fields as named in bounds: used nowhere, but an editor should find them.
-    pub(super) bounded: Vec<&'a Ident>,
+    pub(super) parameters: &'a [Parameter<'a>],
 }
 
-/// A parameter: its name, its docs with unit, default and bounds, and its default.
-pub(super) struct Field<'a> {
-    pub(super) name: &'a Ident,
-    pub(super) docs: TokenStream,
-    pub(super) default: f64,
+/// A law without parameters has nothing to be generic over.
+pub(super) fn generics(law: &Ident, no_parameters: bool) -> TokenStream {
+    if no_parameters {
+        quote!()
+    } else {
+        quote_spanned!(law.span()=> <D>)
+    }
 }
 
 impl Shell<'_> {
@@ -38,9 +39,8 @@ impl Shell<'_> {
             keyword,
             name,
         } = self.header;
-        let (fields, page) = (&self.fields, &self.page);
-        let names = fields.iter().map(|field| field.name);
-        let field_docs = fields.iter().map(|field| &field.docs);
+        let (names, page) = (self.names(), &self.page);
+        let field_docs = self.parameters.iter().map(documented);
         quote! {
             #(#docs)*
             #page
@@ -57,12 +57,19 @@ impl Shell<'_> {
         }
     }
 
-    /// A function that uses every field that has bounds.
+    fn names(&self) -> impl Iterator<Item = &Ident> {
+        self.parameters.iter().map(|parameter| &parameter.line.name)
+    }
+
+    /// A function that uses every field as its bounds name it: an editor should find them there.
     pub(super) fn uses(&self, generics: &TokenStream) -> TokenStream {
-        if self.bounded.is_empty() {
+        let lines = self.parameters.iter().map(|parameter| parameter.line);
+        let fields = lines.filter_map(|line| Some(&line.bounds.as_ref()?.name));
+        let fields: Vec<&Ident> = fields.collect();
+        if fields.is_empty() {
             return quote!();
         }
-        let (name, fields, allowed) = (self.header.name, &self.bounded, allowed());
+        let (name, allowed) = (&self.header.name, allowed());
         quote! {
             #allowed
             impl #generics #name #generics {
@@ -74,9 +81,13 @@ impl Shell<'_> {
     }
 
     fn default(&self) -> TokenStream {
-        let (name, allowed) = (self.header.name, allowed());
-        let names = self.fields.iter().map(|field| field.name);
-        let values = self.fields.iter().map(|field| info::number(field.default));
+        let (name, allowed) = (&self.header.name, allowed());
+        let names = self.names();
+        let numbers = self
+            .parameters
+            .iter()
+            .map(|parameter| &parameter.line.number);
+        let values = numbers.map(|number| info::number(number.as_ref().map_or(0.0, |n| n.value)));
         quote! {
             #allowed
             #[automatically_derived]
@@ -89,11 +100,11 @@ impl Shell<'_> {
     }
 
     fn handles(&self) -> TokenStream {
-        let (name, allowed) = (self.header.name, allowed());
-        let visibility = self.header.visibility;
-        let names = self.fields.iter().map(|field| field.name);
-        let docs = self.fields.iter().map(|field| &field.docs);
-        let places = (0..self.fields.len()).map(Literal::usize_unsuffixed);
+        let (name, allowed) = (&self.header.name, allowed());
+        let visibility = &self.header.visibility;
+        let names = self.names();
+        let docs = self.parameters.iter().map(documented);
+        let places = (0..self.parameters.len()).map(Literal::usize_unsuffixed);
         quote! {
             #allowed
             impl #name {
@@ -107,37 +118,22 @@ impl Shell<'_> {
     }
 }
 
-impl<'a> From<&Parameter<'a>> for Field<'a> {
-    fn from(parameter: &Parameter<'a>) -> Self {
-        Self {
-            name: parameter.name,
-            docs: documented(parameter),
-            default: parameter.default.unwrap_or_default(),
-        }
-    }
-}
-
 /// The docs as written, then unit, default and bounds.
 fn documented(parameter: &Parameter) -> TokenStream {
-    let mut facts = Vec::new();
-    facts.extend(
-        parameter
-            .unit
-            .as_ref()
-            .map(|unit| format!("In `{}`", unit.text)),
-    );
-    facts.extend(
-        parameter
-            .default
-            .map(|default| format!("{default} by default")),
-    );
-    facts.extend(
-        Some(&parameter.bounds.text)
-            .filter(|text| !text.is_empty())
-            .map(|text| format!("`{text}`")),
-    );
+    let Value {
+        docs,
+        number,
+        bounds,
+        ..
+    } = parameter.line;
+    let unit = parameter.unit.as_ref();
+    let unit = unit.map(|unit| format!("In `{}`", unit.text));
+    let default = number.as_ref();
+    let default = default.map(|number| format!("{} by default", number.value));
+    let bounds = bounds.as_ref();
+    let bounds = bounds.map(|bounds| format!("`{}`", describe(bounds)));
+    let facts: Vec<String> = unit.into_iter().chain(default).chain(bounds).collect();
     let facts = format!(" {}.", facts.join(", "));
-    let docs = parameter.docs;
     match (docs.is_empty(), facts.len() > 2) {
         (true, true) => {
             let all = format!(" Parameter{facts}");

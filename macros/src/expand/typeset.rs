@@ -4,33 +4,13 @@ use proc_macro2::Ident;
 use syn::Path;
 use syn::ext::IdentExt;
 
-use crate::formula::{Formula, Kind, Operator};
+use crate::formula::{Formula, Kind, Operator, last_word};
 
-const GREEK: [(&str, &str); 24] = [
-    ("alpha", "αΑ"),
-    ("beta", "βΒ"),
-    ("gamma", "γΓ"),
-    ("delta", "δΔ"),
-    ("epsilon", "εΕ"),
-    ("zeta", "ζΖ"),
-    ("eta", "ηΗ"),
-    ("theta", "θΘ"),
-    ("iota", "ιΙ"),
-    ("kappa", "κΚ"),
-    ("lambda", "λΛ"),
-    ("mu", "μΜ"),
-    ("nu", "νΝ"),
-    ("xi", "ξΞ"),
-    ("omicron", "οΟ"),
-    ("pi", "πΠ"),
-    ("rho", "ρΡ"),
-    ("sigma", "σΣ"),
-    ("tau", "τΤ"),
-    ("upsilon", "υΥ"),
-    ("phi", "φΦ"),
-    ("chi", "χΧ"),
-    ("psi", "ψΨ"),
-    ("omega", "ωΩ"),
+/// The Greek letters in the order of Unicode.
+const GREEK: [&str; 24] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
+    "psi", "omega",
 ];
 
 const TIMES: &str = "<mo>&#x2062;</mo><mspace width=\"0.17em\"/>";
@@ -124,11 +104,13 @@ fn symbol(name: &str) -> Option<(String, String)> {
 }
 
 fn greek(name: &str) -> Option<char> {
-    let (_, letters) = GREEK
+    let place = GREEK
         .iter()
-        .find(|(known, _)| known.eq_ignore_ascii_case(name))?;
+        .position(|known| known.eq_ignore_ascii_case(name))?;
     let capital = name.chars().next().is_some_and(char::is_uppercase);
-    letters.chars().nth(usize::from(capital))
+    // Between rho and sigma stands another form of sigma.
+    let code = place as u32 + u32::from(place > 16);
+    char::from_u32(code + if capital { 0x391 } else { 0x3b1 })
 }
 
 /// A formula as one row.
@@ -156,12 +138,7 @@ fn numeral(text: &str) -> String {
 }
 
 fn constant(path: &Path) -> String {
-    let last = path
-        .segments
-        .last()
-        .map(|segment| segment.ident.to_string());
-    let last = last.unwrap_or_default();
-    match last.as_str() {
+    match last_word(path).as_str() {
         "PI" => "<mi>π</mi>".to_owned(),
         "TAU" => "<mn>2</mn><mi>π</mi>".to_owned(),
         "E" => "<mi>e</mi>".to_owned(),

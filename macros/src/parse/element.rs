@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 use syn::parse::ParseStream;
 use syn::{Expr, Token, bracketed, parenthesized, token};
 
+use super::Reader;
 use super::docs::name;
-use super::line::Reader;
 use crate::arithmetic;
 use crate::syntax::word;
 
@@ -72,10 +72,10 @@ impl Reader<'_> {
 
     /// `with state, ...`, or nothing.
     pub(super) fn memory_if_stated(&mut self, input: ParseStream) -> syn::Result<Vec<Ident>> {
-        let mut memory = Vec::new();
         if input.parse::<Option<word::with>>()?.is_none() {
-            return Ok(memory);
+            return Ok(Vec::new());
         }
+        let mut memory = Vec::new();
         loop {
             let name = name(input)?;
             memory.push(self.element_if_indexed(name, input, false)?);

@@ -6,93 +6,69 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Path, Token, braced};
 
 use super::docs::{docs, name, undocumented};
-use super::shape::{self, no_keyword, shaped, unknown_keyword};
-use super::{Grammar, value};
-use crate::arithmetic;
-use crate::errors::Errors;
+use super::shape::{no_keyword, shape, shaped, unknown_keyword};
+use super::{Grammar, Reader, value};
+use crate::arithmetic::Arithmetic;
 use crate::formula::Formula;
-use crate::repeated::Repeated;
-use crate::syntax::{
-    Derivative, Drive, Field, Force, Friction, Let, Line, Param, Slip, State, Stick, Stop, word,
-};
-
-/// Reads lines of one grammar; mistakes inside a formula do not break its line.
-pub(super) struct Reader<'a> {
-    pub(super) grammar: Grammar,
-    /// Whether the line stands inside `for`.
-    pub(super) inside: bool,
-    pub(super) repeated: &'a mut Repeated,
-    pub(super) errors: &'a mut Errors,
-}
+use crate::syntax::{Field, Friction, Line, Rule, Value, word};
 
 impl Reader<'_> {
-    /// Reads a line up to its semicolon.
+    /// Reads a line up to its semicolon; mistakes inside a formula do not break it.
     pub(super) fn line(&mut self, input: ParseStream) -> syn::Result<Vec<Line>> {
         let docs = docs(input)?;
-        let keyword = input
-            .call(Ident::parse_any)
-            .map_err(|_| no_keyword(input, self.grammar))?;
-        match (self.grammar, keyword.to_string().as_str()) {
-            (Grammar::Model, word @ ("state" | "param" | "drive")) if self.inside => {
-                Err(syn::Error::new(
-                    keyword.span(),
-                    format!(
-                        "`{word}` cannot stand inside `for`: declare an array as `state x[10] = 0.0;` or `param k[10] = 1.0;` \
-                     outside"
-                    ),
-                ))
-            }
-            (Grammar::Model, "state") => {
-                shaped(shape::STATE, input, |input| self.states(&docs, input))
-            }
-            (Grammar::Model, "param") => {
-                shaped(shape::PARAM, input, |input| self.params(&docs, input))
-            }
-            (Grammar::Law, "param") => {
-                shaped(shape::LAW_PARAM, input, |input| one(law_param(docs, input)))
-            }
-            (_, "let") => shaped(shape::LET, input, |input| one(self.quantity(docs, input))),
-            (Grammar::Law, "state") => {
-                shaped(shape::LAW_STATE, input, |input| one(law_state(docs, input)))
-            }
-            (Grammar::Model, "friction") => shaped(shape::FRICTION, input, |input| {
-                one(self.friction(docs, input))
-            }),
-            (Grammar::Model, "drive") => {
-                shaped(shape::DRIVE, input, |input| one(self.drive(docs, input)))
-            }
-            (_, "der") => shaped(
-                shape::DER,
-                input,
-                |input| one(self.derivative(&docs, input)),
-            ),
-            (Grammar::Law, "force") => shaped(shape::FORCE, input, |input| {
-                one(self.force(&docs, &keyword, input))
-            }),
-            (Grammar::Law, "stop") => {
-                shaped(shape::STOP, input, |input| one(self.stop(&docs, input)))
-            }
-            (Grammar::Law, "stick") => shaped(shape::STICK, input, |input| {
-                one(self.stick(&docs, &keyword, input))
-            }),
-            (Grammar::Law, "slip") => shaped(shape::SLIP, input, |input| {
-                one(self.slip(&docs, &keyword, input))
-            }),
-            _ => Err(unknown_keyword(&keyword, self.grammar, input)),
+        let grammar = self.place.grammar;
+        let keyword = input.call(Ident::parse_any);
+        let keyword = keyword.map_err(|_| no_keyword(input, grammar))?;
+        let text = keyword.to_string();
+        let Some(shape) = shape(grammar, &text) else {
+            return Err(unknown_keyword(&keyword, grammar, input));
+        };
+        let whole = matches!(text.as_str(), "state" | "param" | "drive");
+        if grammar == Grammar::Model && whole && self.place.depth > 0 {
+            let message = format!(
+                "`{text}` cannot stand inside `for`: declare an array as `state x[10] = 0.0;` or `param k[10] = 1.0;` \
+                 outside"
+            );
+            return Err(syn::Error::new(keyword.span(), message));
         }
+        shaped(shape, input, |input| match (grammar, text.as_str()) {
+            (Grammar::Model, "state") => self.values(&docs, input, false, Line::State),
+            (Grammar::Model, "param") => self.values(&docs, input, true, Line::Param),
+            (_, "state") => Ok(vec![Line::State(law_state(docs, input)?)]),
+            (_, "param") => Ok(vec![Line::Param(law_param(docs, input)?)]),
+            (_, "friction") => Ok(vec![Line::Friction(self.friction(docs, input)?)]),
+            _ => Ok(vec![self.rule(docs, keyword, input)?]),
+        })
     }
 
-    fn quantity(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Line> {
-        let name = self.declared(input)?;
-        let formula = self.moving_side(input)?;
-        Ok(Line::Let(Let {
+    /// A word, what its formula is of, and the formula.
+    fn rule(&mut self, docs: Vec<Attribute>, word: Ident, input: ParseStream) -> syn::Result<Line> {
+        let text = word.to_string();
+        if !matches!(text.as_str(), "let" | "drive") {
+            undocumented(&docs)?;
+        }
+        let (line, name, formula): (fn(Rule) -> Line, _, _) = match text.as_str() {
+            "let" => (Line::Let, self.declared(input)?, self.moving_side(input)?),
+            "drive" => (Line::Drive, name(input)?, self.at(input)?),
+            "stop" => (Line::Stop, name(input)?, self.at(input)?),
+            "stick" => (Line::Stick, word.clone(), self.right_side(input)?),
+            "slip" => (Line::Slip, self.argument(input)?, self.right_side(input)?),
+            "force" => (Line::Force, self.argument(input)?, self.moving_side(input)?),
+            _ => (
+                Line::Derivative,
+                self.argument(input)?,
+                self.moving_side(input)?,
+            ),
+        };
+        Ok(line(Rule {
             docs,
+            word,
             name,
             formula,
         }))
     }
 
-    fn friction(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Line> {
+    fn friction(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Friction> {
         let name = self.declared(input)?;
         let unit = value::unit_if_stated(input)?;
         input.parse::<Token![=]>()?;
@@ -101,7 +77,7 @@ impl Reader<'_> {
         input.parse::<word::opposing>()?;
         let speed = self.formula(input)?;
         let memory = self.memory_if_stated(input)?;
-        Ok(Line::Friction(Friction {
+        Ok(Friction {
             docs,
             name,
             unit,
@@ -109,7 +85,7 @@ impl Reader<'_> {
             fields,
             speed,
             memory,
-        }))
+        })
     }
 
     fn fields(&mut self, input: ParseStream) -> syn::Result<Vec<Field>> {
@@ -136,111 +112,55 @@ impl Reader<'_> {
         Ok(Field { name, formula })
     }
 
-    fn drive(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Line> {
-        let name = self::name(input)?;
-        input.parse::<word::at>()?;
-        let rate = self.formula(input)?;
-        Ok(Line::Drive(Drive { docs, name, rate }))
-    }
-
-    fn derivative(&mut self, docs: &[Attribute], input: ParseStream) -> syn::Result<Line> {
-        undocumented(docs)?;
-        let state = self.argument(input)?;
-        let formula = self.moving_side(input)?;
-        Ok(Line::Derivative(Derivative { state, formula }))
-    }
-
-    fn stick(&mut self, docs: &[Attribute], word: &Ident, input: ParseStream) -> syn::Result<Line> {
-        undocumented(docs)?;
-        let (word, formula) = (word.clone(), self.right_side(input)?);
-        Ok(Line::Stick(Stick { word, formula }))
-    }
-
-    fn slip(&mut self, docs: &[Attribute], word: &Ident, input: ParseStream) -> syn::Result<Line> {
-        undocumented(docs)?;
-        let speed = self.argument(input)?;
-        let (word, formula) = (word.clone(), self.right_side(input)?);
-        Ok(Line::Slip(Slip {
-            word,
-            speed,
-            formula,
-        }))
-    }
-
-    fn force(&mut self, docs: &[Attribute], word: &Ident, input: ParseStream) -> syn::Result<Line> {
-        undocumented(docs)?;
-        let speed = self.argument(input)?;
-        let (word, formula) = (word.clone(), self.moving_side(input)?);
-        Ok(Line::Force(Force {
-            word,
-            speed,
-            formula,
-        }))
-    }
-
-    fn stop(&mut self, docs: &[Attribute], input: ParseStream) -> syn::Result<Line> {
-        undocumented(docs)?;
-        let state = name(input)?;
-        input.parse::<word::at>()?;
-        let bound = self.formula(input)?;
-        Ok(Line::Stop(Stop { state, bound }))
-    }
-
-    /// The right side of a line in which, in a law, the internal state and its kinks may stand.
-    fn moving_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
-        let grammar = match self.grammar {
-            Grammar::Model => Grammar::Model,
-            Grammar::Law | Grammar::Memory => Grammar::Memory,
-        };
-        Reader {
-            grammar,
-            inside: self.inside,
-            repeated: self.repeated,
-            errors: self.errors,
-        }
-        .right_side(input)
-    }
-
-    /// A state, or each element of an array of them.
-    fn states(&mut self, docs: &[Attribute], input: ParseStream) -> syn::Result<Vec<Line>> {
+    /// A state or a parameter of a model, or each element of an array of them.
+    fn values(
+        &mut self,
+        docs: &[Attribute],
+        input: ParseStream,
+        bounded: bool,
+        line: fn(Value) -> Line,
+    ) -> syn::Result<Vec<Line>> {
         let names = self.names(input)?;
         let unit = value::unit_if_stated(input)?;
         input.parse::<Token![=]>()?;
-        let start = Some(value::number(input)?);
-        let state = |name| {
-            Line::State(State {
-                docs: docs.to_vec(),
-                name,
-                unit: unit.clone(),
-                start: start.clone(),
-            })
+        let number = Some(value::number(input)?);
+        let bounds = if bounded {
+            value::bounds_if_stated(input)?
+        } else {
+            None
         };
-        Ok(names.into_iter().map(state).collect())
-    }
-
-    /// A parameter, or each element of an array of them.
-    fn params(&mut self, docs: &[Attribute], input: ParseStream) -> syn::Result<Vec<Line>> {
-        let names = self.names(input)?;
-        let unit = value::unit_if_stated(input)?;
-        input.parse::<Token![=]>()?;
-        let default = Some(value::number(input)?);
-        let bounds = value::bounds_if_stated(input)?;
         let single = names.len() == 1;
-        let param = |name: Ident| {
+        let value = |name: Ident| {
             let bounds = bounds.clone().map(|bounds| match single {
                 true => bounds,
                 // The bounds are written for the array and hold for each element.
                 false => bounds.on(&name),
             });
-            Line::Param(Param {
+            line(Value {
                 docs: docs.to_vec(),
                 name,
                 unit: unit.clone(),
-                default: default.clone(),
+                number: number.clone(),
                 bounds,
             })
         };
-        Ok(names.into_iter().map(param).collect())
+        Ok(names.into_iter().map(value).collect())
+    }
+
+    /// The right side of a line in which, in a law, the internal state and its kinks may stand.
+    fn moving_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
+        input.parse::<Token![=]>()?;
+        let grammar = match self.place.grammar {
+            Grammar::Model => Grammar::Model,
+            Grammar::Law | Grammar::Memory => Grammar::Memory,
+        };
+        self.formula_in(grammar, input)
+    }
+
+    /// `at formula`
+    fn at(&mut self, input: ParseStream) -> syn::Result<Formula> {
+        input.parse::<word::at>()?;
+        self.formula(input)
     }
 
     fn right_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
@@ -249,49 +169,51 @@ impl Reader<'_> {
     }
 
     fn formula(&mut self, input: ParseStream) -> syn::Result<Formula> {
-        Ok(arithmetic::formula(
-            &input.parse()?,
-            self.grammar,
-            self.repeated,
-            self.errors,
-        ))
+        self.formula_in(self.place.grammar, input)
+    }
+
+    fn formula_in(&mut self, grammar: Grammar, input: ParseStream) -> syn::Result<Formula> {
+        let mut arithmetic = Arithmetic {
+            grammar,
+            repeated: self.repeated,
+            errors: self.errors,
+        };
+        Ok(arithmetic.read(&input.parse()?))
     }
 }
 
-fn one(line: syn::Result<Line>) -> syn::Result<Vec<Line>> {
-    Ok(vec![line?])
+fn law_state(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Value> {
+    law_value(docs, input, |name| {
+        format!("a law's state has no start: the state of the model that carries `{name}` has one")
+    })
 }
 
-fn law_state(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Line> {
-    let name = self::name(input)?;
-    let unit = value::unit_if_stated(input)?;
-    if input.peek(Token![=]) {
-        return Err(input.error(format!(
-            "a law's state has no start: the state of the model that carries `{name}` has one"
-        )));
-    }
-    Ok(Line::State(State {
-        docs,
-        name,
-        unit,
-        start: None,
-    }))
-}
-
-fn law_param(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Line> {
-    let name = self::name(input)?;
-    let unit = value::unit_if_stated(input)?;
-    if input.peek(Token![=]) {
-        return Err(input.error(format!(
+fn law_param(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Value> {
+    let value = law_value(docs, input, |name| {
+        format!(
             "a law's parameter has no default: a model gives `{name}` its value where it names the law"
-        )));
-    }
+        )
+    })?;
     let bounds = value::bounds_if_stated(input)?;
-    Ok(Line::Param(Param {
+    Ok(Value { bounds, ..value })
+}
+
+/// A name with its unit; what a model would say next is refused.
+fn law_value(
+    docs: Vec<Attribute>,
+    input: ParseStream,
+    refusal: impl Fn(&Ident) -> String,
+) -> syn::Result<Value> {
+    let name = self::name(input)?;
+    let unit = value::unit_if_stated(input)?;
+    if input.peek(Token![=]) {
+        return Err(input.error(refusal(&name)));
+    }
+    Ok(Value {
         docs,
         name,
         unit,
-        default: None,
-        bounds,
-    }))
+        number: None,
+        bounds: None,
+    })
 }

@@ -12,10 +12,9 @@ use proc_macro2::{Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 use syn::{Token, braced};
 
-use self::line::Reader;
 use crate::errors::Errors;
 use crate::repeated::Repeated;
-use crate::syntax::{Broken, Declaration, Line};
+use crate::syntax::{Broken, Declaration, Header, Line};
 
 /// Which grammar a declaration follows, and its formulas.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -34,11 +33,13 @@ pub(crate) fn declaration(
 ) -> Option<Declaration> {
     match header.parse2(tokens) {
         Ok((mut declaration, body)) => {
-            let mut repeated = Repeated::default();
-            let place = Place::outside(grammar);
-            declaration.lines = lines(body, place, &mut repeated, errors);
-            errors.show(&repeated.elements);
-            declaration.repeated = repeated;
+            let mut reader = Reader {
+                place: Place::outside(grammar),
+                repeated: &mut declaration.repeated,
+                errors,
+            };
+            declaration.lines = reader.lines(body);
+            errors.show(&declaration.repeated.elements);
             Some(declaration)
         }
         Err(error) => {
@@ -50,10 +51,12 @@ pub(crate) fn declaration(
 
 fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
     let declaration = Declaration {
-        docs: docs::docs(input)?,
-        visibility: input.parse()?,
-        keyword: input.parse()?,
-        name: input.parse()?,
+        header: Header {
+            docs: docs::docs(input)?,
+            visibility: input.parse()?,
+            keyword: input.parse()?,
+            name: input.parse()?,
+        },
         lines: Vec::new(),
         repeated: Repeated::default(),
     };
@@ -66,35 +69,11 @@ fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
     Ok((declaration, body))
 }
 
-/// Cuts the body at its semicolons first, so that a broken line cannot hide the others.
-fn lines(
-    body: TokenStream,
+/// Reads lines; what is wrong with one is collected, and it is broken.
+struct Reader<'a> {
     place: Place,
-    repeated: &mut Repeated,
-    errors: &mut Errors,
-) -> Vec<Line> {
-    let mut lines = Vec::new();
-    let mut line = TokenStream::new();
-    let mut begins = false;
-    for token in body {
-        let ends = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == ';');
-        if line.is_empty() {
-            begins = place.grammar == Grammar::Model && repeat::begins(&token);
-        }
-        let loops = begins && repeat::ends(&token);
-        line.extend([token]);
-        if loops {
-            let all = repeat::lines(std::mem::take(&mut line), place, repeated, errors);
-            lines.extend(all);
-        } else if ends {
-            let line = std::mem::take(&mut line);
-            read(line, place, repeated, errors, &mut lines);
-        }
-    }
-    if !line.is_empty() {
-        unfinished(line, place, repeated, errors, &mut lines);
-    }
-    lines
+    repeated: &'a mut Repeated,
+    errors: &'a mut Errors,
 }
 
 /// Where a line stands.
@@ -124,63 +103,68 @@ impl Place {
     }
 }
 
-/// The last line has no semicolon: that is worth a word only if nothing else is wrong with it.
-fn unfinished(
-    line: TokenStream,
-    place: Place,
-    repeated: &mut Repeated,
-    errors: &mut Errors,
-    lines: &mut Vec<Line>,
-) {
-    let last = line.clone().into_iter().last();
-    let mut ended = line;
-    let mut semicolon = Punct::new(';', Spacing::Alone);
-    semicolon.set_span(last.as_ref().map_or_else(Span::call_site, TokenTree::span));
-    ended.extend([TokenTree::from(semicolon)]);
-    read(ended, place, repeated, errors, lines);
-    if !matches!(lines.last(), Some(Line::Broken(_))) {
-        errors.at(last, "missing `;` at the end of this line");
-    }
-}
-
-fn read(
-    tokens: TokenStream,
-    place: Place,
-    repeated: &mut Repeated,
-    errors: &mut Errors,
-    lines: &mut Vec<Line>,
-) {
-    if let Some(unreadable) = measure::unreadable(&tokens) {
-        errors.at(&tokens, unreadable);
-        lines.push(Line::Broken(place.broken(&tokens)));
-        return;
-    }
-    let whole = tokens.clone();
-    let reader = |input: ParseStream| {
-        let line = Reader {
-            grammar: place.grammar,
-            inside: place.depth > 0,
-            repeated,
-            errors,
-        }
-        .line(input)?;
-        input.parse::<Option<Token![;]>>()?;
-        Ok((line, input.parse::<TokenStream>()?))
-    };
-    match reader.parse2(tokens) {
-        Ok((line, rest)) => {
-            lines.extend(line);
-            if let Some(keyword) = shape::keyword_of(&rest) {
-                errors.at(
-                    &keyword,
-                    format!("missing `;` at the end of the line before `{keyword}`"),
-                );
-                read(rest, place, repeated, errors, lines);
+impl Reader<'_> {
+    /// Cuts the body at its semicolons first, so that a broken line cannot hide the others.
+    fn lines(&mut self, body: TokenStream) -> Vec<Line> {
+        let mut lines = Vec::new();
+        let mut line = TokenStream::new();
+        let mut begins = false;
+        for token in body {
+            let ends = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == ';');
+            if line.is_empty() {
+                begins = self.place.grammar == Grammar::Model && repeat::begins(&token);
+            }
+            let loops = begins && repeat::ends(&token);
+            line.extend([token]);
+            if loops {
+                lines.extend(self.repeat(std::mem::take(&mut line)));
+            } else if ends {
+                self.read(std::mem::take(&mut line), &mut lines);
             }
         }
-        Err(error) => {
-            errors.add(error);
-            lines.push(Line::Broken(place.broken(&whole)));
+        if !line.is_empty() {
+            self.unfinished(line, &mut lines);
+        }
+        lines
+    }
+
+    /// The last line has no semicolon: that is worth a word only if nothing else is wrong with it.
+    fn unfinished(&mut self, mut line: TokenStream, lines: &mut Vec<Line>) {
+        let last = line.clone().into_iter().last();
+        let mut semicolon = Punct::new(';', Spacing::Alone);
+        semicolon.set_span(last.as_ref().map_or_else(Span::call_site, TokenTree::span));
+        line.extend([TokenTree::from(semicolon)]);
+        self.read(line, lines);
+        if !matches!(lines.last(), Some(Line::Broken(_))) {
+            self.errors.at(last, "missing `;` at the end of this line");
+        }
+    }
+
+    fn read(&mut self, tokens: TokenStream, lines: &mut Vec<Line>) {
+        if let Some(unreadable) = measure::unreadable(&tokens) {
+            self.errors.at(&tokens, unreadable);
+            lines.push(Line::Broken(self.place.broken(&tokens)));
+            return;
+        }
+        let whole = tokens.clone();
+        let reader = |input: ParseStream| {
+            let line = self.line(input)?;
+            input.parse::<Option<Token![;]>>()?;
+            Ok((line, input.parse::<TokenStream>()?))
+        };
+        match reader.parse2(tokens) {
+            Ok((line, rest)) => {
+                lines.extend(line);
+                if let Some(keyword) = shape::keyword_of(&rest) {
+                    let missing = format!("missing `;` at the end of the line before `{keyword}`");
+                    self.errors.at(&keyword, missing);
+                    self.read(rest, lines);
+                }
+            }
+            Err(error) => {
+                self.errors.add(error);
+                lines.push(Line::Broken(self.place.broken(&whole)));
+            }
         }
     }
 }

@@ -5,10 +5,10 @@ use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
 use syn::{Expr, ExprRange, RangeLimits, Token, braced};
 
-use super::Place;
+use super::shape::with_shape;
+use super::{Place, Reader};
 use crate::arithmetic;
 use crate::errors::Errors;
-use crate::repeated::Repeated;
 use crate::syntax::{Broken, Line};
 
 /// Most repetitions of a line.
@@ -35,42 +35,43 @@ struct Loop {
     body: TokenStream,
 }
 
-/// The lines inside a loop, once for each value of its counter.
-pub(super) fn lines(
-    tokens: TokenStream,
-    place: Place,
-    repeated: &mut Repeated,
-    errors: &mut Errors,
-) -> Vec<Line> {
-    let read = |input: ParseStream| read(input, place);
-    let found = match read.parse2(tokens) {
-        Ok(found) => found,
-        Err(error) => {
-            errors.add(shaped(error));
-            return vec![Line::Broken(Broken {
-                keyword: Some("der"),
-                name: None,
-            })];
+impl Reader<'_> {
+    /// The lines inside a loop, once for each value of its counter.
+    pub(super) fn repeat(&mut self, tokens: TokenStream) -> Vec<Line> {
+        let read = |input: ParseStream| read(input, self.place);
+        let found = match read.parse2(tokens) {
+            Ok(found) => found,
+            Err(error) => {
+                self.errors.add(with_shape(error, "a loop", SHAPE));
+                return vec![Line::Broken(Broken {
+                    keyword: Some("der"),
+                    name: None,
+                })];
+            }
+        };
+        let place = Place {
+            depth: self.place.depth + 1,
+            turns: self.place.turns * (found.to - found.from),
+            ..self.place
+        };
+        self.repeated.counters.push(found.counter.clone());
+        let mut lines = Vec::new();
+        let before = self.errors.len();
+        for value in found.from..found.to {
+            let body = with_value(found.body.clone(), &found.counter, value);
+            // A mistake is told once, for the first value of the counter.
+            let mut again = Errors::new();
+            let told = self.errors.len() > before;
+            let mut inside = Reader {
+                place,
+                repeated: self.repeated,
+                errors: if told { &mut again } else { self.errors },
+            };
+            lines.extend(inside.lines(body));
+            again.forget();
         }
-    };
-    let inside = Place {
-        depth: place.depth + 1,
-        turns: place.turns * (found.to - found.from),
-        ..place
-    };
-    repeated.counters.push(found.counter.clone());
-    let mut lines = Vec::new();
-    let before = errors.len();
-    for value in found.from..found.to {
-        let body = with_value(found.body.clone(), &found.counter, value);
-        // A mistake is told once, for the first value of the counter.
-        let mut again = Errors::new();
-        let told = errors.len() > before;
-        let errors = if told { &mut again } else { &mut *errors };
-        lines.extend(super::lines(body, inside, repeated, errors));
-        again.forget();
+        lines
     }
-    lines
 }
 
 fn read(input: ParseStream, place: Place) -> syn::Result<Loop> {
@@ -125,18 +126,6 @@ fn ends_of(range: &Expr) -> syn::Result<(i64, i64)> {
     let last = matches!(limits, RangeLimits::Closed(_));
     let to = arithmetic::index(to)?.saturating_add(i64::from(last));
     Ok((arithmetic::index(from)?, to))
-}
-
-fn shaped(error: syn::Error) -> syn::Error {
-    let message = error.to_string();
-    if message.starts_with("expected") || message.starts_with("unexpected") {
-        syn::Error::new(
-            error.span(),
-            format!("{message}; a loop has the form `{SHAPE}`"),
-        )
-    } else {
-        error
-    }
 }
 
 /// The tokens with a value in place of the counter.

@@ -9,27 +9,46 @@ use super::Grammar;
 use crate::suggest::nearest;
 use crate::syntax::{Broken, Line};
 
-pub(super) const STATE: &str = "state x: m = 1.0;";
-pub(super) const PARAM: &str = "param k: N/m = 1.0 where k > 0.0;";
-pub(super) const LAW_PARAM: &str = "param limit: N where limit >= 0.0;";
-pub(super) const LET: &str = "let stretch = x - x_0;";
-pub(super) const FRICTION: &str = "friction F: N = Law { field: value } opposing v - v_belt;";
-pub(super) const DER: &str = "der(x) = v;";
-pub(super) const STICK: &str = "stick = limit;";
-pub(super) const SLIP: &str = "slip(s) = limit / (1.0 + decay * s);";
-pub(super) const DRIVE: &str = "drive phi at omega;";
-pub(super) const LAW_STATE: &str = "state z: m;";
-pub(super) const FORCE: &str = "force(w) = stiffness * z;";
-pub(super) const STOP: &str = "stop z at limit;";
+/// How a line that begins with `word` is written; `None` if none does.
+pub(super) fn shape(grammar: Grammar, word: &str) -> Option<&'static str> {
+    let lines = lines(grammar).iter();
+    let mut shapes = lines.filter(|(known, _)| *known == word);
+    shapes.next().map(|(_, shape)| *shape)
+}
 
-/// The words that begin a line.
-fn keywords(grammar: Grammar) -> &'static [&'static str] {
+/// The words that begin a line, each with an example.
+fn lines(grammar: Grammar) -> &'static [(&'static str, &'static str)] {
     match grammar {
-        Grammar::Model => &["state", "param", "let", "friction", "drive", "der"],
+        Grammar::Model => &[
+            ("state", "state x: m = 1.0;"),
+            ("param", "param k: N/m = 1.0 where k > 0.0;"),
+            ("let", LET),
+            (
+                "friction",
+                "friction F: N = Law { field: value } opposing v - v_belt;",
+            ),
+            ("drive", "drive phi at omega;"),
+            ("der", DER),
+        ],
         Grammar::Law | Grammar::Memory => &[
-            "param", "let", "stick", "slip", "state", "der", "stop", "force",
+            ("param", "param limit: N where limit >= 0.0;"),
+            ("let", LET),
+            ("stick", "stick = limit;"),
+            ("slip", "slip(s) = limit / (1.0 + decay * s);"),
+            ("state", "state z: m;"),
+            ("der", DER),
+            ("stop", "stop z at limit;"),
+            ("force", "force(w) = stiffness * z;"),
         ],
     }
+}
+
+const LET: &str = "let stretch = x - x_0;";
+const DER: &str = "der(x) = v;";
+
+/// The words that begin a line.
+fn keywords(grammar: Grammar) -> impl Iterator<Item = &'static str> + Clone {
+    lines(grammar).iter().map(|(word, _)| *word)
 }
 
 /// Reads with `read` up to the semicolon; a syntax error shows how such a line is written.
@@ -39,17 +58,18 @@ pub(super) fn shaped(
     read: impl FnOnce(ParseStream) -> syn::Result<Vec<Line>>,
 ) -> syn::Result<Vec<Line>> {
     let outcome = read(input).and_then(|line| ended(input).map(|()| line));
-    outcome.map_err(|error| {
-        let message = error.to_string();
-        if message.starts_with("expected") || message.starts_with("unexpected") {
-            syn::Error::new(
-                error.span(),
-                format!("{message}; the line has the form `{shape}`"),
-            )
-        } else {
-            error
-        }
-    })
+    outcome.map_err(|error| with_shape(error, "the line", shape))
+}
+
+/// An error of the parser with how the whole is written.
+pub(super) fn with_shape(error: syn::Error, whole: &str, shape: &str) -> syn::Error {
+    let message = error.to_string();
+    if message.starts_with("expected") || message.starts_with("unexpected") {
+        let message = format!("{message}; {whole} has the form `{shape}`");
+        syn::Error::new(error.span(), message)
+    } else {
+        error
+    }
 }
 
 /// A line ends with a semicolon; where it is missing, the next line may begin.
@@ -73,8 +93,8 @@ pub(super) fn keyword_of(tokens: &TokenStream) -> Option<Ident> {
         Ok(word)
     };
     let word = reader.parse2(tokens.clone()).ok()?;
-    let all = [Grammar::Model, Grammar::Law].map(keywords).concat();
-    all.contains(&word.to_string().as_str()).then_some(word)
+    let mut all = keywords(Grammar::Model).chain(keywords(Grammar::Law));
+    all.any(|keyword| word == keyword).then_some(word)
 }
 
 fn first_word(input: ParseStream) -> syn::Result<Ident> {
@@ -112,9 +132,8 @@ fn second_word(input: ParseStream) -> syn::Result<Ident> {
 /// The keyword that is written, or that the written word is near to.
 fn meant(word: &Ident, grammar: Grammar) -> Option<&'static str> {
     let word = word.to_string();
-    let known = keywords(grammar).iter().copied();
-    let exact = known.clone().find(|keyword| *keyword == word);
-    exact.or_else(|| nearest(&word, known))
+    let exact = keywords(grammar).find(|keyword| *keyword == word);
+    exact.or_else(|| nearest(&word, keywords(grammar)))
 }
 
 pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
@@ -146,10 +165,8 @@ pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStr
 }
 
 fn listed(grammar: Grammar) -> String {
-    let quoted: Vec<String> = keywords(grammar)
-        .iter()
-        .map(|word| format!("`{word}`"))
-        .collect();
+    let quoted = keywords(grammar).map(|word| format!("`{word}`"));
+    let quoted: Vec<String> = quoted.collect();
     let (last, first) = quoted.split_last().expect("a grammar has keywords");
     format!("{} or {last}", first.join(", "))
 }

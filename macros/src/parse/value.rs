@@ -3,8 +3,8 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream};
-use syn::{Lit, LitInt, Token};
+use syn::parse::ParseStream;
+use syn::{BinOp, Lit, LitInt, Token};
 
 use crate::arithmetic;
 use crate::formula::Number;
@@ -32,11 +32,7 @@ pub(super) fn bounds_if_stated(input: ParseStream) -> syn::Result<Option<Bounds>
         return Ok(None);
     }
     let ahead = input.fork();
-    let mut bounds = if input.peek(syn::Ident::peek_any) {
-        one_sided(input)
-    } else {
-        chain(input)
-    }?;
+    let mut bounds = bounds(input)?;
     bounds.source = consumed(&ahead, input)?;
     if input.peek(Token![,]) || input.peek(Token![&&]) {
         let name = &bounds.name;
@@ -47,103 +43,56 @@ pub(super) fn bounds_if_stated(input: ParseStream) -> syn::Result<Option<Bounds>
     Ok(Some(bounds))
 }
 
-/// `name > number`
-fn one_sided(input: ParseStream) -> syn::Result<Bounds> {
-    let name = input.call(Ident::parse_any)?;
-    let relation: Relation = input.parse()?;
-    let end = Some(Bound {
-        number: number(input)?,
-        inclusive: relation.inclusive,
-    });
-    let (lower, upper) = if relation.less {
-        (None, end)
-    } else {
-        (end, None)
-    };
-    if Relation::follows(input) {
-        return Err(input.error(format!("write an interval as `0.0 < {name} < 1.0`")));
+/// `name > number`, or `number < name < number`, the last part optional.
+fn bounds(input: ParseStream) -> syn::Result<Bounds> {
+    let follows = || input.peek(Token![<]) || input.peek(Token![>]);
+    let one_sided = input.peek(syn::Ident::peek_any);
+    let (mut lower, mut upper) = (None, None);
+    if !one_sided {
+        let (number, inclusive) = (number(input)?, upward(input)?);
+        lower = Some(Bound { number, inclusive });
     }
-    let source = TokenStream::new();
+    let name = input.call(Ident::parse_any)?;
+    if one_sided {
+        let (less, inclusive) = relation(input)?;
+        let number = number(input)?;
+        let end = if less { &mut upper } else { &mut lower };
+        *end = Some(Bound { number, inclusive });
+        if follows() {
+            return Err(input.error(format!("write an interval as `0.0 < {name} < 1.0`")));
+        }
+    } else if follows() {
+        let (inclusive, number) = (upward(input)?, number(input)?);
+        upper = Some(Bound { number, inclusive });
+    }
     Ok(Bounds {
         name,
         lower,
         upper,
-        source,
-    })
-}
-
-/// `number < name < number`, the last part optional.
-fn chain(input: ParseStream) -> syn::Result<Bounds> {
-    let (lower, inclusive) = (number(input)?, upward(input)?);
-    let lower = Some(Bound {
-        number: lower,
-        inclusive,
-    });
-    let name = input.call(Ident::parse_any)?;
-    let mut upper = None;
-    if Relation::follows(input) {
-        let inclusive = upward(input)?;
-        upper = Some(Bound {
-            number: number(input)?,
-            inclusive,
-        });
-    }
-    let source = TokenStream::new();
-    Ok(Bounds {
-        name,
-        lower,
-        upper,
-        source,
+        source: TokenStream::new(),
     })
 }
 
 /// `<` or `<=`: whether the end belongs to the interval.
 fn upward(input: ParseStream) -> syn::Result<bool> {
     let place = input.fork();
-    let relation: Relation = input.parse()?;
-    if relation.less {
-        Ok(relation.inclusive)
-    } else {
-        Err(place.error("write the smaller end first, as in `0.0 <= x < 1.0`"))
+    match relation(input)? {
+        (true, inclusive) => Ok(inclusive),
+        _ => Err(place.error("write the smaller end first, as in `0.0 <= x < 1.0`")),
     }
 }
 
-struct Relation {
-    less: bool,
-    inclusive: bool,
-}
-
-impl Relation {
-    fn follows(input: ParseStream) -> bool {
-        input.peek(Token![<]) || input.peek(Token![>])
-    }
-}
-
-impl Parse for Relation {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let ahead = input.lookahead1();
-        let less = ahead.peek(Token![<]);
-        if !less && !ahead.peek(Token![>]) {
-            return Err(input.error("expected one of `>`, `>=`, `<`, `<=`"));
-        }
-        if input.parse::<Option<Token![<=]>>()?.is_some()
-            || input.parse::<Option<Token![>=]>>()?.is_some()
-        {
-            return Ok(Self {
-                less,
-                inclusive: true,
-            });
-        }
-        if less {
-            input.parse::<Token![<]>()?;
-        } else {
-            input.parse::<Token![>]>()?;
-        }
-        Ok(Self {
-            less,
-            inclusive: false,
-        })
-    }
+/// Whether it is less that is meant, and whether the end belongs to the interval.
+fn relation(input: ParseStream) -> syn::Result<(bool, bool)> {
+    let found = match input.fork().parse() {
+        Ok(BinOp::Lt(_)) => (true, false),
+        Ok(BinOp::Le(_)) => (true, true),
+        Ok(BinOp::Gt(_)) => (false, false),
+        Ok(BinOp::Ge(_)) => (false, true),
+        _ => return Err(input.error("expected one of `>`, `>=`, `<`, `<=`")),
+    };
+    input.parse::<BinOp>()?;
+    Ok(found)
 }
 
 /// `: unit`, or nothing.

@@ -1,7 +1,7 @@
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-use crate::arithmetic;
+use crate::arithmetic::Arithmetic;
 use crate::errors::Errors;
 use crate::expand::lifted;
 use crate::parse::Grammar;
@@ -11,12 +11,12 @@ use crate::repeated::Repeated;
 fn both(written: &str) -> (String, String) {
     let expression = syn::parse_str(written).expect("the test is an expression");
     let mut errors = Errors::new();
-    let formula = arithmetic::formula(
-        &expression,
-        Grammar::Model,
-        &mut Repeated::default(),
-        &mut errors,
-    );
+    let mut arithmetic = Arithmetic {
+        grammar: Grammar::Model,
+        repeated: &mut Repeated::default(),
+        errors: &mut errors,
+    };
+    let formula = arithmetic.read(&expression);
     errors.finish().expect("the test is a formula");
     (lifted(&formula).to_string(), formula.to_string())
 }

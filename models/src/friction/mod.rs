@@ -41,7 +41,7 @@ pub use tustin::Tustin;
 pub use weakening::Weakening;
 
 use stickslip::specimen;
-use stickslip::study::{Remembering, Specimen};
+use stickslip::study::{Hysteresis, Specimen};
 
 /// Every law of the library without internal state, with typical values of its parameters.
 #[must_use]
@@ -113,7 +113,7 @@ pub fn library() -> Vec<Specimen> {
 
 /// Every law of the library with internal state, with typical values of its parameters and a swing.
 #[must_use]
-pub fn with_memory() -> Vec<Remembering> {
+pub fn with_memory() -> Vec<Specimen<dyn Hysteresis>> {
     vec![
         specimen!(Dahl {
             stiffness: 1e4,

@@ -47,6 +47,11 @@ impl Subject {
         self.entry.info()
     }
 
+    /// The name of the parameter that is varied.
+    pub(super) fn name(&self) -> &'static str {
+        self.info().parameters[self.parameter].name
+    }
+
     /// The system as declared but for the parameter that is varied.
     pub(super) fn case(&self, dynamics: Dynamics, r: f64) -> Case {
         let mut case = Case::declared(self.info(), dynamics);
@@ -182,12 +187,9 @@ impl Subject {
     }
 
     fn missing(&self, case: &Case) -> impl FnOnce(StudyError) -> ReproduceError {
-        let info = self.info();
-        let (name, r) = (
-            info.parameters[self.parameter].name,
-            case.parameters[self.parameter],
-        );
-        let what = format!("{}, {}, {name} = {r}", info.command, case.dynamics);
+        let (system, dynamics, name) = (self.info().command, case.dynamics, self.name());
+        let r = case.parameters[self.parameter];
+        let what = format!("{system}, {dynamics}, {name} = {r}");
         |source| ReproduceError::Missing { what, source }
     }
 }

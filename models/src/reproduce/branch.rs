@@ -4,38 +4,23 @@ use std::time::Duration;
 
 use stickslip::continuation::Kind;
 use stickslip::field::Work;
+use stickslip::report::numerals::{count, duration, short};
 use stickslip::study::{Along, BranchRecord, OrbitRecord};
 
 /// A branch as far as its first fold, and what it cost.
 pub(super) struct Branch {
-    pub(super) along: Along,
+    along: Along,
     pub(super) points: Vec<OrbitRecord>,
-    pub(super) end: End,
-    pub(super) time: Duration,
-    pub(super) work: Work,
+    /// Where it ends.
+    pub(super) end: f64,
+    /// Why it ends there.
+    why: &'static str,
+    time: Duration,
+    work: Work,
 }
 
-/// Where a branch ends, and why.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct End {
-    pub(super) r: f64,
-    pub(super) why: Why,
-}
-
-/// Why a branch ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Why {
-    /// It was told to.
-    Reached,
-    /// The cycle has shrunk to an equilibrium.
-    Vanishes,
-    /// The cycle meets an unstable one and turns back with it.
-    Folds,
-    /// The motion comes to rest for an instant only.
-    Grazes,
-    /// Path following gave up.
-    GaveUp,
-}
+/// Why a branch ends whose cycle becomes an equilibrium.
+const VANISHES: &str = "shrinks to the equilibrium";
 
 impl Branch {
     /// What is told of a branch, found in this time.
@@ -43,12 +28,12 @@ impl Branch {
         let fold = record.special.iter().find(|point| point.kind == Kind::Fold);
         let special = record.special.last().map_or(f64::NAN, |point| point.r);
         let last = record.points.last().map_or(f64::NAN, at);
-        let (r, why) = match (fold, record.ended.word()) {
-            (Some(fold), _) => (fold.r, Why::Folds),
-            (None, "reached-end") => (last, Why::Reached),
-            (None, "equilibrium") => (last, Why::Vanishes),
-            (None, "grazing-sliding") => (special, Why::Grazes),
-            (None, _) => (last, Why::GaveUp),
+        let (end, why) = match (fold, record.ended.word()) {
+            (Some(fold), _) => (fold.r, "meets an unstable cycle (fold)"),
+            (None, "reached-end") => (last, "end of the range"),
+            (None, "equilibrium") => (last, VANISHES),
+            (None, "grazing-sliding") => (special, "comes to rest for an instant (grazing)"),
+            (None, _) => (last, "steps become too small"),
         };
         let work = work(&record.points);
         let count = fold.map_or(record.points.len(), |fold| fold.after);
@@ -57,10 +42,37 @@ impl Branch {
         Self {
             along: record.along,
             points,
-            end: End { r, why },
+            end,
+            why,
             time,
             work,
         }
+    }
+
+    /// Where it ends along `name`, and why.
+    pub(super) fn ending(&self, name: &str) -> String {
+        format!("{name} = {}: {}", short(self.end), self.why)
+    }
+
+    /// What it cost along `name`, beside what it cost in the thesis, as a row of a table.
+    pub(super) fn cost(&self, name: &str, thesis: &str) -> Vec<String> {
+        let Self { along, work, .. } = self;
+        vec![
+            format!("{name} from {} to {}", along.from, along.to),
+            count(self.points.len() as u64),
+            count(work.steps),
+            count(work.evaluations),
+            count(work.linearisations),
+            count(work.factorisations),
+            count(work.newton),
+            duration(self.time),
+            thesis.to_owned(),
+        ]
+    }
+
+    /// Where its cycle vanishes, if it does.
+    pub(super) fn vanishes(&self) -> Option<f64> {
+        (self.why == VANISHES).then_some(self.end)
     }
 }
 

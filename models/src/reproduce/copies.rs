@@ -1,14 +1,14 @@
 //! Smooth copies of one system beside its exact friction: an orbit of each, and its branches.
 
+use stickslip::bifurcation::Stability;
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::report::Curve;
+use stickslip::report::numerals::power;
 use stickslip::study::{Dynamics, OrbitRecord, parallel};
 
 use super::ReproduceError;
 use super::ask::{Cycle, Subject};
 use super::branch::{Branch, at};
-use super::cost::Cost;
-use super::words::power;
 
 /// A system with one friction.
 pub(super) struct Member {
@@ -77,9 +77,9 @@ impl Member {
     }
 
     /// What the branches along `name` cost.
-    pub(super) fn costs(&self, name: &str, thesis: &'static str) -> impl Iterator<Item = Cost> {
+    pub(super) fn costs(&self, name: &str, thesis: &str) -> Vec<Vec<String>> {
         let branches = self.branches.iter();
-        branches.map(move |branch| Cost::of(name, branch, thesis))
+        branches.map(|branch| branch.cost(name, thesis)).collect()
     }
 }
 
@@ -109,14 +109,16 @@ impl Copies {
     }
 
     /// What all branches cost along the parameter with this symbol.
-    pub(super) fn costs(&self, system: &str, symbol: &str, thesis: &'static str) -> Vec<Cost> {
-        let costs = |one: &Member, thesis| {
-            let name = format!("{system}, {}, {symbol}", one.label);
-            one.costs(&name, thesis).collect::<Vec<_>>()
-        };
-        let copies = self.copies.iter();
-        let all = copies.flat_map(|(_, copy)| costs(copy, thesis));
-        all.chain(costs(&self.exact, "–")).collect()
+    pub(super) fn costs(&self, system: &str, symbol: &str, thesis: &str) -> Vec<Vec<String>> {
+        let costs =
+            |one: &Member, thesis| one.costs(&format!("{system}, {}, {symbol}", one.label), thesis);
+        let copies = self.copies.iter().flat_map(|(_, copy)| costs(copy, thesis));
+        copies.chain(costs(&self.exact, "–")).collect()
+    }
+
+    /// The orbits of all branches of the copies.
+    pub(super) fn points(&self) -> impl Iterator<Item = &OrbitRecord> {
+        self.copies.iter().flat_map(|(_, copy)| copy.points())
     }
 
     /// A curve for each copy, and one for the exact system.
@@ -140,4 +142,23 @@ impl Copies {
     pub(super) fn frequencies(&self) -> Vec<Curve> {
         self.curves(|one| one.along(|orbit| 1.0 / orbit.period))
     }
+}
+
+/// How many orbits are stable, and what the others are.
+pub(super) fn stability<'a>(orbits: impl IntoIterator<Item = &'a OrbitRecord>) -> String {
+    let orbits = orbits.into_iter();
+    let all: Vec<Stability> = orbits.map(|orbit| orbit.floquet.stability).collect();
+    let of = |kind| all.iter().filter(|stability| **stability == kind).count();
+    let stable = of(Stability::Stable);
+    if stable == all.len() {
+        return format!("all {stable} orbits stable");
+    }
+    let others = [
+        (of(Stability::Undecided), "undecided"),
+        (of(Stability::Unstable), "unstable"),
+    ];
+    let others = others.iter().filter(|(number, _)| *number > 0);
+    others.fold(format!("{stable} stable"), |text, (number, word)| {
+        format!("{text}, {number} {word}")
+    })
 }

@@ -1,7 +1,7 @@
 //! Equilibria of smooth copies: stable where the real one is not, or the other way round.
 
 use stickslip::bifurcation::Stability;
-use stickslip::report::{Curve, Marker, Panel};
+use stickslip::report::{Curve, Marker};
 use stickslip::study::EquilibriaRecord;
 
 use super::pieces::pieces;
@@ -26,27 +26,21 @@ pub(super) fn hopf<const K: usize>(branch: &EquilibriaRecord) -> [f64; K] {
 }
 
 /// The equilibria of a copy with its Hopf points, and those of the exact system.
-pub(super) fn draw(
-    axes: Panel,
+pub(super) fn drawn(
     (copy, artefacts): (&EquilibriaRecord, &str),
     (exact, label): (&EquilibriaRecord, &str),
-) -> Panel {
+) -> Vec<Curve> {
     let stretches = pieces(&curve(copy)).into_iter().map(|(stable, points)| {
-        if stable {
-            Curve::line("copy, stable", STABLE, points)
-        } else {
-            Curve::line("copy, unstable", UNSTABLE, points)
-        }
+        let (label, series) = match stable {
+            true => ("copy, stable", STABLE),
+            false => ("copy, unstable", UNSTABLE),
+        };
+        Curve::line(label, series, points)
     });
     let exact = curve(exact).into_iter().map(|(_, point)| point).collect();
-    axes.curves(stretches)
-        .curve(Curve::points(
-            artefacts,
-            HOPF,
-            Marker::Diamond,
-            points(copy),
-        ))
-        .curve(Curve::line(label, EXACT, exact))
+    let hopf = Curve::points(artefacts, HOPF, Marker::Diamond, points(copy));
+    let others = [hopf, Curve::line(label, EXACT, exact)];
+    stretches.chain(others).collect()
 }
 
 /// The first state along a branch, with the stability from there on.

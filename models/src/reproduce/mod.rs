@@ -1,4 +1,6 @@
 //! The thesis's results again, with smoothed friction as it had it and with exact friction: what is drawn and said.
+//!
+//! The words stand in the `.md` file beside each section, the curves, rows and values that fill their places here.
 
 mod ask;
 mod atlas;
@@ -6,22 +8,20 @@ mod belt_oscillator;
 mod belt_pair;
 mod branch;
 mod copies;
-mod cost;
 mod drill_string;
 mod equilibrium;
 mod errors;
 pub mod extremes;
-mod introduction;
 mod pieces;
 mod smoothing;
 mod van_der_pol;
-mod words;
 
 use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use stickslip::report::{Edition, Report, ReportError, Written};
+use stickslip::report::numerals::duration;
+use stickslip::report::{Manuscript, Report, ReportError, Section, Written};
 use stickslip::study::StudyError;
 
 /// What was reproduced.
@@ -51,94 +51,127 @@ pub enum ReproduceError {
     Report(#[from] ReportError),
 }
 
-/// Follows the branches of the belt pair and writes only what shows them into the folder `out`.
-///
-/// # Errors
-/// A branch cannot be begun, or a file cannot be written.
-pub fn reproduce_atlas(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
-    let clock = Instant::now();
-    if !quiet {
-        eprintln!("The branches of two masses on a belt ...");
-    }
-    let (section, branches) = atlas::section()?;
-    let report = Report {
-        title: "Two masses on a belt: all branches".to_owned(),
-        subtitle: "The bifurcations of section 3.3.2 of B. L. van de Vrande's *Modeling Dry Friction in DIANA* \
-                   (Eindhoven, 1996), smoothed and exact"
-            .to_owned(),
-        sections: vec![section],
-    };
-    let written = report.write(out)?;
-    Ok(Summary {
-        written,
-        branches,
-        time: clock.elapsed(),
-    })
+/// What of the report is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Everything.
+    Whole,
+    /// Everything but what can be had alone, and takes most of the time.
+    Rest,
+    /// The branches of the belt pair.
+    Atlas,
+    /// The map of the extremes.
+    Extremes,
 }
 
-/// Computes everything and writes `index.html`, `figures/` and `data/` into the folder `out`.
+/// What is counted on the way.
+#[derive(Default)]
+struct Ledger {
+    /// Rows of the table of costs, one for each branch.
+    costs: Vec<Vec<String>>,
+    branches: usize,
+}
+
+/// A section: what is said while it is made, if anything is, the part that it is alone, and how it is made.
+struct Chapter(
+    &'static str,
+    Option<Part>,
+    fn(&mut Ledger) -> Result<Section, ReproduceError>,
+);
+
+const CHAPTERS: [Chapter; 9] = [
+    Chapter("", None, |_| {
+        Ok(Manuscript::new(include_str!("introduction.md")).section()?)
+    }),
+    Chapter("Van der Pol oscillator", None, |ledger| {
+        van_der_pol::section(&mut ledger.costs)
+    }),
+    Chapter("Mass on a belt", None, |ledger| {
+        belt_oscillator::section(&mut ledger.costs)
+    }),
+    Chapter("Two masses on a belt", None, |_| belt_pair::section()),
+    Chapter(
+        "The branches of two masses on a belt",
+        Some(Part::Atlas),
+        |ledger| {
+            let (section, branches) = atlas::section()?;
+            ledger.branches += branches;
+            Ok(section)
+        },
+    ),
+    Chapter("Drill string", None, |ledger| {
+        drill_string::section(&mut ledger.costs)
+    }),
+    Chapter("What smoothing costs", None, |_| smoothing::section()),
+    Chapter("The extremes", Some(Part::Extremes), |_| {
+        Ok(extremes::section(&extremes::map())?)
+    }),
+    Chapter("", None, |ledger| {
+        ledger.branches += ledger.costs.len();
+        let manuscript = Manuscript::new(include_str!("cost.md"));
+        Ok(manuscript
+            .rows("cost", std::mem::take(&mut ledger.costs))
+            .section()?)
+    }),
+];
+
+impl Part {
+    fn holds(self, alone: Option<Self>) -> bool {
+        match self {
+            Self::Whole => true,
+            Self::Rest => alone.is_none(),
+            part => alone == Some(part),
+        }
+    }
+
+    const fn titles(self) -> [&'static str; 2] {
+        match self {
+            Self::Whole | Self::Rest => [
+                "Stick-slip vibrations, thirty years later",
+                "The periodic motions of B. L. van de Vrande's *Modeling Dry Friction in DIANA* (Eindhoven, 1996), \
+                 computed again from declared models",
+            ],
+            Self::Atlas => [
+                "Two masses on a belt: all branches",
+                "The bifurcations of section 3.3.2 of B. L. van de Vrande's *Modeling Dry Friction in DIANA* \
+                 (Eindhoven, 1996), smoothed and exact",
+            ],
+            Self::Extremes => [
+                "At the extremes",
+                "How far answers keep their digits, and what stops them",
+            ],
+        }
+    }
+
+    /// The report in the folder `out`, still without sections.
+    fn begin(self, out: &Path) -> Result<Report, ReportError> {
+        let [title, subtitle] = self.titles();
+        Report::begin(title, subtitle, out)
+    }
+}
+
+/// Computes a part of the report and writes `index.html`, `figures/` and `data/` into the folder `out`.
 ///
 /// Says on standard error what it is at, unless `quiet`.
 ///
 /// # Errors
 /// An orbit cannot be found or followed, or a file cannot be written.
-pub fn reproduce(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
-    write(out, quiet, true)
-}
-
-/// The same without what can be had alone, and takes most of the time: the branches of the belt pair ([`reproduce_atlas`])
-/// and the map of the extremes ([`extremes::reproduce`]).
-///
-/// # Errors
-/// See [`reproduce`].
-pub fn reproduce_the_rest(out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
-    write(out, quiet, false)
-}
-
-fn write(out: &Path, quiet: bool, whole: bool) -> Result<Summary, ReproduceError> {
+pub fn reproduce(part: Part, out: &Path, quiet: bool) -> Result<Summary, ReproduceError> {
     let clock = Instant::now();
-    let say = |what: &str| {
-        if !quiet {
-            eprintln!("{what} ...");
-        }
-    };
-    let report = Report {
-        title: "Stick-slip vibrations, thirty years later".to_owned(),
-        subtitle: "The periodic motions of B. L. van de Vrande's *Modeling Dry Friction in DIANA* (Eindhoven, 1996), \
-                   computed again from declared models"
-            .to_owned(),
-        sections: vec![introduction::section()],
-    };
+    let mut ledger = Ledger::default();
     // Written section by section: what is finished stays, whatever ends the program.
-    let mut edition = Edition::begin(report, out)?;
-    let mut costs = Vec::new();
-    let mut branches = 0;
-    say("Van der Pol oscillator");
-    edition.add(van_der_pol::section(&mut costs)?)?;
-    say("Mass on a belt");
-    edition.add(belt_oscillator::section(&mut costs)?)?;
-    say("Two masses on a belt");
-    edition.add(belt_pair::section()?)?;
-    if whole {
-        say("The branches of two masses on a belt");
-        let (atlas, followed) = atlas::section()?;
-        edition.add(atlas)?;
-        branches += followed;
+    let mut report = part.begin(out)?;
+    for Chapter(said, alone, section) in CHAPTERS {
+        if part.holds(alone) {
+            if !quiet && !said.is_empty() {
+                eprintln!("{said} ...");
+            }
+            report.add(section(&mut ledger)?)?;
+        }
     }
-    say("Drill string");
-    edition.add(drill_string::section(&mut costs)?)?;
-    say("What smoothing costs");
-    edition.add(smoothing::section()?)?;
-    if whole {
-        say("The extremes");
-        edition.add(extremes::section())?;
-    }
-    branches += costs.len();
-    edition.add(cost::section(costs))?;
-    let written = edition.written();
     Ok(Summary {
-        written,
-        branches,
+        written: report.written(),
+        branches: ledger.branches,
         time: clock.elapsed(),
     })
 }
@@ -150,13 +183,15 @@ impl fmt::Display for Summary {
             branches,
             time,
         } = self;
-        writeln!(
-            f,
-            "{branches} branches followed, {} figures drawn, {} data files written in {}",
-            written.figures,
-            written.data,
-            words::duration(*time)
-        )?;
+        if *branches > 0 {
+            writeln!(
+                f,
+                "{branches} branches followed, {} figures drawn, {} data files written in {}",
+                written.figures,
+                written.data,
+                duration(*time)
+            )?;
+        }
         write!(f, "open {} in a browser", written.page.display())
     }
 }

@@ -5,6 +5,7 @@ mod answers;
 mod certificate;
 mod curve;
 mod diagram;
+mod driven;
 mod equilibria;
 mod hostile;
 #[cfg(unix)]

@@ -4,12 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use super::values::{Assignment, Range, Reading, SmoothCopy, Start, accuracy};
 use super::words::positive;
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct View {
     /// Print one JSON document and nothing else
     #[arg(long)]
@@ -20,7 +19,6 @@ pub(super) struct View {
 }
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Destination {
     /// Write files to this folder, long tables row by row
     #[arg(long, value_name = "DIR")]
@@ -30,7 +28,6 @@ pub(super) struct Destination {
 }
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Settings {
     /// Set a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = Reading(Assignment::read))]
@@ -39,7 +36,6 @@ pub(super) struct Settings {
 
 /// Which case of which model.
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Subject {
     /// A model, as `models` names it
     pub(super) model: Option<String>,
@@ -51,7 +47,7 @@ pub(super) struct Subject {
     /// Friction by a smooth copy, for instance arctan:1e5
     #[arg(long, value_name = "KERNEL:SIZE", value_parser = Reading(SmoothCopy::read))]
     pub(super) smooth: Option<SmoothCopy>,
-    /// Where to start; states left out keep their declared start
+    /// Where to start; states left out keep their declared start. An orbit is then the motion on which that start settles
     #[arg(long, value_name = "NAME=VALUE,...", value_parser = Reading(Start::read))]
     pub(super) start: Option<Start>,
     /// Relative accuracy of period and extrema [default: 1e-9]
@@ -62,7 +58,6 @@ pub(super) struct Subject {
 }
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Period {
     /// A guess of the period; with --start, Newton begins at once
     #[arg(long, value_name = "T", value_parser = Reading(positive))]
@@ -70,7 +65,6 @@ pub(super) struct Period {
 }
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Way {
     /// What to follow, from A to B; `smooth=A..B` follows the smoothing
     #[arg(long, value_name = "NAME=A..B", value_parser = Reading(Range::read))]
@@ -78,7 +72,6 @@ pub(super) struct Way {
 }
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Resume {
     /// Go on from what an interrupted run of the same command has left in --out DIR
     #[arg(long)]
@@ -87,7 +80,6 @@ pub(super) struct Resume {
 
 /// `--resume` where it has no meaning.
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Unresumable {
     #[arg(long = "resume", hide = true)]
     pub(super) resume: bool,
@@ -98,9 +90,9 @@ impl Unresumable {
     /// It is there.
     pub(super) fn refuse(&self) -> Result<(), Failure> {
         if self.resume {
-            return Err(Failure::usage(
-                "`--resume` goes on with a `diagram` or a `branch` only, which may take long: leave it out, and this is done anew",
-            ));
+            return refuse!(
+                "`--resume` goes on with a `diagram` or a `branch` only, which may take long: leave it out, and this is done anew"
+            );
         }
         Ok(())
     }

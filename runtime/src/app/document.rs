@@ -1,6 +1,5 @@
 //! Answers as JSON: records, with names for the values that have one.
 
-use nalgebra::Complex;
 use serde::ser::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
@@ -47,6 +46,16 @@ impl<'a> Document<'a> {
             Some(value) => self.put(name, value),
             None => self,
         }
+    }
+
+    /// One more field, a list of what `one` makes of each finding.
+    pub(super) fn list<T, D: Serialize>(
+        self,
+        name: &str,
+        findings: impl IntoIterator<Item = T>,
+        one: impl FnMut(T) -> D,
+    ) -> Self {
+        self.put(name, findings.into_iter().map(one).collect::<Vec<_>>())
     }
 
     /// All fields of a record.
@@ -132,11 +141,6 @@ pub(super) fn named<'a, T: Serialize>(
 pub(super) fn columns(rows: &[Vec<f64>], count: usize) -> impl Iterator<Item = Vec<f64>> {
     let column = |j: usize| rows.iter().filter_map(|row| row.get(j).copied()).collect();
     (0..count).map(column)
-}
-
-/// Complex numbers as pairs.
-pub(super) fn pairs(values: &[Complex<f64>]) -> Vec<[f64; 2]> {
-    values.iter().map(|value| [value.re, value.im]).collect()
 }
 
 /// A value as JSON; nothing is written of what has no form there.

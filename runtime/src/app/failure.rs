@@ -3,6 +3,7 @@
 use std::fmt;
 use std::io::Write;
 
+use super::text::number;
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
 use crate::shooting::OrbitError;
@@ -61,7 +62,7 @@ impl Failure {
                 "the motion through {} is periodic, with the period {}, but so are those beside it: the orbits form a \
                  family, and none is singled out",
                 named(info, state),
-                super::text::number(*period, 9)
+                number(*period, 9)
             ),
             other => format!("{other}{}", way_out(other)),
         };
@@ -131,11 +132,7 @@ fn is_usage(error: &StudyError) -> bool {
 }
 
 fn named(info: &ModelInfo, state: &[f64]) -> String {
-    let pairs: Vec<String> = info
-        .states
-        .iter()
-        .zip(state)
-        .map(|(declared, value)| format!("{} = {}", declared.name, super::text::number(*value, 6)))
-        .collect();
-    pairs.join(", ")
+    let pairs = info.states.iter().zip(state);
+    let pairs = pairs.map(|(one, &value)| format!("{} = {}", one.name, number(value, 6)));
+    pairs.collect::<Vec<_>>().join(", ")
 }

@@ -1,19 +1,64 @@
-//! Where answers go: stdout and a folder.
+//! What a command has found, in all forms, and where it goes: stdout and a folder.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::arguments::{Destination, View};
+use super::document::value_of;
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
-use super::spreadsheet::{Row, Spreadsheet};
-use crate::report::Figure;
-use crate::report::whole;
+use super::spreadsheet::{Row, Spreadsheet, csv};
+use crate::report::{Figure, whole};
 use crate::study::Ended;
+
+/// An answer in every form in which it may be wanted.
+pub(super) struct Answer<'a> {
+    /// Its name among files.
+    pub(super) name: &'a str,
+    pub(super) text: String,
+    pub(super) document: Value,
+    /// Tables by the names of their files.
+    pub(super) sheets: Vec<(String, Spreadsheet)>,
+    /// Pictures by the names of their files.
+    pub(super) figures: Vec<(String, Figure)>,
+}
+
+impl<'a> Answer<'a> {
+    /// An answer without tables and pictures.
+    pub(super) fn new(name: &'a str, text: String, document: impl Serialize) -> Self {
+        Self {
+            name,
+            text,
+            document: value_of(document),
+            sheets: Vec::new(),
+            figures: Vec::new(),
+        }
+    }
+
+    /// The same with one more table.
+    pub(super) fn sheet(mut self, name: impl Into<String>, sheet: Spreadsheet) -> Self {
+        self.sheets.push((name.into(), sheet));
+        self
+    }
+
+    /// The same with one more picture.
+    pub(super) fn figure(mut self, name: impl Into<String>, figure: Figure) -> Self {
+        self.figures.push((name.into(), figure));
+        self
+    }
+
+    /// The same with more words, and one more field of this name.
+    pub(super) fn part(mut self, name: &str, text: &str, document: impl Serialize) -> Self {
+        self.text.push_str(text);
+        self.document[name] = value_of(document);
+        self
+    }
+}
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone)]
@@ -52,37 +97,25 @@ impl Output {
         self.view.quiet
     }
 
-    /// Prints an answer, as text or as JSON, and writes it to the folder.
-    pub(super) fn deliver(
-        &self,
-        name: &str,
-        text: &str,
-        document: &impl Serialize,
-        sheets: &[(impl AsRef<str>, Spreadsheet)],
-    ) -> Result<(), Failure> {
-        let document = json(document)?;
-        let mut text = text.to_owned();
-        let mut written = Ok(());
-        if let Some(folder) = &self.out {
-            written = store(folder, name, &document, sheets);
-            if written.is_ok() {
-                text.push_str(&format!("\nwritten to {}\n", folder.display()));
-            }
+    /// Prints an answer, as text or as JSON, and writes it to the folder with its pictures.
+    pub(super) fn deliver(&self, mut answer: Answer<'_>) -> Result<(), Failure> {
+        let document = json(&answer.document)?;
+        let written = self.keep(&answer);
+        if let (Some(folder), true) = (&self.out, written.is_ok()) {
+            answer.text += &format!("\nwritten to {}\n", folder.display());
         }
         // A full disk costs no answer.
-        print(if self.view.json { &document } else { &text }).and(written)
+        print(if self.view.json {
+            &document
+        } else {
+            &answer.text
+        })
+        .and(written)
     }
 
     /// Writes to the folder, if there is one, what is found beside the answer.
-    pub(super) fn keep(
-        &self,
-        name: &str,
-        document: &impl Serialize,
-        sheets: &[(impl AsRef<str>, Spreadsheet)],
-    ) -> Result<(), Failure> {
-        let document = json(document)?;
-        let mut folders = self.out.iter();
-        folders.try_for_each(|folder| store(folder, name, &document, sheets))
+    pub(super) fn keep(&self, answer: &Answer<'_>) -> Result<(), Failure> {
+        self.out.iter().try_for_each(|folder| store(folder, answer))
     }
 
     /// The place of a file in the folder, if there is one.
@@ -93,17 +126,6 @@ impl Output {
     /// A table in the folder, if there is one, that grows row by row.
     pub(super) fn journal(&self, name: &str, head: Row) -> Journal {
         Journal::new(self.path(&format!("{name}.csv")), head)
-    }
-
-    /// Writes figures to the folder, if there is one, each under its name.
-    pub(super) fn draw<'a>(
-        &self,
-        figures: impl IntoIterator<Item = (&'a str, Figure)>,
-    ) -> Result<(), Failure> {
-        for (folder, (name, figure)) in self.out.iter().cycle().zip(figures) {
-            write(&folder.join(format!("{name}.svg")), &figure.svg())?;
-        }
-        Ok(())
     }
 
     /// That a command has come to its end before it was done, and what is there.
@@ -140,17 +162,15 @@ impl Output {
     }
 }
 
-fn store(
-    folder: &Path,
-    name: &str,
-    document: &str,
-    sheets: &[(impl AsRef<str>, Spreadsheet)],
-) -> Result<(), Failure> {
-    for (sheet, content) in sheets {
-        let sheet = sheet.as_ref();
-        write(&folder.join(format!("{sheet}.csv")), &content.text()?)?;
+fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
+    let file = |name: &str, ending: &str| folder.join(format!("{name}.{ending}"));
+    for (name, figure) in &answer.figures {
+        write(&file(name, "svg"), &figure.svg())?;
     }
-    write(&folder.join(format!("{name}.json")), document)
+    for (name, sheet) in &answer.sheets {
+        write(&file(name, "csv"), &csv(sheet)?)?;
+    }
+    write(&file(answer.name, "json"), &json(&answer.document)?)
 }
 
 /// Makes a folder, and makes sure before any work that files can be written to it.

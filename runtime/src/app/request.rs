@@ -63,6 +63,11 @@ impl Request<'_> {
         Failure::of(&error, self.info)
     }
 
+    /// An answer, or what the question ran into.
+    pub(super) fn got<T>(&self, answer: Result<T, StudyError>) -> Result<T, Failure> {
+        answer.map_err(|error| self.failed(error))
+    }
+
     /// What is followed.
     ///
     /// # Errors

@@ -101,9 +101,7 @@ impl Notes {
     ) -> Result<Self, Failure> {
         let Some(path) = output.path(&format!("{name}.{ENDING}")) else {
             return if resume.resume {
-                Err(Failure::usage(
-                    "`--resume` goes on from what is in a folder: name it with `--out DIR`",
-                ))
+                refuse!("`--resume` goes on from what is in a folder: name it with `--out DIR`")
             } else {
                 Ok(Self(None))
             };

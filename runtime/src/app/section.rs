@@ -1,26 +1,27 @@
 //! `--section`: which points of a motion are looked at.
 
 use clap::Args;
-use serde_json::Value;
 
 use super::document::Document;
 use super::failure::{Failure, refuse};
+use super::output::Answer;
 use super::request::{Request, state};
-use super::spreadsheet::{Spreadsheet, full, head};
-use super::text::{line, number, states, table, timed};
+use super::spreadsheet::{Columns, full};
+use super::text::{number, short, states, time_unit, timed, unit};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
 use crate::model::ModelInfo;
-use crate::poincare::{Crossing, Direction, Section, Surface};
+use crate::poincare::{Crossing, Direction, Met, Reason, Section, Silence, Surface};
 use crate::study::{Case, Span};
 
+/// Digits shown of the time in which nothing came.
+const TIME: usize = 4;
 /// Digits shown of a point.
 const DIGITS: usize = 9;
 
 #[derive(Debug, Clone, Args)]
-#[group(skip)]
 pub(super) struct Cut {
-    /// Points where a state has this value: `v=0.1`, `'v=0.1 down'`, `der(x)=0`; counted `up` unless `down` or `both`
+    /// Points where a state has this value: `v=0.1`, `'v=0.1 down'`, `der(x)=0`; counted `up` unless `down` or `both`. Of a drive `phi`, `phi=0` is a stroboscope
     #[arg(long, value_name = "NAME=VALUE", value_parser = Reading(Written::read))]
     section: Option<Written>,
 }
@@ -74,6 +75,12 @@ impl Written {
 
     fn of(&self, info: &ModelInfo) -> Result<Section, Failure> {
         let state = state(info, &self.state)?;
+        if info.drive == Some(state) && (self.rate || self.direction == Direction::Down) {
+            let name = &self.state;
+            return refuse!(
+                "`--section`: the phase `{name}` of the drive only advances: `{name}=0` looks at the motion once in each turn"
+            );
+        }
         Ok(Section {
             surface: if self.rate {
                 Surface::Rate(state)
@@ -93,69 +100,95 @@ fn direction(word: &str) -> Result<Direction, Failure> {
     one_of(all, Direction::name, "`--section` knows no direction", word)
 }
 
-/// Points on a section in all forms.
-pub(super) struct Points {
-    pub(super) text: String,
-    pub(super) document: Value,
-    pub(super) sheet: Spreadsheet,
-}
-
-/// Where the motion of a case meets a section, if one is asked for.
-pub(super) fn points(
+/// An answer with the points where the motion of a case meets a section, if one is asked for.
+pub(super) fn with_points<'a>(
+    answer: Answer<'a>,
     asked: &Request<'_>,
     case: &Case,
     section: Option<Section>,
     span: Span,
-) -> Result<Option<Points>, Failure> {
+) -> Result<Answer<'a>, Failure> {
     let Some(section) = section else {
-        return Ok(None);
+        return Ok(answer);
     };
     let info = asked.info;
-    let found = asked.entry.crossings(case, section, span);
-    let found = found.map_err(|error| asked.failed(error))?;
-    Ok(Some(Points {
-        text: describe(info, &section, &found),
-        document: document(info, &section, &found),
-        sheet: sheet(info, &found),
-    }))
+    let found = asked.got(asked.entry.crossings(case, section, span))?;
+    let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
+    let sheet = columns(info, |value| full(&value)).column("direction", direction);
+    let document = document(info, &section, &found);
+    let answer = answer.part("section", &describe(info, &section, &found), document);
+    Ok(answer.sheet("section", sheet.sheet(&found.points)))
+}
+
+/// When and where, numbers as they shall be shown.
+fn columns(info: &ModelInfo, shown: fn(f64) -> String) -> Columns<'static, Crossing> {
+    let time = Columns::new().column(timed(info, "t", "s"), move |point: &Crossing| {
+        shown(point.time)
+    });
+    states(info, "")
+        .enumerate()
+        .fold(time, |columns, (j, head)| {
+            columns.column(head, move |point| shown(point.state[j]))
+        })
 }
 
 /// The points as a table, under a line that says where they lie.
-fn describe(info: &ModelInfo, section: &Section, points: &[Crossing]) -> String {
-    let count = match points.len() {
+fn describe(info: &ModelInfo, section: &Section, met: &Met) -> String {
+    let count = match met.points.len() {
+        0 => format!("0 points: {}", missed(info, section, met)),
         1 => "1 point".to_owned(),
         count => format!("{count} points"),
     };
     let text = format!("\n  section {}: {count}\n", section.describe(info));
-    if points.is_empty() {
+    if met.points.is_empty() {
         return text;
     }
-    let time = [timed(info, "t", "s")].into_iter();
-    let mut lines = line(time.chain(states(info, "")));
-    for point in points {
-        let values = std::iter::once(&point.time).chain(&point.state);
-        lines += &line(values.map(|&value| number(value, DIGITS)));
+    text + &columns(info, |value| number(value, DIGITS)).text(&met.points)
+}
+
+/// Why a motion has no points on a section.
+fn missed(info: &ModelInfo, section: &Section, met: &Met) -> String {
+    let bounds = between(info, section, (&met.low, &met.high));
+    let time = format!("for {}{}", short(met.time), time_unit(info));
+    match met.against {
+        0 => format!("{bounds} {time}"),
+        1 => format!("{bounds} {time}, and crosses it once the other way"),
+        times => format!("{bounds} {time}, and crosses it {times} times the other way"),
     }
-    text + &table(&lines)
 }
 
-/// One row for each point.
-fn sheet(info: &ModelInfo, points: &[Crossing]) -> Spreadsheet {
-    let time = std::iter::once(timed(info, "t", "s"));
-    let columns = time.chain(states(info, "")).chain(head(["direction"]));
-    let row = |point: &Crossing| {
-        let values = std::iter::once(&point.time).chain(&point.state);
-        let direction = if point.rising { "up" } else { "down" };
-        values.map(full).chain([direction.to_owned()]).collect()
+/// Why no more points on a section are awaited of a motion.
+pub(super) fn unmet(info: &ModelInfo, section: &Section, silence: &Silence) -> String {
+    let end = match silence.reason {
+        Reason::Rest => "and comes to rest".to_owned(),
+        Reason::Bounded => "and keeps to these bounds".to_owned(),
+        Reason::Long => format!("and after {} steps no more was awaited", silence.steps),
     };
-    Spreadsheet::new(columns.collect(), points.iter().map(row))
+    format!(
+        "the motion does not meet the section {} any more: {} for {}{} {end}",
+        section.describe(info),
+        between(info, section, (&silence.low, &silence.high)),
+        number(silence.time, TIME),
+        time_unit(info),
+    )
 }
 
-/// The points as JSON.
-fn document(info: &ModelInfo, section: &Section, points: &[Crossing]) -> Value {
+/// Where the state of a section stays.
+fn between(info: &ModelInfo, section: &Section, (low, high): (&[f64], &[f64])) -> String {
+    let index = section.surface.state();
+    let state = info.states.get(index);
+    let name = state.map_or("", |state| state.name);
+    let of = unit(state.and_then(|state| state.unit));
+    let side = |values: &[f64]| number(values.get(index).copied().unwrap_or(0.0), DIGITS);
+    format!("{name} stays between {} and {}{of}", side(low), side(high))
+}
+
+/// The points as JSON; without any, the reason.
+fn document<'a>(info: &'a ModelInfo, section: &Section, met: &Met) -> Document<'a> {
     let point = |point: &Crossing| Document::of(info, point).by_state(&["state"]);
+    let none = met.points.is_empty();
     Document::new(info)
         .put("surface", section.describe(info))
-        .put("points", points.iter().map(point).collect::<Vec<_>>())
-        .into()
+        .list("points", &met.points, point)
+        .maybe("reason", none.then(|| missed(info, section, met)))
 }

@@ -1,30 +1,20 @@
-//! CSV files.
+//! Tables, as CSV and on the terminal.
+
+use nalgebra::Complex;
 
 use super::failure::Failure;
-use super::text::label;
-use crate::model::Unit;
+use super::text::{line, table};
+use crate::report::whole;
 
 /// A line of a table.
 pub(super) type Row = Vec<String>;
 
-/// A table of words and numbers with a head.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Spreadsheet {
-    rows: Vec<Row>,
-}
+/// A table of words and numbers, its head first.
+pub(super) type Spreadsheet = Vec<Row>;
 
-impl Spreadsheet {
-    /// A table with this head.
-    pub(super) fn new(head: Row, rows: impl IntoIterator<Item = Row>) -> Self {
-        Self {
-            rows: std::iter::once(head).chain(rows).collect(),
-        }
-    }
-
-    /// The table as CSV.
-    pub(super) fn text(&self) -> Result<String, Failure> {
-        csv(&self.rows)
-    }
+/// A table with this head.
+pub(super) fn headed(head: Row, rows: impl IntoIterator<Item = Row>) -> Spreadsheet {
+    std::iter::once(head).chain(rows).collect()
 }
 
 /// Rows as CSV.
@@ -32,27 +22,94 @@ pub(super) fn csv<R>(rows: impl IntoIterator<Item = R>) -> Result<String, Failur
 where
     R: IntoIterator<Item: AsRef<[u8]>>,
 {
-    let failed = |error: &dyn std::fmt::Display| {
-        Failure::failed(format!("the table cannot be written: {error}"))
-    };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.write_record(row).map_err(|error| failed(&error))?;
+    whole::csv(rows)
+        .map_err(|error| Failure::failed(format!("the table cannot be written: {error}")))
+}
+
+/// A table described once: the head of each column, and what stands under it for a finding.
+pub(super) struct Columns<'a, T>(Vec<(String, Cell<'a, T>)>);
+
+type Cell<'a, T> = Box<dyn Fn(&T) -> String + 'a>;
+
+impl<'a, T: 'a> Columns<'a, T> {
+    pub(super) const fn new() -> Self {
+        Self(Vec::new())
     }
-    let bytes = writer.into_inner().map_err(|error| failed(&error))?;
-    String::from_utf8(bytes).map_err(|error| failed(&error))
+
+    /// One more column.
+    pub(super) fn column<S: Into<String>>(
+        mut self,
+        head: impl Into<String>,
+        cell: impl Fn(&T) -> S + 'a,
+    ) -> Self {
+        let cell = move |finding: &T| cell(finding).into();
+        self.0.push((head.into(), Box::new(cell)));
+        self
+    }
+
+    /// One more column of numbers with all their digits, empty where there is none.
+    pub(super) fn number<V: Into<Option<f64>>>(
+        self,
+        head: impl Into<String>,
+        value: impl Fn(&T) -> V + 'a,
+    ) -> Self {
+        self.column(head, move |finding| optional(value(finding).into()))
+    }
+
+    /// One more such column for each head, which `value` is told the number of.
+    pub(super) fn numbers(
+        self,
+        heads: impl IntoIterator<Item = String>,
+        value: impl Fn(&T, usize) -> Option<f64> + Copy + 'a,
+    ) -> Self {
+        let heads = heads.into_iter().enumerate();
+        heads.fold(self, |columns, (j, head)| {
+            columns.number(head, move |finding| value(finding, j))
+        })
+    }
+
+    pub(super) fn head(&self) -> Row {
+        self.0.iter().map(|(head, _)| head.clone()).collect()
+    }
+
+    pub(super) fn row(&self, finding: &T) -> Row {
+        self.0.iter().map(|(_, cell)| cell(finding)).collect()
+    }
+
+    /// The table of these findings as a file.
+    pub(super) fn sheet<'b>(&self, findings: impl IntoIterator<Item = &'b T>) -> Spreadsheet
+    where
+        T: 'b,
+    {
+        let rows = findings.into_iter().map(|finding| self.row(finding));
+        headed(self.head(), rows)
+    }
+
+    /// The table of these findings on the terminal.
+    pub(super) fn text<'b>(&self, findings: impl IntoIterator<Item = &'b T>) -> String
+    where
+        T: 'b,
+    {
+        table(
+            &self
+                .sheet(findings)
+                .into_iter()
+                .map(line)
+                .collect::<String>(),
+        )
+    }
 }
 
-/// The head of a table: words, and what they are followed by.
-pub(super) fn head<const COUNT: usize>(words: [&str; COUNT]) -> Row {
-    words.map(str::to_owned).to_vec()
+/// The heads of columns for the parts of values number 1 to `count`: `multiplier_1_re`, ...
+pub(super) fn parts(name: &str, count: usize, parts: &[&str]) -> Vec<String> {
+    let of = |i| parts.iter().map(move |part| format!("{name}_{i}_{part}"));
+    (1..=count).flat_map(of).collect()
 }
 
-/// The heads of columns with their units.
-pub(super) fn labels(
-    named: impl Iterator<Item = (&'static str, Option<Unit>)>,
-) -> impl Iterator<Item = String> {
-    named.map(|(name, unit)| label(name, unit))
+/// The real part of a value for an even number, its imaginary part for the odd one after.
+pub(super) fn part(values: &[Complex<f64>], number: usize) -> Option<f64> {
+    let value = values.get(number / 2)?;
+    Some([value.re, value.im][number % 2])
 }
 
 /// All digits of a number, or nothing.

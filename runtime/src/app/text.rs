@@ -1,6 +1,6 @@
 //! Answers as text: numbers at sensible digits, in aligned columns, with their units.
 
-use crate::field::{Design, Work};
+use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case};
 
@@ -86,13 +86,9 @@ pub(super) fn timed(info: &ModelInfo, word: &str, power: &str) -> String {
 
 /// What is followed with its unit, as the head of a column.
 pub(super) fn followed(info: &ModelInfo, along: &Along) -> String {
-    let unit = match along.design {
-        Design::Parameter(index) => info
-            .parameters
-            .get(index)
-            .and_then(|declared| declared.unit),
-        Design::Smoothing | Design::None => None,
-    };
+    let declared = along.design.parameter();
+    let declared = declared.and_then(|index| info.parameters.get(index));
+    let unit = declared.and_then(|declared| declared.unit);
     label(along.name(info), unit)
 }
 

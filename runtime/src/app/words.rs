@@ -34,12 +34,10 @@ pub(super) fn both_sides<'a>(option: &str, word: &'a str) -> Result<(&'a str, &'
     };
     let (name, value) = (name.trim(), value.trim());
     if name.is_empty() {
-        let message = format!("`{option} {word}` has no name before its `=`: write `name=value`");
-        return Err(Failure::usage(message));
+        return refuse!("`{option} {word}` has no name before its `=`: write `name=value`");
     }
     if value.is_empty() {
-        let message = format!("`{option} {word}` has no value after its `=`: write `name=value`");
-        return Err(Failure::usage(message));
+        return refuse!("`{option} {word}` has no value after its `=`: write `name=value`");
     }
     Ok((name, value))
 }

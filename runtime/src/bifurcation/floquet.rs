@@ -16,7 +16,7 @@ const MARGIN: f64 = 10.0;
 /// Multipliers of the section map: the trivial one is projected out and only measures accuracy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floquet {
-    /// The n − 1 multipliers, largest modulus first; 0 where they underflow.
+    /// The n − 1 multipliers but for those of neutral directions, largest modulus first; 0 where they underflow.
     pub multipliers: Vec<Complex<f64>>,
     /// Natural logarithms of their moduli; `None` for an exact zero, or where they cannot be known.
     pub log_moduli: Vec<Option<f64>>,
@@ -33,7 +33,7 @@ pub struct Floquet {
 /// Judges an orbit from its monodromy matrix `monodromy`, the velocity `velocity` at its start,
 /// ∫ tr J dt where det Φ follows from it (`trace`), the number of multipliers that are zero
 /// because contacts stick, and the relative accuracy of Φ. `factors` of Φ, where given, tell apart what
-/// underflows in their product.
+/// underflows in their product. As many multipliers as directions are `neutral`, those nearest to 1, are left out.
 #[must_use]
 pub fn floquet(
     monodromy: &DMatrix<f64>,
@@ -41,6 +41,7 @@ pub fn floquet(
     trace: Option<f64>,
     zeros: usize,
     factors: &[Factor],
+    neutral: usize,
     accuracy: f64,
 ) -> Floquet {
     let trivial_error = (monodromy * velocity - velocity).norm() / velocity.norm();
@@ -52,6 +53,9 @@ pub fn floquet(
         let (a, b) = (a.value, b.value);
         b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im))
     };
+    let aside = |one: &Eigenvalue| (one.value - 1.0).norm();
+    all.sort_by(|a, b| aside(a).total_cmp(&aside(b)));
+    all.drain(..neutral.min(all.len()));
     all.sort_by(order);
     let errors = all.iter().map(|one| one.error(0.0) + uncertainty);
     let errors: Vec<f64> = errors.collect();
@@ -155,7 +159,7 @@ mod tests {
         let diagonal = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, -0.5, 2.0]));
         let phi = &change * diagonal * change.clone().try_inverse().unwrap();
         let velocity = change.column(0).into_owned();
-        let verdict = floquet(&phi, &velocity, None, 0, &[], 1e-12);
+        let verdict = floquet(&phi, &velocity, None, 0, &[], 0, 1e-12);
         assert!((verdict.multipliers[0].re - 2.0).abs() < 1e-13);
         assert!((verdict.multipliers[1].re + 0.5).abs() < 1e-13);
         assert!(verdict.trivial_error < 1e-14);
@@ -173,6 +177,7 @@ mod tests {
             Some(-29_000.0),
             0,
             &[],
+            0,
             1e-12,
         );
         assert_eq!(verdict.multipliers[0].norm(), 0.0);
@@ -188,6 +193,7 @@ mod tests {
             None,
             0,
             &[],
+            0,
             1e-8,
         );
         assert_eq!(verdict.stability, Stability::Undecided);

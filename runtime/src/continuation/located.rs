@@ -16,6 +16,8 @@ pub struct Located<P> {
     pub last: bool,
     /// r and number of unstable directions at the points between which it was found.
     pub sides: [(f64, usize); 2],
+    /// How many points of the branch precede it.
+    pub after: usize,
     pub(super) share: f64,
     /// Whether it was found between two regimes.
     pub(super) abrupt: bool,
@@ -31,6 +33,7 @@ impl<P> Located<P> {
             point,
             last: false,
             sides: [(r, 0); 2],
+            after: 0,
             share: 1.0,
             abrupt: false,
         }

@@ -34,10 +34,10 @@ pub use path::{Path, Spot, Watched};
 pub use point::Point;
 pub(crate) use predictor::tangent;
 pub use range::{Settings, Stop};
-pub use reading::{Between, Reader, Reading};
+pub use reading::{ErrorOf, Reader, Reading};
 pub use root::reach;
 pub use switch::across;
-pub use walk::{Counted, Followed, Walked, walk};
+pub use walk::{Walked, follow, walk};
 
 use nalgebra::{DMatrix, DVector};
 

@@ -1,29 +1,46 @@
 //! Branches whose points are read off the unknowns one by one.
 
+use nalgebra::DVector;
+
 use super::ZeroProblem;
 use super::branch::{Branch, Started};
 use super::corrector::Failure;
 use super::detect::Monitors;
+use super::ending::Ending;
 use super::link::Link;
+use super::located::Located;
 use super::path::{Path, Watched};
 use super::point::Point;
-use super::range::{Settings, Stop};
-use super::walk::{Counted, Followed};
+use super::range::Stop;
 use crate::field::Work;
 
-/// What the points of a branch are read as, and what is looked for among them.
+/// What the points of a branch are read as, what is looked for among them, and where it ends.
 pub trait Reader: Clone {
     /// The problem that is followed.
     type Problem: ZeroProblem + Clone;
     /// Its points.
     type Point: Watched;
 
-    /// A converged point with all that is told of it.
+    /// A converged point with all that is told of it; `work` is what it has cost.
     fn read(
         &self,
         problem: &Self::Problem,
         point: &Point<<Self::Problem as ZeroProblem>::Extra>,
+        work: Work,
     ) -> Self::Point;
+
+    /// A point between two others, the chord between these being a unit vector.
+    fn between(
+        &self,
+        problem: &Self::Problem,
+        point: &Point<<Self::Problem as ZeroProblem>::Extra>,
+        _chord: &DVector<f64>,
+    ) -> Self::Point {
+        self.read(problem, point, Work::default())
+    }
+
+    /// Evaluates what lies between two points more sharply than the points.
+    fn sharpen(&self, _problem: &mut Self::Problem) {}
 
     /// What is looked for.
     fn monitors(&self) -> Monitors<'_, Self::Point>;
@@ -33,108 +50,140 @@ pub trait Reader: Clone {
         false
     }
 
+    /// Whether a point is none of the branch any more, so that the step to it is taken back.
+    fn strays(&self, _point: &Self::Point) -> bool {
+        false
+    }
+
+    /// Looks at a special point once more.
+    fn refine(&self, _problem: &Self::Problem, _found: &mut Located<Self::Point>) {}
+
+    /// The special point that these points lead to, where no step succeeds any more.
+    fn explain(&self, _points: &[Self::Point]) -> Option<Located<Self::Point>> {
+        None
+    }
+
+    /// Why the branch ends with the last of these points, if it does.
+    fn ends(&self, _points: &[Self::Point]) -> Option<Ending<ErrorOf<Self>>> {
+        None
+    }
+
+    /// Whether such branches may come round to where they began.
+    const CLOSES: bool = false;
+
+    /// Whether a point is the one with which the branch began.
+    fn closes(&self, _first: &Self::Point, _back: &Self::Point) -> bool {
+        false
+    }
+
     /// How far a point is from what was followed, if it is that no more.
     fn lost(&self, _point: &Self::Point) -> Option<f64> {
         None
     }
 
+    /// Whether a special point beyond which there is no branch is a point of it.
+    const ENDS_ON_POINTS: bool = true;
+
     /// Work of all evaluations.
     fn work(problem: &Self::Problem) -> Work;
 }
 
-/// A branch under way, its points read by `R`.
+/// Why a point cannot be evaluated.
+pub type ErrorOf<R> = <<R as Reader>::Problem as ZeroProblem>::Error;
+
+/// A branch under way, its points read by `R`; an iterator over them.
 pub struct Reading<R: Reader> {
     /// What reads it.
-    pub reader: R,
-    branch: Branch<R::Problem>,
-    first: Option<Point<<R::Problem as ZeroProblem>::Extra>>,
-    /// The last two points.
-    ends: Vec<R::Point>,
-    accuracy: f64,
+    pub(super) reader: R,
+    pub(super) branch: Branch<R::Problem>,
+    first: Option<R::Point>,
+    /// To what share of the values of what is followed special points are located.
+    pub(super) accuracy: f64,
+    counted: Work,
 }
 
 impl<R: Reader> Reading<R> {
-    /// Reads a branch of which the first point has been found.
-    pub fn new(reader: R, (branch, first): Started<R::Problem>, settings: Settings) -> Self {
-        Self {
+    /// Reads a branch of which the first point has been found; special points are located to `accuracy`, relative to the
+    /// values of what is followed.
+    pub fn new(reader: R, (branch, first): Started<R::Problem>, accuracy: f64) -> Self {
+        let mut reading = Self {
             reader,
             branch,
-            first: Some(first),
-            ends: Vec::new(),
-            accuracy: settings.accuracy,
-        }
+            first: None,
+            accuracy,
+            counted: Work::default(),
+        };
+        reading.first = Some(reading.read(&first));
+        reading
     }
 
-    /// What was spent on its points, without what was spent between them.
+    /// The point from which the branch sets out, until it has been taken.
     #[must_use]
-    pub fn work(&self) -> Work {
-        R::work(&self.branch.problem)
-    }
-}
-
-impl<R: Reader> Followed for Reading<R> {
-    type Point = R::Point;
-    type Error = <R::Problem as ZeroProblem>::Error;
-    type Path = Between<R>;
-
-    fn step(&mut self) -> Option<R::Point> {
-        let point = self.first.take().or_else(|| self.branch.next())?;
-        let here = self.reader.read(&self.branch.problem, &point);
-        self.ends.push(here.clone());
-        let stale = self.ends.len().saturating_sub(2);
-        self.ends.drain(..stale);
-        Some(here)
+    pub fn first(&self) -> Option<&R::Point> {
+        self.first.as_ref()
     }
 
-    fn stop(&self) -> Option<&Stop<Self::Error>> {
+    /// Why there is no next point.
+    #[must_use]
+    pub fn stop(&self) -> Option<&Stop<ErrorOf<R>>> {
         self.branch.stop()
     }
 
-    fn retract(&mut self) -> bool {
-        let retracted = self.branch.retract();
-        if retracted {
-            self.ends.pop();
-        }
-        retracted
+    /// What was spent on its points, without what was spent between them.
+    pub(super) fn work(&self) -> Work {
+        R::work(&self.branch.problem)
     }
 
-    fn path(&self) -> Option<Between<R>> {
-        let [from, to] = self.ends.as_slice() else {
-            return None;
-        };
-        let link = self.branch.link()?.clone();
+    fn read(&mut self, point: &Point<<R::Problem as ZeroProblem>::Extra>) -> R::Point {
+        let total = self.work();
+        let work = total.since(&self.counted);
+        self.counted = total;
+        self.reader.read(&self.branch.problem, point, work)
+    }
+
+    /// What lies between the last two points, these; `None` at the first.
+    pub(super) fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
+        let mut link = self.branch.link()?.clone();
+        self.reader.sharpen(&mut link.problem);
         Some(Between {
             counted: R::work(&link.problem),
-            straight: self.reader.straight([from, to]),
+            straight: self.reader.straight(ends),
             reader: self.reader.clone(),
             link,
         })
     }
+}
 
-    fn monitors(&self) -> Monitors<'_, R::Point> {
-        self.reader.monitors()
-    }
+impl<R: Reader> Iterator for Reading<R> {
+    type Item = R::Point;
 
-    fn accuracy(&self) -> f64 {
-        self.accuracy
-    }
-
-    fn lost(&self, point: &R::Point) -> Option<f64> {
-        self.reader.lost(point)
+    fn next(&mut self) -> Option<R::Point> {
+        if let Some(first) = self.first.take() {
+            return Some(first);
+        }
+        let point = self.branch.next()?;
+        Some(self.read(&point))
     }
 }
 
 /// What lies between two neighbouring points.
-pub struct Between<R: Reader> {
+pub(super) struct Between<R: Reader> {
     reader: R,
     link: Link<R::Problem>,
     straight: bool,
     counted: Work,
 }
 
+impl<R: Reader> Between<R> {
+    /// Work of all points found on it.
+    pub(super) fn work(&self) -> Work {
+        R::work(&self.link.problem).since(&self.counted)
+    }
+}
+
 impl<R: Reader> Path for Between<R> {
     type Point = R::Point;
-    type Error = Failure<<R::Problem as ZeroProblem>::Error>;
+    type Error = Failure<ErrorOf<R>>;
 
     fn at(&mut self, share: f64) -> Result<R::Point, Self::Error> {
         let level = self.straight.then(|| self.link.level(share).ok());
@@ -142,12 +191,7 @@ impl<R: Reader> Path for Between<R> {
             Some(point) => point,
             None => self.link.between(share)?,
         };
-        Ok(self.reader.read(&self.link.problem, &point))
-    }
-}
-
-impl<R: Reader> Counted for Between<R> {
-    fn work(&self) -> Work {
-        R::work(&self.link.problem).since(&self.counted)
+        let (problem, chord) = (&self.link.problem, self.link.chord());
+        Ok(self.reader.between(problem, &point, chord))
     }
 }

@@ -44,7 +44,7 @@ impl Condition {
                 bordered(&self.matrix(monodromy, velocity, magnitude), b, c)
             }
             _ => {
-                let verdict = floquet(monodromy, velocity, None, 0, &[], 0.0);
+                let verdict = floquet(monodromy, velocity, None, 0, &[], 0, 0.0);
                 test_function::torus(&verdict.multipliers)
             }
         }

@@ -88,11 +88,7 @@ impl CriticalProblem {
             state: z.as_slice()[..n].to_vec(),
             modes: modes.to_vec(),
         };
-        let want = Want {
-            derivatives: true,
-            ..Want::default()
-        };
-        let passage = flow.advance(&place, z[n], want)?;
+        let passage = flow.advance(&place, z[n], Want::DERIVATIVES)?;
         self.work += passage.work;
         let velocity = flow.velocity(&place)?.f;
         let identity = || DMatrix::identity(n, n);

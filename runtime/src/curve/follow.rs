@@ -7,9 +7,7 @@ use super::condition::Condition;
 use super::critical::{CriticalProblem, CriticalShot, joined, split};
 use super::plane::Plane;
 use super::point::CurvePoint;
-use crate::continuation::{
-    Branch, Failure, Kind, Monitors, Point, Reader, Reading, Settings, Walked, walk,
-};
+use crate::continuation::{self, Branch, Failure, Kind, Monitors, Point, Reader, Settings, Walked};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::shooting::{Orbit, Solution, problem};
@@ -61,11 +59,7 @@ pub fn follow(
         window,
         accuracy: settings.accuracy,
     };
-    let mut branch = Reading::new(reader, started, settings);
-    let walked = walk(&mut branch, watch);
-    let mut work = branch.work();
-    work += walked.searched;
-    Ok(Some((walked, work)))
+    Ok(Some(continuation::follow(reader, started, settings, watch)))
 }
 
 /// Reads critical orbits off their unknowns.
@@ -80,7 +74,12 @@ impl Reader for Critical {
     type Problem = CriticalProblem;
     type Point = CurvePoint;
 
-    fn read(&self, problem: &CriticalProblem, point: &Point<CriticalShot>) -> CurvePoint {
+    fn read(
+        &self,
+        problem: &CriticalProblem,
+        point: &Point<CriticalShot>,
+        _work: Work,
+    ) -> CurvePoint {
         let (z, p) = split(&point.z);
         let family = problem.plane.along_p(point.r);
         let solution = Solution {

@@ -8,9 +8,7 @@ use super::graze::Graze;
 use super::grazing::{GrazingProblem, GrazingShot};
 use super::plane::Plane;
 use super::point::moved;
-use crate::continuation::{
-    Branch, Failure, Monitors, Point, Reader, Reading, Settings, Watched, walk,
-};
+use crate::continuation::{self, Branch, Failure, Monitors, Point, Reader, Settings, Watched};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::shooting::Orbit;
@@ -71,11 +69,12 @@ pub fn follow_graze(
     let problem = GrazingProblem::new(plane, orbit, graze, scales);
     let z = problem.unknowns(p);
     let started = Branch::start(problem, z, settings)?;
-    let mut branch = Reading::new(Grazing { window }, started, settings);
-    let walked = walk(&mut branch, watch);
-    let mut work = branch.work();
-    work += walked.searched;
-    Ok(Some((walked, work)))
+    Ok(Some(continuation::follow(
+        Grazing { window },
+        started,
+        settings,
+        watch,
+    )))
 }
 
 /// Reads grazing orbits off their unknowns.
@@ -88,7 +87,12 @@ impl Reader for Grazing {
     type Problem = GrazingProblem;
     type Point = GrazingPoint;
 
-    fn read(&self, _problem: &GrazingProblem, point: &Point<GrazingShot>) -> GrazingPoint {
+    fn read(
+        &self,
+        _problem: &GrazingProblem,
+        point: &Point<GrazingShot>,
+        _work: Work,
+    ) -> GrazingPoint {
         let count = point.z.len();
         GrazingPoint {
             p: point.z[count - 1],

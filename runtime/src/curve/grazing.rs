@@ -65,11 +65,7 @@ impl GrazingProblem {
             modes: after.clone(),
         };
         let (place, lead) = flow.glide(&start, first * period)?;
-        let want = Want {
-            derivatives: true,
-            ..Want::default()
-        };
-        let passage = flow.advance(&place, (last - first) * period, want)?;
+        let passage = flow.advance(&place, (last - first) * period, Want::DERIVATIVES)?;
         self.work += passage.work;
         if passage.end.modes != *before {
             return Err(FlowError::OtherMode {

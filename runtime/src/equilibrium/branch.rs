@@ -7,9 +7,7 @@ use nalgebra::DVector;
 use super::EquilibriumProblem;
 use super::special::{EquilibriumPoint, monitors, turns};
 use super::spectrum::Spectrum;
-use crate::continuation::{
-    self, Failure, Monitors, Point, Reader, Reading, Settings, Walked, walk,
-};
+use crate::continuation::{self, Failure, Monitors, Point, Reader, Settings, Walked};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Family, Place, Velocity};
@@ -31,11 +29,12 @@ pub fn follow(
     let z = DVector::from_column_slice(&from.state);
     let started = continuation::Branch::start(problem, z, settings)?;
     let order = from.state.len();
-    let mut branch = Reading::new(Equilibria { order }, started, settings);
-    let walked = walk(&mut branch, watch);
-    let mut work = branch.work();
-    work += walked.searched;
-    Ok((walked, work))
+    Ok(continuation::follow(
+        Equilibria { order },
+        started,
+        settings,
+        watch,
+    ))
 }
 
 /// How a branch of equilibria is followed: they cost so little that the steps may be short.
@@ -57,7 +56,12 @@ impl Reader for Equilibria {
     type Problem = EquilibriumProblem;
     type Point = EquilibriumPoint;
 
-    fn read(&self, problem: &EquilibriumProblem, point: &Point<Velocity>) -> EquilibriumPoint {
+    fn read(
+        &self,
+        problem: &EquilibriumProblem,
+        point: &Point<Velocity>,
+        _work: Work,
+    ) -> EquilibriumPoint {
         let (place, velocity) = (problem.place(&point.z), &point.extra);
         let flow = problem.family.at(point.r);
         EquilibriumPoint {

@@ -1,6 +1,7 @@
 //! Equilibria proven by Krawczyk's operator with intervals: a box that holds one, and only one.
 
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 use super::newton::near;
 use crate::field::Unenclosed;
@@ -16,14 +17,13 @@ const ROUNDING: f64 = 8.0;
 const BOXES: usize = 24;
 
 /// A box that holds exactly one equilibrium: rigorous, but for what [`interval`](crate::math::interval) assumes.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Proof {
     /// Smallest value of each state.
-    #[cfg_attr(feature = "app", serde(rename = "min"))]
+    #[serde(rename = "min")]
     pub low: Vec<f64>,
     /// Largest value of each state.
-    #[cfg_attr(feature = "app", serde(rename = "max"))]
+    #[serde(rename = "max")]
     pub high: Vec<f64>,
 }
 

@@ -2,14 +2,13 @@
 
 use std::ops::AddAssign;
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
 /// Counters with all that goes through each of them.
 macro_rules! counters {
     ($($(#[doc = $doc:literal])* $counter:ident: $told:literal,)*) => {
         /// What a computation cost, in counts that do not depend on the machine.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, BorshSerialize, BorshDeserialize)]
-        #[cfg_attr(feature = "app", derive(serde::Serialize))]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
         pub struct Work {
             $($(#[doc = $doc])* pub $counter: u64,)*
         }

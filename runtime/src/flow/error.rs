@@ -125,6 +125,14 @@ pub enum FlowError {
         /// Modes of the contacts at the start.
         wanted: String,
     },
+    /// What was held in a neutral direction, which is neutral no more.
+    #[error(
+        "orbits are singled out by a condition that holds no more: with it the motion closes to {closure:.1e} only"
+    )]
+    Unpinned {
+        /// How far the end is from the start, relative to the extents of the states.
+        closure: f64,
+    },
     /// A drive that stands still, or turns backwards.
     #[error(
         "the drive `{name}` advances at the rate {rate}, which must be a finite number above 0"

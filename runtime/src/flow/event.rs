@@ -1,28 +1,9 @@
 //! What happens at the contacts of an exact system.
 
-use borsh::{BorshDeserialize, BorshSerialize};
-
-use crate::field::exact::Mode;
-
-/// Something that happened at a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Event<const N: usize> {
-    /// What.
-    pub kind: EventKind,
-    /// Number of the contact.
-    pub contact: usize,
-    /// Mode of the contact afterwards.
-    pub mode: Mode,
-    /// When, from the beginning of the passage.
-    pub time: f64,
-    /// The whole state there.
-    pub state: [f64; N],
-    /// Rate at which the guard of the contact fell; 0 where it only came near, or where others made it switch.
-    pub rate: f64,
-}
+use serde::{Deserialize, Serialize};
 
 /// What can happen at a contact.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum EventKind {
     /// It came to rest and sticks.
     Landing {

@@ -1,44 +1,165 @@
-//! Extrema of the states along one step: found by the signs of f, polished on the step map.
+//! Extrema of the states along smooth motions: found by the signs of f, polished on the step map.
 
-use super::Extremum;
+use super::{Extremum, strobes};
 use crate::field::Linear;
 use crate::integrate::Look;
+use crate::integrate::event::Bernstein;
 
 const ITERATIONS: usize = 12;
+/// Relative change over a step below which a state is at rest.
+pub(crate) const FLAT: f64 = 1e-13;
 
-/// Appends the extrema of every state inside a step of length `length` from `time`.
-///
-/// `probe` is the step map: state and field at a fraction of the step.
-pub(crate) fn extrema<const N: usize>(
-    looks: impl Iterator<Item = Look<N>> + Clone,
-    time: f64,
-    length: f64,
-    found: &mut Vec<Extremum<N>>,
-    mut probe: impl FnMut(f64) -> Option<([f64; N], Linear<N>)>,
-) {
-    let already = found.len();
-    for index in 0..N {
-        let mut last: Option<(Look<N>, f64)> = None;
-        for look in looks.clone() {
-            let sign = look.sign(index);
-            if sign == 0.0 {
-                continue;
-            }
-            if let Some((before, old)) = last
-                && old != sign
-            {
-                let (theta, state) = polish(index, &before, &look, length, &mut probe);
-                found.push(Extremum {
-                    index,
-                    maximum: old > 0.0,
-                    time: time + theta * length,
-                    state,
-                });
-            }
-            last = Some((look, sign));
+/// Follows the sign of every rate from step to step.
+pub(crate) struct Turning<const N: usize> {
+    /// Last sign of the rate that was not zero; 0 as long as nothing moved.
+    sign: [f64; N],
+    /// Where the state came to rest, if it rests.
+    resting: [Option<(f64, [f64; N])>; N],
+    found: Vec<Extremum<N>>,
+}
+
+/// The inside of a step.
+pub(crate) trait Inside<const N: usize> {
+    /// When it begins, and how long it is.
+    fn span(&self) -> (f64, f64);
+
+    /// The polynomial of one state, as it is known without further work.
+    fn path(&self, index: usize) -> Bernstein;
+
+    /// State and field at a fraction of the step, by the step map.
+    fn probe(&mut self, theta: f64) -> Option<([f64; N], Linear<N>)>;
+
+    /// A look there.
+    fn look(&mut self, theta: f64) -> Option<Look<N>> {
+        let (state, linear) = self.probe(theta)?;
+        Some(Look {
+            theta,
+            state,
+            linear,
+        })
+    }
+}
+
+impl<const N: usize> Turning<N> {
+    pub(crate) const fn new() -> Self {
+        Self {
+            sign: [0.0; N],
+            resting: [None; N],
+            found: Vec::new(),
         }
     }
-    in_time(&mut found[already..]);
+
+    /// Finds the extrema of every state inside a step, which is looked at here at least, its beginning first.
+    pub(crate) fn step(
+        &mut self,
+        looks: impl Iterator<Item = Look<N>> + Clone,
+        step: &mut impl Inside<N>,
+    ) {
+        for index in 0..N {
+            let mut all = hidden(index, looks.clone(), step);
+            if all.is_empty() {
+                self.follow(index, looks.clone(), step);
+            } else {
+                all.extend(looks.clone());
+                all.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+                self.follow(index, all.into_iter(), step);
+            }
+        }
+    }
+
+    /// Notes where the phase of a drive begins anew in a step between these ends.
+    pub(crate) fn strobes(
+        &mut self,
+        phase: Option<usize>,
+        (from, to): (&[f64; N], &[f64; N]),
+        step: &mut impl Inside<N>,
+    ) {
+        let span = step.span();
+        strobes(phase, (from, to), span, &mut self.found, |theta| {
+            step.probe(theta).map(|(state, _)| state)
+        });
+    }
+
+    /// All extrema in the order of time; a rest with which the motion ends is one, too.
+    pub(crate) fn finish(mut self) -> Vec<Extremum<N>> {
+        for index in 0..N {
+            if let (Some(rest), true) = (self.resting[index], self.sign[index] != 0.0) {
+                self.record(index, self.sign[index] > 0.0, rest);
+            }
+        }
+        in_time(&mut self.found);
+        self.found
+    }
+
+    fn follow(
+        &mut self,
+        index: usize,
+        looks: impl Iterator<Item = Look<N>>,
+        step: &mut impl Inside<N>,
+    ) {
+        let (time, length) = step.span();
+        let (mut last, mut still) = (None::<Look<N>>, None::<Look<N>>);
+        let mut first = None;
+        for look in looks {
+            first.get_or_insert(look.state);
+            let sign = look.sign(index);
+            if sign == 0.0 {
+                still = Some(look);
+                continue;
+            }
+            let old = self.sign[index];
+            let rest = self.resting[index].take();
+            if old * sign < 0.0 || (old == 0.0 && rest.is_some()) {
+                let place = match (rest, last) {
+                    (Some(rest), _) => rest,
+                    (None, Some(before)) => {
+                        let (theta, state) = polish(index, &before, &look, length, step);
+                        (time + theta * length, state)
+                    }
+                    // A corner between two steps, or an extremum just there.
+                    (None, None) => {
+                        let at = still.unwrap_or(look);
+                        (time + at.theta * length, at.state)
+                    }
+                };
+                self.record(index, sign < 0.0, place);
+            }
+            self.sign[index] = sign;
+            last = Some(look);
+        }
+        if let (None, Some(first)) = (last, first) {
+            self.resting[index].get_or_insert((time, first));
+        }
+    }
+
+    fn record(&mut self, index: usize, maximum: bool, (time, state): (f64, [f64; N])) {
+        self.found.push(Extremum {
+            index,
+            maximum,
+            time,
+            state,
+        });
+    }
+}
+
+/// Looks between those that have the same sign on both sides of a pair of extrema.
+fn hidden<const N: usize>(
+    index: usize,
+    looks: impl Iterator<Item = Look<N>> + Clone,
+    step: &mut impl Inside<N>,
+) -> Vec<Look<N>> {
+    let path = step.path(index);
+    let slope = path.derivative().without_noise(FLAT * path.magnitude());
+    let (changes, mut before) = (slope.sign_changes(), None);
+    let mut more = Vec::new();
+    for change in changes.iter() {
+        let after = change.theta;
+        let seen = |from: f64| looks.clone().any(|l| from < l.theta && l.theta < after);
+        if let Some(from) = before.replace(after).filter(|from| !seen(*from)) {
+            more.extend(step.look(0.5 * (from + after)));
+        }
+    }
+    more
 }
 
 /// Puts extrema in the order of time. They nearly are: a sort for any list would be compiled for each order N.
@@ -57,13 +178,13 @@ fn polish<const N: usize>(
     low: &Look<N>,
     high: &Look<N>,
     length: f64,
-    probe: &mut impl FnMut(f64) -> Option<([f64; N], Linear<N>)>,
+    step: &mut impl Inside<N>,
 ) -> (f64, [f64; N]) {
     let (mut a, mut b) = ((low.theta, low.linear.f[j]), (high.theta, high.linear.f[j]));
     let mut theta = a.0 - a.1 * (b.0 - a.0) / (b.1 - a.1);
     let mut best = (theta, low.state);
     for _ in 0..ITERATIONS {
-        let Some((state, linear)) = probe(theta) else {
+        let Some((state, linear)) = step.probe(theta) else {
             break;
         };
         best = (theta, state);

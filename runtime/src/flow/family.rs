@@ -2,22 +2,10 @@
 
 use super::exact::ExactFlow;
 use super::smooth::check_stops;
-use super::{Flow, FlowError, SmoothFlow, standing};
+use super::{FlowError, SmoothFlow, standing};
 use crate::field::{Design, SmoothField, Smoothing};
 use crate::integrate::Tolerance;
 use crate::model::{Model, ParamId};
-
-/// One flow for each value of a design variable r.
-pub trait Family<const N: usize> {
-    /// The flows.
-    type Flow: Flow<N>;
-
-    /// The flow at r, with derivatives ∂/∂r.
-    ///
-    /// # Errors
-    /// r is outside what the model declares, or its smoothing would falsify a law there.
-    fn at(&self, r: f64) -> Result<Self::Flow, FlowError>;
-}
 
 /// A model without friction, or with one smoothing, along one design variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,10 +22,12 @@ pub struct SmoothFamily<M, const N: usize> {
     pub magnitude: [f64; N],
 }
 
-impl<M: Model<N>, const N: usize> Family<N> for SmoothFamily<M, N> {
-    type Flow = SmoothFlow<M, N>;
-
-    fn at(&self, r: f64) -> Result<SmoothFlow<M, N>, FlowError> {
+impl<M: Model<N>, const N: usize> SmoothFamily<M, N> {
+    /// The flow at r, with derivatives ∂/∂r.
+    ///
+    /// # Errors
+    /// r is outside what the model declares, or its smoothing would falsify a law there.
+    pub fn at(&self, r: f64) -> Result<SmoothFlow<M, N>, FlowError> {
         let mut values = self.model.values();
         let mut smoothing = self.smoothing;
         match (self.design, &mut smoothing) {
@@ -73,10 +63,12 @@ pub struct ExactFamily<M, const N: usize> {
     pub magnitude: [f64; N],
 }
 
-impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
-    type Flow = ExactFlow<M, N>;
-
-    fn at(&self, r: f64) -> Result<ExactFlow<M, N>, FlowError> {
+impl<M: Model<N>, const N: usize> ExactFamily<M, N> {
+    /// The flow at r, with derivatives ∂/∂r.
+    ///
+    /// # Errors
+    /// r is outside what the model declares, or its law has stops.
+    pub fn at(&self, r: f64) -> Result<ExactFlow<M, N>, FlowError> {
         let mut values = self.model.values();
         if let Some(value) = self.design.and_then(|index| values.as_mut().get_mut(index)) {
             *value = r;
@@ -86,5 +78,16 @@ impl<M: Model<N>, const N: usize> Family<N> for ExactFamily<M, N> {
         let design = self.design.map(ParamId::new);
         let flow = ExactFlow::new(&M::from_values(values), design, self.tolerance.explicit())?;
         Ok(flow.with_magnitude(self.magnitude))
+    }
+}
+
+impl Design {
+    /// The parameter that it is, if it is one.
+    #[must_use]
+    pub const fn parameter(self) -> Option<usize> {
+        match self {
+            Self::Parameter(index) => Some(index),
+            Self::Smoothing | Self::None => None,
+        }
     }
 }

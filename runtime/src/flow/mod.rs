@@ -6,6 +6,7 @@ pub mod event;
 pub mod exact;
 mod extrema;
 mod family;
+pub mod passage;
 mod reach;
 pub(crate) mod saltation;
 mod smooth;
@@ -13,13 +14,29 @@ mod told;
 
 pub(crate) use drive::{standing, strobes};
 pub use error::{FlowError, SensitivityUndefined};
-pub use event::{Event, EventKind};
-pub use family::{ExactFamily, Family, SmoothFamily};
+pub use event::EventKind;
+pub use family::{ExactFamily, SmoothFamily};
 pub use smooth::SmoothFlow;
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
 use crate::field::Work;
+use crate::integrate::gauss;
+
+/// A field, with its derivatives.
+pub type Velocity<const N: usize> = passage::Velocity<[f64; N], [[f64; N]; N]>;
+/// How the end of a passage depends on its beginning.
+pub type Derivatives<const N: usize> = passage::Derivatives<[f64; N], [[f64; N]; N]>;
+/// A factor of Φ.
+pub type Factor<const N: usize> = passage::Factor<[[f64; N]; N]>;
+/// A local extremum of one state.
+pub type Extremum<const N: usize> = passage::Extremum<[f64; N]>;
+/// A state on a motion.
+pub type Sample<const N: usize> = passage::Sample<[f64; N]>;
+/// A node of a quadrature over a motion.
+pub type Node<const N: usize> = passage::Node<[f64; N]>;
+/// Something that happened at a contact.
+pub type Event<const N: usize> = passage::Event<[f64; N]>;
 
 /// The motion of a system: smooth and exact systems are both just flows.
 pub trait Flow<const N: usize> {
@@ -69,21 +86,8 @@ pub struct Place<const N: usize, Mode> {
     pub mode: Mode,
 }
 
-/// The field at a place, with its derivatives where the motion continues.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Velocity<const N: usize> {
-    /// f.
-    pub f: [f64; N],
-    /// ∂fᵢ/∂yⱼ.
-    pub jacobian: [[f64; N]; N],
-    /// ∂f/∂r.
-    pub design: [f64; N],
-    /// How many internal states rest on their stops: their rows of the Jacobian are zero.
-    pub lost: usize,
-}
-
 /// What a passage shall report beyond its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
@@ -93,6 +97,34 @@ pub struct Want {
     pub path: bool,
     /// The factors of Φ, for multipliers that would underflow in their product.
     pub factors: bool,
+    /// Nodes of a quadrature over the motion, in panels no longer than this time; none if it is 0.
+    pub panel: f64,
+}
+
+impl Want {
+    /// The end alone.
+    const END: Self = Self {
+        derivatives: false,
+        extrema: false,
+        path: false,
+        factors: false,
+        panel: 0.0,
+    };
+    /// Derivatives.
+    pub const DERIVATIVES: Self = Self {
+        derivatives: true,
+        ..Self::END
+    };
+    /// Extrema.
+    pub const EXTREMA: Self = Self {
+        extrema: true,
+        ..Self::END
+    };
+    /// What one Newton iteration of shooting asks for: both.
+    pub const SHOT: Self = Self {
+        extrema: true,
+        ..Self::DERIVATIVES
+    };
 }
 
 /// One motion from a place to another.
@@ -110,6 +142,8 @@ pub struct Passage<const N: usize, Mode> {
     pub events: Vec<Event<N>>,
     /// Samples of the motion, if wanted.
     pub path: Vec<Sample<N>>,
+    /// Nodes of a quadrature over the motion, if wanted: Gauss's, within each step.
+    pub nodes: Vec<Node<N>>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm<N, Mode>,
     /// What it cost.
@@ -165,46 +199,6 @@ impl<const N: usize, Mode: Copy> Calm<N, Mode> {
     }
 }
 
-/// How the end of a passage depends on its beginning, on the design variable and on its duration.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Derivatives<const N: usize> {
-    /// Φ = ∂φ/∂y.
-    pub state: [[f64; N]; N],
-    /// ∂φ/∂r.
-    pub design: [f64; N],
-    /// ∂φ/∂t: the velocity at the end.
-    pub time: [f64; N],
-    /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
-    pub trace: f64,
-    /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
-    pub factors: Vec<Factor<N>>,
-    /// The most internal states that rested on their stops at once: as many multipliers of an orbit are exactly zero,
-    /// and `trace` says nothing of Φ.
-    pub lost: usize,
-}
-
-/// A factor of Φ over one stretch of a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Factor<const N: usize> {
-    /// ∂(end)/∂(beginning) of the stretch.
-    pub state: [[f64; N]; N],
-    /// ∫ J dt over the stretch, where an implicit step damps what decays fast far less than the motion does.
-    pub growth: Option<[[f64; N]; N]>,
-}
-
-/// A local extremum of one state along a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extremum<const N: usize> {
-    /// Which state.
-    pub index: usize,
-    /// Whether it is a maximum.
-    pub maximum: bool,
-    /// When, from the beginning of the passage.
-    pub time: f64,
-    /// The whole state there.
-    pub state: [f64; N],
-}
-
 /// A stretch of a motion in constant mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment<Mode> {
@@ -214,11 +208,19 @@ pub struct Segment<Mode> {
     pub duration: f64,
 }
 
-/// A state on a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample<const N: usize> {
-    /// Time from the beginning of the passage.
-    pub time: f64,
-    /// State at that time.
-    pub state: [f64; N],
+/// The nodes of a step of length `length` from `time`; `probe` is the step map at a fraction of the step.
+pub(crate) fn nodes<const N: usize>(
+    want: Want,
+    (time, length): (f64, f64),
+    found: &mut Vec<Node<N>>,
+    mut probe: impl FnMut(f64) -> [f64; N],
+) {
+    if want.panel > 0.0 {
+        let panels = (length / want.panel).ceil().max(1.0) as u32;
+        found.extend(gauss(panels).map(|(theta, weight)| Node {
+            time: time + theta * length,
+            weight: weight * length,
+            state: probe(theta),
+        }));
+    }
 }

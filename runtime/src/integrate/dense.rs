@@ -60,12 +60,10 @@ impl<const N: usize> Dense<N> {
         state
     }
 
-    /// The polynomial value + g·(y(θ) − y₀): an affine function of the state with gradient g.
+    /// The polynomial value + g·(y(θ) − y₀): an affine function of the state, from the product of g with a vector.
     #[must_use]
-    pub fn along(&self, value: f64, gradient: &[f64; N]) -> Bernstein {
-        let projected = self
-            .terms
-            .map(|term| term.iter().zip(gradient).map(|(t, g)| t * g).sum());
+    pub fn along(&self, value: f64, gradient: impl Fn(&[f64; N]) -> f64) -> Bernstein {
+        let projected = std::array::from_fn(|k| gradient(&self.terms[k]));
         Bernstein::from_nested(value, projected)
     }
 

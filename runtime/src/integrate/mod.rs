@@ -10,6 +10,7 @@ mod dop853;
 mod estimate;
 pub mod event;
 pub mod explicit;
+mod gauss;
 mod look;
 mod lu;
 mod radau;
@@ -19,6 +20,7 @@ mod tableau;
 pub use carried::{Carried, Motion};
 pub use collocation::Collocation;
 pub use dense::Dense;
+pub(crate) use gauss::gauss;
 pub use look::Look;
 pub use radau::{Accepted, Radau};
 pub use tableau::{RADAU_3, RADAU_5, Tableau};
@@ -41,7 +43,12 @@ impl Tolerance {
     /// faster than the tolerance; calibrated on the reference systems.
     #[must_use]
     pub fn for_accuracy(accuracy: f64) -> Self {
-        let local = accuracy.powf(0.8).clamp(1e-11, 3e-7);
+        Self::both(accuracy.powf(0.8).clamp(1e-11, 3e-7))
+    }
+
+    /// The same tolerance of quantities and of their usual magnitudes.
+    #[must_use]
+    pub const fn both(local: f64) -> Self {
         Self {
             relative: local,
             absolute: local,

@@ -3,8 +3,8 @@
 //! The tangent passes events through their saltation matrices, as all derivatives do (Müller 1995,
 //! Chaos, Solitons & Fractals 5, 1671).
 
-use borsh::{BorshDeserialize, BorshSerialize};
 use nalgebra::DVector;
+use serde::{Deserialize, Serialize};
 
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Passage, Place, sticking};
@@ -17,13 +17,11 @@ const WARM_UP: f64 = 0.1;
 const BLOCKS: usize = 16;
 
 /// A Lyapunov exponent.
-#[derive(Debug, Clone, Copy, PartialEq, BorshSerialize, BorshDeserialize)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Lyapunov {
     /// The exponent, in units of 1/time; `None` if a tangent vanishes within a lap: the motion is superstable.
     pub exponent: Option<f64>,
     /// Its standard error, the largest over blocks of all lengths: neighbouring laps are not independent.
-    #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::finite"))]
     pub error: f64,
     /// The time over which it was averaged.
     pub time: f64,
@@ -44,15 +42,11 @@ pub fn lyapunov(
     lap: f64,
     laps: usize,
 ) -> Result<Lyapunov, FlowError> {
-    let want = Want {
-        derivatives: true,
-        ..Want::default()
-    };
     let mut tangent = DVector::from_fn(flow.order(), |j, _| 1.0 / (1.0 + j as f64).sqrt());
     let warm_up = (WARM_UP * laps as f64).ceil() as usize;
     let mut rates = Vec::with_capacity(laps);
     for k in 0..laps + warm_up {
-        let passage = flow.advance(&place, lap, want)?;
+        let passage = flow.advance(&place, lap, Want::DERIVATIVES)?;
         let growth = match area(flow, &place, &passage)? {
             Some(growth) => Some(growth),
             None => carry(flow, &mut tangent, &passage)?,

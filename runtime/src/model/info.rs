@@ -74,9 +74,9 @@ pub struct Observable {
     pub formula: &'static str,
 }
 
-/// A `friction` line as data.
+/// A `friction` line as data, and its law.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct Friction<L: 'static> {
     /// Name of the force as declared.
     pub name: &'static str,
     /// Documentation as written.
@@ -84,33 +84,22 @@ pub struct Contact {
     /// Unit of the force, where one is stated.
     pub unit: Option<Unit>,
     /// The law that acts.
-    pub law: &'static LawInfo,
+    pub law: &'static L,
     /// The fields of the law, as written: `limit: F_s, decay: delta`.
     pub fields: &'static str,
     /// The relative speed, as written.
     pub speed: &'static str,
     /// Unit of the relative speed, where the units stated elsewhere decide it.
     pub speed_unit: Option<Unit>,
-}
-
-/// A `friction` line whose law has internal state, as data.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Memory {
-    /// Name of the force as declared.
-    pub name: &'static str,
-    /// Documentation as written.
-    pub doc: &'static str,
-    /// Unit of the force, where one is stated.
-    pub unit: Option<Unit>,
-    /// The law that acts.
-    pub law: &'static MemoryLawInfo,
-    /// The fields of the law, as written.
-    pub fields: &'static str,
-    /// The relative speed, as written.
-    pub speed: &'static str,
     /// Numbers of the model's states that carry the internal states of the law, in the order of the law.
     pub states: &'static [usize],
 }
+
+/// A `friction` line whose law has no internal state.
+pub type Contact = Friction<LawInfo>;
+
+/// A `friction` line whose law has internal state.
+pub type Memory = Friction<MemoryLawInfo>;
 
 impl ModelInfo {
     /// Why friction has neither an exact form nor smooth copies, where all of it has internal state.

@@ -9,7 +9,7 @@ mod values;
 
 pub use crate::linear::Linear;
 pub use bounds::{Bound, Bounds, ParameterError, within_reach};
-pub use info::{Contact, Memory, ModelInfo, Observable, Parameter, State};
+pub use info::{Contact, Friction, Memory, ModelInfo, Observable, Parameter, State};
 pub use unit::Unit;
 pub use values::{Values, brief, listed};
 

@@ -1,22 +1,25 @@
 //! Flows that depend on a design variable.
 
 use std::fmt;
+use std::ops::Deref;
 use std::sync::Arc;
 
 use super::Flow;
 use super::passage::fixed;
 use super::tape::{Tape, Taped};
 use crate::field::Design;
-use crate::flow::{self, ExactFamily, FlowError, SmoothFamily};
+use crate::flow::{ExactFamily, FlowError, SmoothFamily};
 use crate::integrate::Tolerance;
 use crate::model::Model;
 
 /// One flow for each value of a design variable r.
 pub trait Flows: Send + Sync {
     /// The number of states.
+    #[must_use]
     fn order(&self) -> usize;
 
     /// The state that is the phase of a drive, if there is one.
+    #[must_use]
     fn phase(&self) -> Option<usize>;
 
     /// The flow at r, with derivatives ∂/∂r.
@@ -26,12 +29,15 @@ pub trait Flows: Send + Sync {
     fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError>;
 
     /// The same flows, integrated to another tolerance.
+    #[must_use]
     fn with_tolerance(&self, tolerance: Tolerance) -> Family;
 
     /// The same flows, their states measured against these magnitudes where they pass through zero.
+    #[must_use]
     fn with_magnitude(&self, magnitude: &[f64]) -> Family;
 
     /// The same flows along `design`, with `fixed` held at `value` (of a smoothing: the logarithm of its size).
+    #[must_use]
     fn steered(&self, design: Design, fixed: Design, value: f64) -> Family;
 }
 
@@ -51,73 +57,51 @@ impl fmt::Debug for Family {
     }
 }
 
-impl Family {
-    /// The number of states.
-    #[must_use]
-    pub fn order(&self) -> usize {
-        self.0.order()
-    }
+impl Deref for Family {
+    type Target = dyn Flows;
 
-    /// The state that is the phase of a drive, if there is one.
-    #[must_use]
-    pub fn phase(&self) -> Option<usize> {
-        self.0.phase()
-    }
-
-    /// The flow at r, with derivatives ∂/∂r.
-    ///
-    /// # Errors
-    /// r is outside what the model declares, or its smoothing would falsify a law there.
-    pub fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
-        self.0.at(r)
-    }
-
-    /// The same flows, integrated to another tolerance.
-    #[must_use]
-    pub fn with_tolerance(&self, tolerance: Tolerance) -> Self {
-        self.0.with_tolerance(tolerance)
-    }
-
-    /// The same flows, their states measured against these magnitudes where they pass through zero.
-    #[must_use]
-    pub fn with_magnitude(&self, magnitude: &[f64]) -> Self {
-        self.0.with_magnitude(magnitude)
-    }
-
-    /// The same flows along `design`, with `fixed` held at `value` (of a smoothing: the logarithm of its size).
-    #[must_use]
-    pub fn steered(&self, design: Design, fixed: Design, value: f64) -> Self {
-        self.0.steered(design, fixed, value)
-    }
-
-    /// The same flows, their passages kept on a tape.
-    #[must_use]
-    pub fn recorded(&self, tape: &Arc<Tape>) -> Self {
-        Taped::new(self.clone(), tape.clone()).into()
+    fn deref(&self) -> &Self::Target {
+        self.0.as_ref()
     }
 }
 
+impl Family {
+    /// The same flows, their passages kept on a tape.
+    #[must_use]
+    pub fn recorded(&self, tape: &Arc<Tape>) -> Self {
+        let (family, tape) = (self.clone(), tape.clone());
+        Taped { family, tape }.into()
+    }
+}
+
+/// What smooth and exact families answer in the same words.
+macro_rules! alike {
+    () => {
+        fn order(&self) -> usize {
+            N
+        }
+
+        fn phase(&self) -> Option<usize> {
+            M::INFO.drive
+        }
+
+        fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
+            Ok(Box::new(self.at(r)?))
+        }
+
+        fn with_tolerance(&self, tolerance: Tolerance) -> Family {
+            Self { tolerance, ..*self }.into()
+        }
+
+        fn with_magnitude(&self, magnitude: &[f64]) -> Family {
+            let magnitude = fixed(magnitude);
+            Self { magnitude, ..*self }.into()
+        }
+    };
+}
+
 impl<M: Model<N>, const N: usize> Flows for SmoothFamily<M, N> {
-    fn order(&self) -> usize {
-        N
-    }
-
-    fn phase(&self) -> Option<usize> {
-        M::INFO.drive
-    }
-
-    fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
-        Ok(Box::new(flow::Family::at(self, r)?))
-    }
-
-    fn with_tolerance(&self, tolerance: Tolerance) -> Family {
-        Self { tolerance, ..*self }.into()
-    }
-
-    fn with_magnitude(&self, magnitude: &[f64]) -> Family {
-        let magnitude = fixed(magnitude);
-        Self { magnitude, ..*self }.into()
-    }
+    alike!();
 
     fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
         let mut family = Self { design, ..*self };
@@ -131,36 +115,14 @@ impl<M: Model<N>, const N: usize> Flows for SmoothFamily<M, N> {
 }
 
 impl<M: Model<N>, const N: usize> Flows for ExactFamily<M, N> {
-    fn order(&self) -> usize {
-        N
-    }
-
-    fn phase(&self) -> Option<usize> {
-        M::INFO.drive
-    }
-
-    fn at(&self, r: f64) -> Result<Box<dyn Flow>, FlowError> {
-        Ok(Box::new(flow::Family::at(self, r)?))
-    }
-
-    fn with_tolerance(&self, tolerance: Tolerance) -> Family {
-        Self { tolerance, ..*self }.into()
-    }
-
-    fn with_magnitude(&self, magnitude: &[f64]) -> Family {
-        let magnitude = fixed(magnitude);
-        Self { magnitude, ..*self }.into()
-    }
+    alike!();
 
     fn steered(&self, design: Design, fixed: Design, value: f64) -> Family {
         let mut family = *self;
         if let Design::Parameter(index) = fixed {
             family.model = with(&self.model, index, value);
         }
-        family.design = match design {
-            Design::Parameter(index) => Some(index),
-            Design::Smoothing | Design::None => None,
-        };
+        family.design = design.parameter();
         family.into()
     }
 }

@@ -13,7 +13,6 @@ mod modes;
 mod passage;
 mod smooth;
 mod tape;
-mod written;
 
 pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};
@@ -22,7 +21,7 @@ pub use family::{Family, Flows};
 pub use modes::{Modes, spelt, sticking, word};
 pub(crate) use passage::fixed;
 pub use passage::{
-    Calm, Derivatives, Event, Extremum, Factor, Passage, Place, Sample, Segment, Velocity,
+    Calm, Derivatives, Event, Extremum, Factor, Node, Passage, Place, Sample, Segment, Velocity,
 };
 pub use tape::{Note, Tape};
 
@@ -76,19 +75,27 @@ pub trait Flow: Send + Sync {
     ///
     /// # Errors
     /// The forces are not determined there.
-    fn touch(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+    fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
+        Ok(None)
+    }
 
     /// For each sliding contact its number and its relative speed the way it slides: not positive beyond the mode.
-    fn margins(&self, at: &Place) -> Vec<(usize, f64)>;
+    fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
+        Vec::new()
+    }
 
     /// The relative speed of every set-valued contact at a state; none for a smooth system.
-    fn speeds(&self, state: &[f64]) -> Vec<f64>;
+    fn speeds(&self, _state: &[f64]) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// Whether the field stands for the system at this place.
     ///
     /// # Errors
-    /// A one-directional smoothing is used backwards.
-    fn check(&self, at: &Place) -> Result<(), FlowError>;
+    /// A law is out of its bounds, or a one-directional smoothing is used backwards.
+    fn check(&self, _at: &Place) -> Result<(), FlowError> {
+        Ok(())
+    }
 
     /// Friction forces and observables at a place.
     ///

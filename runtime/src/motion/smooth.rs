@@ -61,25 +61,9 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
 
     /// Nothing switches: gliding is moving.
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
-        let want = Want {
-            derivatives: true,
-            ..Want::default()
-        };
-        let passage = Flow::advance(self, from, time, want)?;
+        let passage = Flow::advance(self, from, time, Want::DERIVATIVES)?;
         let derivatives = passage.derivatives.ok_or(FlowError::BadTime { time })?;
         Ok((passage.end, derivatives))
-    }
-
-    fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
-        Ok(None)
-    }
-
-    fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
-        Vec::new()
-    }
-
-    fn speeds(&self, _state: &[f64]) -> Vec<f64> {
-        Vec::new()
     }
 
     fn check(&self, at: &Place) -> Result<(), FlowError> {

@@ -1,51 +1,47 @@
 //! The crossings of a section, one after the other.
 
 use std::collections::VecDeque;
+use std::f64::consts::TAU;
 
+use super::crossing::Crossing;
+use super::horizon::{Horizon, Patience, Silence};
+use super::meeting::{Meeting, side};
 use super::radian;
+use super::reach::Reach;
 use super::section::{Section, Surface};
 use super::turns::Turns;
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Extremum, Flow, Passage, Place};
 
-/// Passages without a crossing, each twice as long as the one before, after which no more are awaited.
-const SILENCE: u32 = 12;
 /// Crossings in a passage that suffice: it need not be longer.
 const ENOUGH: usize = 2;
-/// A state this close to a level, in units of its rounding, lies on it.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-const ITERATIONS: usize = 80;
-
-/// A point where a motion crosses a section.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
-pub struct Crossing {
-    /// When, from the beginning of the motion.
-    pub time: f64,
-    /// Whether the function that vanishes there grows.
-    pub rising: bool,
-    /// Where.
-    pub state: Vec<f64>,
-}
+/// Steps in a passage that suffice.
+const STEPS: u64 = 5_000;
+/// A phase this close to that of the section, in radians, is on it.
+const ON: f64 = 1e-12;
 
 /// The crossings of a motion with a section, in the order of time; an iterator over them.
 ///
-/// It ends when the motion has crossed nothing for a long time, as one that has come to rest. A
-/// motion that begins on the section has not crossed it.
+/// It ends with its [`Horizon`]. A motion that begins on the section has not crossed it. A section that is a phase of
+/// the drive is met once in each of its turns.
 pub struct Crossings<'f> {
     flow: &'f dyn Flow,
     section: Section,
+    horizon: Horizon,
     place: Place,
     time: f64,
     chunk: f64,
-    silent: u32,
+    ended: bool,
     ready: VecDeque<Crossing>,
     turns: Turns,
     /// Sign of the state less its level where it was last not zero.
     side: f64,
-    low: Vec<f64>,
-    high: Vec<f64>,
+    /// When and where it has come to the level, as long as it has not left it.
+    arrived: Option<(f64, Vec<f64>)>,
+    reach: Reach,
+    whole: Reach,
+    patience: Patience,
     /// Work of all passages.
     pub work: Work,
 }
@@ -55,7 +51,12 @@ impl<'f> Crossings<'f> {
     ///
     /// # Errors
     /// The field is not finite there.
-    pub fn new(flow: &'f dyn Flow, place: Place, section: Section) -> Result<Self, FlowError> {
+    pub fn new(
+        flow: &'f dyn Flow,
+        place: Place,
+        section: Section,
+        horizon: Horizon,
+    ) -> Result<Self, FlowError> {
         let side = match section.surface {
             Surface::Level { state, value } => side(&place.state, state, value),
             Surface::Rate(_) => 0.0,
@@ -63,14 +64,17 @@ impl<'f> Crossings<'f> {
         Ok(Self {
             flow,
             section,
+            horizon,
             time: 0.0,
             chunk: radian(flow, &place)?,
-            silent: 0,
+            ended: false,
             ready: VecDeque::new(),
             turns: Turns::of(section.surface.state()),
             side,
-            low: place.state.clone(),
-            high: place.state.clone(),
+            arrived: None,
+            reach: Reach::at(&place.state),
+            whole: Reach::at(&place.state),
+            patience: Patience::from(&place),
             place,
             work: Work::default(),
         })
@@ -82,16 +86,29 @@ impl<'f> Crossings<'f> {
         (self.time, self.place.clone())
     }
 
-    /// Smallest and largest value of each state since the beginning, or since the last [`Crossings::forget`].
+    /// Smallest and largest value of each state since the beginning, or since the last [`Crossings::forget`]; of the
+    /// phase of a drive, 0 and 2π.
     #[must_use]
     pub fn range(&self) -> (Vec<f64>, Vec<f64>) {
-        (self.low.clone(), self.high.clone())
+        (self.reach.low.clone(), self.reach.high.clone())
+    }
+
+    /// How far apart the extremes of each state are since the beginning.
+    #[must_use]
+    pub fn extent(&self) -> Vec<f64> {
+        let states = 0..self.place.state.len();
+        states.map(|j| self.whole.extent(j)).collect()
     }
 
     /// Forgets the range, to measure it anew from here.
     pub fn forget(&mut self) {
-        self.low.clone_from(&self.place.state);
-        self.high.clone_from(&self.place.state);
+        self.reach = Reach::at(&self.place.state);
+    }
+
+    /// The stretch without a crossing after which no more is awaited, once it has come to that.
+    #[must_use]
+    pub fn silence(&self) -> Option<Silence> {
+        self.patience.silence()
     }
 
     /// Follows the motion for one more passage, whether it crosses or not.
@@ -102,65 +119,142 @@ impl<'f> Crossings<'f> {
         self.follow()
     }
 
+    fn is_over(&self) -> bool {
+        let over = match self.horizon {
+            Horizon::Time(time) => self.time >= time,
+            Horizon::Recurrence => self.patience.end().is_some(),
+        };
+        self.ended || over
+    }
+
     /// Follows one more passage.
     fn follow(&mut self) -> Result<(), FlowError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
-        let passage = self.flow.advance(&self.place, self.chunk, want)?;
+        let gap = self.gap()?;
+        let (time, until) = self.next_stop(gap);
+        let passage = self.flow.advance(&self.place, time, Want::EXTREMA)?;
         self.work += passage.work;
         let before = self.ready.len();
         match self.section.surface {
-            Surface::Rate(_) => self.turn(&passage),
-            Surface::Level { state, value } => self.cross(&passage, state, value)?,
+            Surface::Rate(_) => self.turn(&passage, until),
+            Surface::Level { .. } if gap.is_some() => {}
+            Surface::Level { state, value } => self.cross(&passage, time, (state, value))?,
         }
-        self.widen(&passage);
-        self.place = passage.end;
-        self.time += self.chunk;
+        let mut end = passage.end.clone();
+        end.state = self.flow.wrapped(end.state);
+        if let (true, Surface::Level { state, value }) = (gap == Some(time), self.section.surface) {
+            end.state[state] = value.rem_euclid(TAU) % TAU;
+            self.note(until, true, end.state.clone());
+        }
+        self.place = end;
+        self.watch(&passage, (time, until), before)
+    }
+
+    /// The time up to the next phase of the drive that is the section, if the section is one.
+    fn gap(&self) -> Result<Option<f64>, FlowError> {
+        let Surface::Level { state, value } = self.section.surface else {
+            return Ok(None);
+        };
+        if self.flow.phase() != Some(state) {
+            return Ok(None);
+        }
+        let ahead = (value.rem_euclid(TAU) % TAU - self.place.state[state]).rem_euclid(TAU);
+        let here = ahead == 0.0 || (self.time == 0.0 && ahead <= ON);
+        let angle = if here { ahead + TAU } else { ahead };
+        Ok(Some(angle / self.flow.velocity(&self.place)?.f[state]))
+    }
+
+    /// How long the next passage is, and when it ends.
+    fn next_stop(&self, gap: Option<f64>) -> (f64, f64) {
+        let near = gap.filter(|gap| *gap <= 1.5 * self.chunk);
+        let chunk = near.unwrap_or(self.chunk);
+        match self.horizon {
+            Horizon::Time(end) if end - self.time < chunk && end > self.time => {
+                (end - self.time, end)
+            }
+            _ => (chunk, self.time + chunk),
+        }
+    }
+
+    /// Judges what a passage has reached, and how long the next one is.
+    fn watch(
+        &mut self,
+        passage: &Passage,
+        (time, until): (f64, f64),
+        before: usize,
+    ) -> Result<(), FlowError> {
+        self.time = until;
+        let mut reach = Reach::at(&passage.end.state);
+        let extrema = passage.extrema.iter().map(|extremum| &extremum.state);
+        extrema.for_each(|state| reach.widen(state));
+        if let Some(phase) = self.flow.phase() {
+            (reach.low[phase], reach.high[phase]) = (0.0, TAU);
+        }
+        self.reach.join(&reach);
+        self.whole.join(&reach);
         let found = self.ready.len() - before;
-        self.silent = if found > 0 { 0 } else { self.silent + 1 };
-        if found < ENOUGH {
+        if found < ENOUGH && passage.work.steps < STEPS {
             self.chunk *= 2.0;
         }
+        if found == 0 {
+            let window = (time, reach);
+            return self.patience.take(self.flow, passage, window, &self.whole);
+        }
+        self.patience = Patience::from(&self.place);
         Ok(())
     }
 
     /// Where the state is extremal, its rate vanishes.
-    fn turn(&mut self, passage: &Passage) {
+    fn turn(&mut self, passage: &Passage, until: f64) {
         for extremum in &passage.extrema {
             let absolute = Extremum {
                 time: self.time + extremum.time,
                 ..extremum.clone()
             };
-            if let Some(turn) = self.turns.take(absolute) {
-                self.note(Crossing {
-                    time: turn.time,
-                    state: turn.state,
-                    rising: !turn.maximum,
-                });
-            }
+            let turn = self.turns.take(absolute);
+            self.turned(turn);
+        }
+        if self.horizon == Horizon::Time(until) {
+            let last = self.turns.finish(&passage.end.state);
+            self.turned(last);
+        }
+    }
+
+    fn turned(&mut self, turn: Option<Extremum>) {
+        if let Some(turn) = turn {
+            self.note(turn.time, !turn.maximum, turn.state);
         }
     }
 
     /// Between its extrema the state is monotonic: it meets a level at most once.
-    fn cross(&mut self, passage: &Passage, state: usize, level: f64) -> Result<(), FlowError> {
+    fn cross(
+        &mut self,
+        passage: &Passage,
+        time: f64,
+        (state, level): (usize, f64),
+    ) -> Result<(), FlowError> {
         let extrema = passage.extrema.iter().filter(|e| e.index == state);
         let turns = extrema.map(|extremum| (extremum.time, &extremum.state));
-        let stops = turns.chain([(self.chunk, &passage.end.state)]);
+        let stops = turns.chain([(time, &passage.end.state)]);
         let mut from = 0.0;
         for (until, there) in stops {
             let side = side(there, state, level);
+            if side * self.side <= 0.0 && self.arrived.is_none() && self.side != 0.0 {
+                let meeting = Meeting {
+                    flow: self.flow,
+                    place: &self.place,
+                    state,
+                    level,
+                    rise: -self.side,
+                    work: &mut self.work,
+                };
+                let (time, place) = meeting.between(from, (until, there))?;
+                self.arrived = Some((self.time + time, place));
+            }
             if side == 0.0 {
                 continue;
             }
-            if side * self.side < 0.0 {
-                let (time, place) = self.meet(state, level, from, (until, there))?;
-                self.note(Crossing {
-                    time: self.time + time,
-                    state: place,
-                    rising: side > 0.0,
-                });
+            if let (Some((time, place)), true) = (self.arrived.take(), side != self.side) {
+                self.note(time, side > 0.0, place);
             }
             self.side = side;
             from = until;
@@ -168,91 +262,25 @@ impl<'f> Crossings<'f> {
         Ok(())
     }
 
-    /// The time and state, between two times of the passage, at which the state has the level: by
-    /// Newton's method on the motion itself, kept inside by halving.
-    fn meet(
-        &mut self,
-        index: usize,
-        level: f64,
-        from: f64,
-        until: (f64, &[f64]),
-    ) -> Result<(f64, Vec<f64>), FlowError> {
-        let mut low = (from, self.place.clone());
-        if from > 0.0 {
-            low.1 = self.ahead(&low.1, from)?;
-        }
-        let lack = |state: &[f64]| state[index] - level;
-        let (mut high, mut best) = (until.0, (until.0, until.1.to_vec()));
-        let rise = lack(&best.1).signum();
-        let mut time = secant((low.0, lack(&low.1.state)), (high, lack(&best.1)));
-        for _ in 0..ITERATIONS {
-            if !(time > low.0 && time < high) {
-                time = 0.5 * (low.0 + high);
-            }
-            if !(time > low.0 && time < high) {
-                break;
-            }
-            let place = self.ahead(&low.1, time - low.0)?;
-            let short = lack(&place.state);
-            best = (time, place.state.clone());
-            if side(&place.state, index, level) == 0.0 {
-                break;
-            }
-            let slope = self.flow.velocity(&place)?.f[index];
-            if short * rise < 0.0 {
-                low = (time, place);
-            } else {
-                high = time;
-            }
-            time -= short / slope;
-        }
-        Ok(best)
-    }
-
-    fn ahead(&mut self, from: &Place, time: f64) -> Result<Place, FlowError> {
-        let passage = self.flow.advance(from, time, Want::default())?;
-        self.work += passage.work;
-        Ok(passage.end)
-    }
-
-    fn note(&mut self, crossing: Crossing) {
-        if self.section.direction.admits(crossing.rising) {
-            self.ready.push_back(crossing);
+    fn note(&mut self, time: f64, rising: bool, state: Vec<f64>) {
+        if self.section.direction.admits(rising) {
+            let state = self.flow.wrapped(state);
+            self.ready.push_back(Crossing {
+                time,
+                rising,
+                state,
+            });
         }
     }
-
-    fn widen(&mut self, passage: &Passage) {
-        let extrema = passage.extrema.iter().map(|extremum| &extremum.state);
-        for state in extrema.chain([&passage.end.state]) {
-            for (j, &value) in state.iter().enumerate() {
-                self.low[j] = self.low[j].min(value);
-                self.high[j] = self.high[j].max(value);
-            }
-        }
-    }
-}
-
-/// Sign of a state less a level, 0 within rounding.
-fn side(state: &[f64], index: usize, level: f64) -> f64 {
-    let lack = state[index] - level;
-    if lack.abs() <= ROUNDING * state[index].abs().max(level.abs()) {
-        0.0
-    } else {
-        lack.signum()
-    }
-}
-
-fn secant(low: (f64, f64), high: (f64, f64)) -> f64 {
-    low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)
 }
 
 impl Iterator for Crossings<'_> {
     type Item = Result<Crossing, FlowError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while self.ready.is_empty() && self.silent < SILENCE {
+        while self.ready.is_empty() && !self.is_over() {
             if let Err(error) = self.follow() {
-                self.silent = SILENCE;
+                self.ended = true;
                 return Some(Err(error));
             }
         }

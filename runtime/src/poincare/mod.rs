@@ -3,16 +3,22 @@
 //! Crossings are located on the motion itself, between extrema that the flow has located: no grid of
 //! samples decides what is found.
 
+mod crossing;
 mod crossings;
+mod horizon;
+mod meeting;
+mod reach;
 mod recurrence;
 mod section;
 mod span;
 mod turns;
 
-pub use crossings::{Crossing, Crossings};
+pub use crossing::Crossing;
+pub use crossings::Crossings;
+pub use horizon::{Horizon, Reason, Silence};
 pub use recurrence::recurrence;
 pub use section::{Direction, Section, Surface};
-pub use span::{once_around, until};
+pub use span::{Met, once_around, until};
 
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};

@@ -1,5 +1,7 @@
 //! Sections as data.
 
+use crate::words::words;
+
 /// A surface in phase space, and the direction in which crossings of it count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
@@ -23,15 +25,16 @@ pub enum Surface {
     },
 }
 
-/// The direction of a crossing: whether the function that vanishes grows through zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Direction {
-    /// It grows.
-    Up,
-    /// It falls.
-    Down,
-    /// Either.
-    Both,
+words! {
+    /// The direction of a crossing: whether the function that vanishes grows through zero.
+    pub enum Direction {
+        /// It grows.
+        Up = "up",
+        /// It falls.
+        Down = "down",
+        /// Either.
+        Both = "both",
+    }
 }
 
 impl Default for Section {
@@ -41,6 +44,18 @@ impl Default for Section {
             surface: Surface::Rate(0),
             direction: Direction::Up,
         }
+    }
+}
+
+impl Section {
+    /// Where the phase of the drive begins anew, if a state is one; else der(first state) = 0, upwards.
+    #[must_use]
+    pub fn usual(phase: Option<usize>) -> Self {
+        let strobe = |state| Self {
+            surface: Surface::Level { state, value: 0.0 },
+            direction: Direction::Up,
+        };
+        phase.map_or_else(Self::default, strobe)
     }
 }
 
@@ -55,16 +70,6 @@ impl Surface {
 }
 
 impl Direction {
-    /// Its word on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Up => "up",
-            Self::Down => "down",
-            Self::Both => "both",
-        }
-    }
-
     /// Whether a crossing that rises, or one that falls, counts.
     #[must_use]
     pub const fn admits(self, rising: bool) -> bool {

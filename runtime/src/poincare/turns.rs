@@ -38,11 +38,22 @@ impl Turns {
             return None;
         }
         let (a, b) = (held.state[self.index], next.state[self.index]);
-        if (a - b).abs() <= ONE_REST * a.abs().max(b.abs()) {
+        if one_rest(a, b) {
             self.held = None;
             return None;
         }
         self.last = Some(held.maximum);
         self.held.replace(next)
     }
+
+    /// The one that was held back, if the motion has left it where it ends.
+    pub(super) fn finish(&mut self, end: &[f64]) -> Option<Extremum> {
+        let held = self.held.take()?;
+        let (a, b) = (held.state[self.index], end[self.index]);
+        (!one_rest(a, b)).then_some(held)
+    }
+}
+
+fn one_rest(a: f64, b: f64) -> bool {
+    (a - b).abs() <= ONE_REST * a.abs().max(b.abs())
 }

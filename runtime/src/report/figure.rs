@@ -2,6 +2,7 @@
 
 /// A numbered figure.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Figure {
     /// Its number, for instance `3.2`; also names its files.
     pub number: String,
@@ -17,6 +18,7 @@ pub struct Figure {
 
 /// One pair of axes with its curves.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Panel {
     /// What tells it from its neighbours; empty if it stands alone.
     pub title: String,
@@ -30,6 +32,7 @@ pub struct Panel {
 
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Axis {
     /// What it measures, with its unit.
     pub label: String,
@@ -41,6 +44,7 @@ pub struct Axis {
 
 /// Points to draw and the way to draw them.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Curve {
     /// What the legend says of it.
     pub label: String,
@@ -76,7 +80,6 @@ pub enum Marker {
 
 impl Figure {
     /// A figure without panels yet.
-    #[must_use]
     pub fn new(number: &str, title: &str, caption: impl Into<String>) -> Self {
         Self {
             number: number.to_owned(),
@@ -88,14 +91,12 @@ impl Figure {
     }
 
     /// The same figure with one more panel.
-    #[must_use]
     pub fn panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
         self
     }
 
     /// The same figure, this many panels side by side.
-    #[must_use]
     pub fn columns(mut self, columns: usize) -> Self {
         self.columns = columns.max(1);
         self
@@ -121,7 +122,6 @@ impl Figure {
 
 impl Panel {
     /// A panel without curves yet.
-    #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
         Self {
             title: String::new(),
@@ -132,21 +132,18 @@ impl Panel {
     }
 
     /// The same panel, titled.
-    #[must_use]
     pub fn titled(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
         self
     }
 
     /// The same panel with one more curve in front.
-    #[must_use]
     pub fn curve(mut self, curve: Curve) -> Self {
         self.curves.push(curve);
         self
     }
 
     /// The same panel with more curves in front.
-    #[must_use]
     pub fn curves(mut self, curves: impl IntoIterator<Item = Curve>) -> Self {
         self.curves.extend(curves);
         self
@@ -155,7 +152,6 @@ impl Panel {
 
 impl Axis {
     /// A linear axis whose ends the data decide.
-    #[must_use]
     pub fn new(label: &str) -> Self {
         Self {
             label: label.to_owned(),
@@ -165,14 +161,12 @@ impl Axis {
     }
 
     /// The same axis from `low` to `high`.
-    #[must_use]
     pub fn from(mut self, low: f64, high: f64) -> Self {
         self.range = Some([low, high]);
         self
     }
 
     /// The same axis, logarithmic.
-    #[must_use]
     pub fn logarithmic(mut self) -> Self {
         self.logarithmic = true;
         self
@@ -181,7 +175,6 @@ impl Axis {
 
 impl Curve {
     /// A line in the style of series number `series`.
-    #[must_use]
     pub fn line(label: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
         Self {
             label: label.into(),
@@ -192,7 +185,6 @@ impl Curve {
     }
 
     /// Markers in the colour of series number `series`.
-    #[must_use]
     pub fn points(
         label: impl Into<String>,
         series: usize,

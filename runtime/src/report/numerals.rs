@@ -50,8 +50,7 @@ pub fn significant(value: f64, count: i32) -> String {
 /// ```
 #[must_use]
 pub fn short(value: f64) -> String {
-    let digits = (4 - value.abs().max(1e-300).log10().floor() as i32).max(0) as usize;
-    let text = decimals(value, digits);
+    let text = significant(value, 5);
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {

@@ -1,41 +1,32 @@
 //! A report as one HTML page that needs nothing but itself.
 
 use super::figure::Figure;
-use super::table::Table;
 use super::text::html;
-use super::{Block, Report, Section};
+use super::{Block, Section, Table};
 
 const STYLE: &str = include_str!("page.css");
 
-/// The whole page, of which `sections` are the sections: see [`section`].
-pub(super) fn page(report: &Report, sections: &[String]) -> String {
-    let sections = sections.concat();
+/// The whole page, of which `bodies` are the sections: see [`section`].
+pub(super) fn page(title: &str, subtitle: &str, sections: &[Section], bodies: &[String]) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
          <header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{subtitle}</p>\n</header>\n\
-         {contents}<main>\n{sections}</main>\n</body>\n</html>\n",
-        title = html(&report.title),
-        subtitle = html(&report.subtitle),
-        contents = contents(report),
+         {contents}<main>\n{bodies}</main>\n</body>\n</html>\n",
+        title = html(title),
+        subtitle = html(subtitle),
+        contents = contents(sections),
+        bodies = bodies.concat(),
     )
 }
 
-fn contents(report: &Report) -> String {
-    let items: String = report
-        .sections
-        .iter()
-        .enumerate()
-        .map(|(i, section)| {
-            format!(
-                "<li><a href=\"#section-{}\">{}</a>{}</li>\n",
-                i + 1,
-                html(&section.title),
-                figures(section)
-            )
-        })
-        .collect();
+fn contents(sections: &[Section]) -> String {
+    let item = |(section, number): (&Section, usize)| {
+        let (title, figures) = (html(&section.title), figures(section));
+        format!("<li><a href=\"#section-{number}\">{title}</a>{figures}</li>\n")
+    };
+    let items: String = sections.iter().zip(1..).map(item).collect();
     format!("<nav aria-label=\"Contents\">\n<ol>\n{items}</ol>\n</nav>\n")
 }
 

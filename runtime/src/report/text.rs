@@ -110,7 +110,7 @@ fn convert(text: &str, dialect: &Dialect) -> String {
                 out.push_str(span[1]);
                 open = None;
             }
-            (None, '*', _) => {
+            (None, '*', _) if emphasised || begins_emphasis(text, rest) => {
                 out.push_str(dialect.emphasis[usize::from(emphasised)]);
                 emphasised = !emphasised;
             }
@@ -119,6 +119,12 @@ fn convert(text: &str, dialect: &Dialect) -> String {
         rest = &rest[taken..];
     }
     out
+}
+
+/// Whether the `*` with which `rest` begins opens emphasis: not that of a product, as in `N*m`.
+fn begins_emphasis(text: &str, rest: &str) -> bool {
+    let before = text[..text.len() - rest.len()].chars().next_back();
+    !before.is_some_and(char::is_alphanumeric) && rest[1..].contains('*')
 }
 
 /// A number for a drawing: two decimals, no trailing zeros.
@@ -140,5 +146,13 @@ mod tests {
         assert_eq!(plain(text), "v_dr < 10^-3");
         assert!((width("10^{−3}") - (2.0 + 0.75) * 0.556 - 0.75 * 0.584).abs() < 1e-12);
         assert!(svg("v_{dr}").starts_with(r#"v<tspan dy="0.3em""#));
+    }
+
+    #[test]
+    fn a_product_of_units_is_no_emphasis() {
+        for text in ["T (N*m)", "T, c (N*m*s)", "F (N*m), G (N*m)", "2 * x"] {
+            assert_eq!(svg(text), text);
+        }
+        assert_eq!(html("*M* in N*m"), "<em>M</em> in N*m");
     }
 }

@@ -1,6 +1,6 @@
 //! Files that are there whole or not at all.
 
-use std::io::Result;
+use std::io::{Error, Result};
 use std::path::Path;
 
 /// Writes a file under another name first, so that nothing that ends the program leaves a part of it.
@@ -12,4 +12,19 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
         let _ = std::fs::remove_file(&growing);
     }
     done
+}
+
+/// Rows as CSV.
+pub(crate) fn csv<R>(rows: impl IntoIterator<Item = R>) -> Result<String>
+where
+    R: IntoIterator<Item: AsRef<[u8]>>,
+{
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.write_record(row)?;
+    }
+    let bytes = writer
+        .into_inner()
+        .map_err(csv::IntoInnerError::into_error)?;
+    String::from_utf8(bytes).map_err(Error::other)
 }

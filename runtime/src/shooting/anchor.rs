@@ -40,7 +40,8 @@ pub(crate) fn problem(
     let phase = phase(flow.phase(), &velocity, guess);
     let z = OrbitProblem::unknowns(&places, guess.period);
     let magnitude = guess.magnitude.clone();
-    let problem = OrbitProblem::new(family, phase, &places, guess.period, magnitude);
+    let mut problem = OrbitProblem::new(family, phase, &places, guess.period, magnitude);
+    problem.pins = guess.pins.clone();
     Ok((problem, z))
 }
 
@@ -81,7 +82,9 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
         _ => shot.start.clone(),
     };
     let (period, magnitude) = once_around(shot);
+    let pins = shot.pins.iter().cloned();
     Ok(Guess {
+        pins: pins.map(|pin| pin.through(&place.state)).collect(),
         place,
         period,
         magnitude,
@@ -119,6 +122,7 @@ impl Guess {
             },
             period: found.z[found.z.len() - 1],
             magnitude: self.magnitude.clone(),
+            pins: self.pins.clone(),
         }
     }
 }

@@ -9,8 +9,7 @@ use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
-    Branch, Counted, Ending, Failure, Followed, Link, Located, Monitors, Path, Point, Settings,
-    Started, Stop,
+    Branch, Ending, Failure, Located, Monitors, Point, Reader, Reading, Settings, Started,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -25,11 +24,15 @@ const SAME_ORBIT: f64 = 1e-5;
 const ENDLESS: f64 = 1e6;
 
 /// Periodic orbits along r; an iterator over them.
-pub struct OrbitBranch {
-    branch: Branch<OrbitProblem>,
-    first: Option<Orbit>,
+pub type OrbitBranch = Reading<Orbits>;
+
+/// Reads periodic orbits off their unknowns.
+#[derive(Debug, Clone)]
+pub struct Orbits {
+    /// Number of states.
+    order: usize,
+    /// Relative accuracy of an orbit.
     accuracy: f64,
-    counted: Work,
 }
 
 impl OrbitBranch {
@@ -76,123 +79,47 @@ impl OrbitBranch {
 
     /// The orbits of a branch of which the first point has been found.
     pub(super) fn begin(started: Started<OrbitProblem>, accuracy: f64) -> Self {
-        let (branch, first) = started;
-        let mut orbits = Self {
-            branch,
-            first: None,
-            accuracy,
-            counted: Work::default(),
-        };
-        orbits.first = Some(orbits.read(&first));
-        orbits
-    }
-
-    /// The orbit from which the branch sets out, until it has been taken.
-    #[must_use]
-    pub fn first(&self) -> Option<&Orbit> {
-        self.first.as_ref()
-    }
-
-    fn read(&mut self, point: &Point<Shot>) -> Orbit {
-        let total = self.branch.problem.work;
-        let work = total.since(&self.counted);
-        self.counted = total;
-        read(&self.branch.problem.family, point, self.accuracy, work)
+        let order = started.0.problem.magnitude.len();
+        Self::new(Orbits { order, accuracy }, started, accuracy)
     }
 }
 
-fn read(family: &Family, point: &Point<Shot>, accuracy: f64, work: Work) -> Orbit {
-    let solution = Solution {
-        shot: &point.extra,
-        z: &point.z,
-        r: point.r,
-        residual: point.residual,
-    };
-    let mut orbit = Orbit::read(family, solution, accuracy, work);
-    orbit.heading.follow(&point.tangent);
-    orbit
-}
-
-/// The orbits between two neighbouring ones of a branch.
-pub struct OrbitPath {
-    link: Link<OrbitProblem>,
-    accuracy: f64,
-    counted: Work,
-}
-
-impl Counted for OrbitPath {
-    fn work(&self) -> Work {
-        self.link.problem.work.since(&self.counted)
-    }
-}
-
-impl Path for OrbitPath {
+impl Reader for Orbits {
+    type Problem = OrbitProblem;
     type Point = Orbit;
-    type Error = Failure<FlowError>;
-
-    fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error> {
-        let point = self.link.between(share)?;
-        let family = &self.link.problem.family;
-        let mut orbit = read(family, &point, self.accuracy, Work::default());
-        // At a branch point the kernel has no one direction; that of the step is good enough for all.
-        let slope = orbit.heading.slope;
-        orbit.heading.follow(self.link.chord());
-        orbit.heading.slope = slope;
-        Ok(orbit)
-    }
-}
-
-impl Iterator for OrbitBranch {
-    type Item = Orbit;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        if let Some(first) = self.first.take() {
-            return Some(first);
-        }
-        let point = self.branch.next()?;
-        Some(self.read(&point))
-    }
-}
-
-impl Followed for OrbitBranch {
-    type Point = Orbit;
-    type Error = FlowError;
-    type Path = OrbitPath;
 
     const CLOSES: bool = true;
     const ENDS_ON_POINTS: bool = false;
 
-    fn step(&mut self) -> Option<Orbit> {
-        self.next()
+    fn read(&self, problem: &OrbitProblem, point: &Point<Shot>, work: Work) -> Orbit {
+        let solution = Solution {
+            shot: &point.extra,
+            z: &point.z,
+            r: point.r,
+            residual: point.residual,
+        };
+        let mut orbit = Orbit::read(&problem.family, solution, self.accuracy, work);
+        orbit.heading.follow(&point.tangent);
+        orbit
     }
 
-    fn stop(&self) -> Option<&Stop<FlowError>> {
-        self.branch.stop()
+    fn between(&self, problem: &OrbitProblem, point: &Point<Shot>, chord: &DVector<f64>) -> Orbit {
+        let mut orbit = self.read(problem, point, Work::default());
+        // At a branch point the kernel has no one direction; that of the step is good enough for all.
+        let slope = orbit.heading.slope;
+        orbit.heading.follow(chord);
+        orbit.heading.slope = slope;
+        orbit
     }
 
-    fn retract(&mut self) -> bool {
-        self.branch.retract()
-    }
-
-    fn path(&self) -> Option<OrbitPath> {
-        let mut link = self.branch.link()?.clone();
-        // Multipliers lose digits that the orbit keeps.
+    /// Multipliers lose digits that the orbit keeps.
+    fn sharpen(&self, problem: &mut OrbitProblem) {
         let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);
-        link.problem.family = link.problem.family.with_tolerance(tolerance);
-        let counted = link.problem.work;
-        Some(OrbitPath {
-            link,
-            accuracy: self.accuracy,
-            counted,
-        })
+        problem.family = problem.family.with_tolerance(tolerance);
     }
 
     fn monitors(&self) -> Monitors<'_, Orbit> {
-        monitors(self.branch.problem.magnitude.len())
-    }
-
-    fn accuracy(&self) -> f64 {
-        self.accuracy
+        monitors(self.order)
     }
 
     /// A shorter orbit, gone around twice: the step went past where the branch meets the one from which it doubles.
@@ -201,8 +128,8 @@ impl Followed for OrbitBranch {
     }
 
     /// Tells a branch point from one at which a symmetry is lost.
-    fn refine(&self, found: &mut Located<Orbit>) {
-        let family = &self.branch.problem.family;
+    fn refine(&self, problem: &OrbitProblem, found: &mut Located<Orbit>) {
+        let family = &problem.family;
         // An orbit that cannot be gone around once more has no symmetry that could be told.
         if found.kind == Kind::BranchPoint && found.point.loses_symmetry(family) == Ok(true) {
             found.kind = Kind::SymmetryBreaking;
@@ -222,5 +149,9 @@ impl Followed for OrbitBranch {
 
     fn closes(&self, first: &Orbit, back: &Orbit) -> bool {
         first.coincides(back, SAME_ORBIT)
+    }
+
+    fn work(problem: &OrbitProblem) -> Work {
+        problem.work
     }
 }

@@ -6,11 +6,12 @@ use super::anchor::{anchored, once_around, problem};
 use super::error::OrbitError;
 use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
+use super::pin::{pins, suspect};
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::Floquet;
-use crate::continuation::{Corrected, correct};
+use crate::continuation::{Corrected, ZeroProblem, correct};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Flow};
@@ -32,6 +33,8 @@ pub(super) const TIGHTER: f64 = 0.1;
 /// How often the tolerance is tightened beyond that, and how far off the accuracy the estimate is to be for it.
 const TIGHTENINGS: usize = 3;
 const SLACK: f64 = 10.0;
+/// How far the motion of a pinned start may be from closing, over the accuracy.
+const UNCLOSED: f64 = 1e3;
 
 /// Newton from a guess: on the section if the guess lies there, then to the minimal period, then with
 /// a tighter tolerance, which gives the error estimate.
@@ -64,9 +67,9 @@ pub(super) fn calmly(
     let found = from(family, r, &calm, search, |_, _, found| {
         let (period, magnitude) = once_around(&found.linearisation.extra);
         Ok(Guess {
-            place: calm.moved(found).place,
             period,
             magnitude,
+            ..calm.moved(found)
         })
     });
     found.is_ok().then_some(found)
@@ -81,7 +84,9 @@ fn calm(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Guess
     let flow = family.at(r).ok()?;
     let passage = flow.advance(&guess.place, guess.period, Default::default());
     let place = passage.ok()?.calm.place;
+    let pins = guess.pins.iter().cloned();
     Some(Guess {
+        pins: pins.map(|pin| pin.through(&place.state)).collect(),
         place,
         ..guess.clone()
     })
@@ -107,7 +112,13 @@ pub(super) fn from(
     let fine = Tolerance::for_accuracy(accuracy);
     let factors = family.order() > 2;
     let least = accuracy.clamp(ROUGH, LOOSEST);
-    let rough = newton(guess, least, Tolerance::for_accuracy(least), false)?;
+    let rough = newton(guess, least, Tolerance::for_accuracy(least), false);
+    if guess.pins.is_empty()
+        && let Some(pinned) = pinned(family, r, guess, &rough)
+    {
+        return from(family, r, &pinned, search, anchor);
+    }
+    let rough = rough?;
     let guess = anchor(family, r, &rough.0)?;
     let mut loose = newton(&guess, accuracy, fine, false)?;
     let mut work = rough.1.work;
@@ -146,6 +157,24 @@ pub(super) fn from(
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * orbit.error_estimate.max(least).max(last);
     Ok(orbit)
+}
+
+/// The guess with what singles out its orbit where those beside it are orbits too.
+fn pinned(
+    family: &Family,
+    r: f64,
+    guess: &Guess,
+    rough: &Result<Converged, OrbitError>,
+) -> Option<Guess> {
+    let mut pinned = match rough {
+        Ok((found, problem)) if suspect(&found.linearisation, &problem.scale()) => {
+            guess.moved(found)
+        }
+        Err(OrbitError::Newton(_)) => guess.clone(),
+        _ => return None,
+    };
+    pinned.pins = pins(family, r, &pinned);
+    (!pinned.pins.is_empty()).then_some(pinned)
 }
 
 /// min |1 − μ|, at most 1: the share of a disturbance along the section that is gone after one period.
@@ -192,6 +221,12 @@ fn newton(
     let found =
         correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
+    if !shot.pins.is_empty() && shot.closure > UNCLOSED * effort.accuracy {
+        return Err(OrbitError::NotIsolated {
+            state: flow.values(&shot.start.state),
+            period: shot.period,
+        });
+    }
     let (low, high) = shot.extent();
     let flat = (0..low.len()).all(|j| {
         high[j] - low[j] <= EXTENT * low[j].abs().max(high[j].abs()).max(guess.magnitude[j])

@@ -37,6 +37,16 @@ pub enum OrbitError {
         /// Why the last return was no orbit; nothing if the motion never came back near where it had been.
         last: Option<Box<OrbitError>>,
     },
+    /// The motion passes by an orbit and does not stay.
+    #[error(
+        "the periodic orbit beside it, with the period {period:.9}, is {stability}, and the motion does not stay there"
+    )]
+    Passed {
+        /// The period of the orbit.
+        period: f64,
+        /// Its stability.
+        stability: &'static str,
+    },
     /// Newton failed.
     #[error("shooting did not converge: {0}")]
     Newton(Failure<FlowError>),

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::pin::Pin;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Place};
 use crate::poincare::radian;
@@ -10,8 +11,6 @@ use crate::poincare::radian;
 const PATIENCE: usize = 3000;
 /// Most steps of the integrator that are spent on it.
 const STEPS: u64 = 500_000;
-/// Longest period sought, in crossings of the section.
-const LONGEST: usize = 32;
 /// Chunks without a crossing after which the motion is no oscillation.
 const SILENCE: u32 = 60;
 /// An oscillation this small, relative to its first swing, has settled on an equilibrium.
@@ -26,6 +25,8 @@ pub struct Guess {
     pub period: f64,
     /// Half the extent of each state on the way.
     pub magnitude: Vec<f64>,
+    /// What is held in neutral directions.
+    pub pins: Vec<Pin>,
 }
 
 /// Where a settling motion ended.
@@ -39,13 +40,15 @@ pub enum Settled<T> {
     Neither(f64),
 }
 
-/// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest.
+/// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest; guesses have
+/// periods of up to `longest` crossings of the section.
 ///
 /// # Errors
 /// The motion cannot be followed.
 pub fn settle<T>(
     flow: &dyn Flow,
     start: Place,
+    longest: usize,
     mut accept: impl FnMut(&Guess) -> Option<T>,
 ) -> Result<Settled<T>, FlowError> {
     let mut chunk = radian(flow, &start)?;
@@ -62,7 +65,7 @@ pub fn settle<T>(
         } else {
             silent = 0;
         }
-        for guess in watch.guesses(flow)? {
+        for guess in watch.guesses(flow, longest)? {
             if let Some(orbit) = accept(&guess) {
                 return Ok(Settled::Orbit(orbit));
             }
@@ -113,11 +116,7 @@ impl Watch {
 
     /// Follows one chunk; returns the number of minima in it.
     fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
-        let passage = flow.advance(&self.place, chunk, want);
+        let passage = flow.advance(&self.place, chunk, Want::EXTREMA);
         let passage = passage.map_err(|error| error.later(self.time))?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
@@ -172,11 +171,11 @@ impl Watch {
     }
 
     /// New returns to the section that are close enough; later ones must be closer.
-    fn guesses(&mut self, flow: &dyn Flow) -> Result<Vec<Guess>, FlowError> {
+    fn guesses(&mut self, flow: &dyn Flow, longest: usize) -> Result<Vec<Guess>, FlowError> {
         let mut guesses = Vec::new();
         for last in self.offered..self.minima.len() {
             let here = &self.minima[last];
-            let close = (1..=LONGEST.min(last)).find(|&k| {
+            let close = (1..=longest.min(last)).find(|&k| {
                 self.distance(&here.state, &self.minima[last - k].state) < self.closeness
             });
             if let Some(k) = close {
@@ -186,6 +185,7 @@ impl Watch {
                     place,
                     period,
                     magnitude: self.magnitude(),
+                    pins: Vec::new(),
                 });
             }
         }

@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::guess::Guess;
+use super::pin::Pin;
 use super::shot::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
@@ -35,6 +36,8 @@ pub struct Orbit {
     pub events: Vec<Event>,
     /// Its points on the default section, where the first state is least, in the order of time.
     pub section: Vec<Vec<f64>>,
+    /// What is held in neutral directions: orbits beside it are orbits too.
+    pub pins: Vec<Pin>,
     /// Where it stands on its branch.
     pub heading: Heading,
     /// Work of finding it.
@@ -114,6 +117,7 @@ impl Orbit {
         let trace = (segments.len() == shot.passages.len()).then_some(trace);
         Self {
             r,
+            pins: shot.pins.clone(),
             place: section_place(family, &solution),
             period: z[z.len() - 1],
             max,
@@ -125,6 +129,7 @@ impl Orbit {
                 trace,
                 zeros,
                 &shot.factors(),
+                shot.pins.len(),
                 accuracy,
             ),
             residual,
@@ -152,10 +157,13 @@ impl Orbit {
     /// The orbit as a guess of itself: at another tolerance, or of one nearby.
     #[must_use]
     pub fn guess(&self) -> Guess {
+        let state = &self.place.state;
+        let pins = self.pins.iter().map(|pin| pin.clone().through(state));
         Guess {
             place: self.place.clone(),
             period: self.period,
             magnitude: self.magnitude(),
+            pins: pins.collect(),
         }
     }
 

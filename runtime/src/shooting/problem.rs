@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::phase::Phase;
+use super::pin::Pin;
 use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
@@ -14,6 +15,8 @@ use std::f64::consts::TAU;
 const HASTE: f64 = 4.0;
 /// Share of the period by which a start keeps away from events.
 const MARGIN: f64 = 0.01;
+/// A pinned orbit that closes no better than this is none.
+const CLOSED: f64 = 1e-5;
 /// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
 const VANISHED: f64 = 1e-4;
 
@@ -31,6 +34,8 @@ pub struct OrbitProblem {
     pub period: f64,
     /// What the passages shall report besides derivatives.
     pub want: Want,
+    /// What is held in neutral directions.
+    pub pins: Vec<Pin>,
     /// Work of all evaluations.
     pub work: Work,
     modes: Vec<Modes>,
@@ -59,6 +64,7 @@ impl OrbitProblem {
                 extrema: true,
                 ..Want::default()
             },
+            pins: Vec::new(),
             work: Work::default(),
             modes: starts.iter().map(|place| place.modes.clone()).collect(),
             others: Vec::new(),
@@ -157,6 +163,10 @@ impl ZeroProblem for OrbitProblem {
         for (column, slope) in gradient.iter().enumerate() {
             h_z[(n - 1, column)] = slope / unit;
         }
+        let closure = h.rows(0, n - 1).norm();
+        for pin in &self.pins {
+            pin.enter(&start.state, &self.magnitude, &mut h, &mut h_z);
+        }
         self.work.newton += 1;
         Ok(Linearisation {
             residual: h,
@@ -168,6 +178,8 @@ impl ZeroProblem for OrbitProblem {
                 velocity,
                 period,
                 drive: flow.phase(),
+                closure,
+                pins: self.pins.clone(),
             },
         })
     }
@@ -183,6 +195,11 @@ impl ZeroProblem for OrbitProblem {
         r: f64,
         shot: &Self::Extra,
     ) -> Result<Option<DVector<f64>>, FlowError> {
+        if !self.pins.is_empty() && shot.closure > CLOSED {
+            return Err(FlowError::Unpinned {
+                closure: shot.closure,
+            });
+        }
         self.period = shot.period;
         self.magnitude = shot.magnitude(&self.magnitude);
         let largest = (0..self.order()).fold(0.0_f64, |most, j| {
@@ -236,6 +253,10 @@ impl OrbitProblem {
         let [passage] = shot.passages.as_slice() else {
             return Ok(None);
         };
+        // What is held at the start may change along the orbit.
+        if self.pins.iter().any(|pin| !pin.conserved) {
+            return Ok(None);
+        }
         let flow = self.family.at(r)?;
         let mut place = passage.calm.place.clone();
         place.state = flow.wrapped(place.state);

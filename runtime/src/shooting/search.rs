@@ -7,6 +7,7 @@ use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
 use super::guess::{Guess, Settled, settle};
 use super::orbit::Orbit;
+use super::stay::stays;
 use crate::bifurcation::floquet;
 use crate::continuation::ZeroProblem;
 use crate::integrate::Tolerance;
@@ -35,37 +36,69 @@ pub struct Search {
     pub segments: usize,
 }
 
-/// Finds the periodic orbit of `family` at r that is reached from `search.start`.
+/// Which orbit is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Meant {
+    /// The first to which a return leads.
+    First,
+    /// That on which the motion stays.
+    Last,
+}
+
+impl Meant {
+    /// Longest period sought, in crossings of the section.
+    const fn longest(self) -> usize {
+        match self {
+            Self::First => 32,
+            Self::Last => 512,
+        }
+    }
+}
+
+/// Finds the periodic orbit of `family` at r that is reached from `search.start`: the first to which a return of the
+/// motion leads, be it stable or not.
 ///
 /// # Errors
 /// See [`OrbitError`].
 pub fn closest(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitError> {
+    find(family, r, search, Meant::First)
+}
+
+/// Finds the periodic orbit of `family` at r on which the motion from `search.start` settles, of whatever period; an
+/// unstable one only if the motion begins on it.
+///
+/// # Errors
+/// See [`OrbitError`].
+pub fn settled(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitError> {
+    find(family, r, search, Meant::Last)
+}
+
+fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit, OrbitError> {
     let magnitude = magnitude_of(&search.start);
-    let loose = |magnitude: &[f64]| {
-        family
-            .with_tolerance(Tolerance::for_accuracy(ROUGH))
-            .with_magnitude(magnitude)
-            .at(r)
-    };
+    let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
+    let loose = |magnitude: &[f64]| rough.with_magnitude(magnitude).at(r);
     let start = loose(&magnitude)?.place(&search.start)?;
     if let Some(period) = search.period {
         let guess = Guess {
             place: start,
             period,
             magnitude,
+            pins: Vec::new(),
         };
         return converge(family, r, &guess, search);
     }
-    let mut failed = Failed::default();
-    let mut settled = settle(loose(&magnitude)?.as_ref(), start.clone(), |guess| {
+    let mut failed = Failed::new(meant);
+    let longest = meant.longest();
+    let flow = loose(&magnitude)?;
+    let mut settled = settle(flow.as_ref(), start.clone(), longest, |guess| {
         failed.unless(family, r, guess, search)
     })?;
     // What a start shows of the magnitudes may be far off: then all this was integrated too coarsely.
     if let (Settled::Neither(_), Some(seen)) = (&settled, &failed.magnitude.take())
         && (0..seen.len()).any(|j| seen[j] < COARSE * magnitude[j])
     {
-        failed = Failed::default();
-        settled = settle(loose(seen)?.as_ref(), start, |guess| {
+        failed = Failed::new(meant);
+        settled = settle(loose(seen)?.as_ref(), start, longest, |guess| {
             failed.unless(family, r, guess, search)
         })?;
     }
@@ -81,15 +114,41 @@ pub fn closest(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitE
     }
 }
 
-/// Returns of a motion that were no orbits.
-#[derive(Default)]
+/// Returns of a motion that were no orbits, or not the one that is meant.
 struct Failed {
+    meant: Meant,
     count: usize,
     last: Option<OrbitError>,
     magnitude: Option<Vec<f64>>,
 }
 
 impl Failed {
+    fn new(meant: Meant) -> Self {
+        Self {
+            meant,
+            count: 0,
+            last: None,
+            magnitude: None,
+        }
+    }
+
+    /// The orbit, unless another is meant.
+    fn taken(
+        &self,
+        family: &Family,
+        r: f64,
+        guess: &Guess,
+        (orbit, search): (Orbit, &Search),
+    ) -> Result<Orbit, OrbitError> {
+        if self.meant == Meant::First || stays(family, r, guess, (&orbit, &search.start))? {
+            return Ok(orbit);
+        }
+        Err(OrbitError::Passed {
+            period: orbit.period,
+            stability: orbit.floquet.stability.name(),
+        })
+    }
+
     /// The orbit near a return; `None` if it is no orbit either.
     ///
     /// Of many returns that lead nowhere only the first, second, fourth and so on are looked at closely.
@@ -104,7 +163,8 @@ impl Failed {
             self.count += 1;
             return None;
         }
-        let error = match from(family, r, guess, search, anchored) {
+        let orbit = from(family, r, guess, search, anchored);
+        let error = match orbit.and_then(|orbit| self.taken(family, r, guess, (orbit, search))) {
             Ok(orbit) => return Some(Ok(orbit)),
             Err(error) => error,
         };
@@ -118,9 +178,14 @@ impl Failed {
             }));
         }
         let newton = matches!(error, OrbitError::Newton(_));
-        self.last = Some(error);
+        // An orbit on which the motion does not stay says more than one that was not reached.
+        let passed = matches!(self.last, Some(OrbitError::Passed { .. }));
+        if !(passed && newton) {
+            self.last = Some(error);
+        }
         if newton && self.count.is_power_of_two() {
-            calmly(family, r, guess, search)
+            let orbit = calmly(family, r, guess, search)?.ok()?;
+            self.taken(family, r, guess, (orbit, search)).ok().map(Ok)
         } else {
             None
         }
@@ -136,7 +201,7 @@ fn neutral(family: &Family, r: f64, guess: &Guess) -> bool {
         .and_then(|(mut problem, unknowns)| problem.evaluate(&unknowns, r));
     shot.is_ok_and(|shot| {
         let (monodromy, _) = shot.extra.monodromy();
-        let multipliers = floquet(&monodromy, &shot.extra.velocity.f, None, 0, &[], NEUTRAL);
+        let multipliers = floquet(&monodromy, &shot.extra.velocity.f, None, 0, &[], 0, NEUTRAL);
         let one = Complex::new(1.0, 0.0);
         let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
         shot.residual.norm() <= CLOSED && multipliers.multipliers.iter().any(near)

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
 
+use super::pin::Pin;
 use crate::motion::{Factor, Passage, Place, Velocity, half_extents};
 
 /// Whether two times are the same instant of a period.
@@ -21,6 +22,10 @@ pub struct Shot {
     pub period: f64,
     /// The state that is the phase of a drive, if there is one.
     pub drive: Option<usize>,
+    /// How far its end is from its start, relative to the extents of the states.
+    pub closure: f64,
+    /// What is held in neutral directions.
+    pub pins: Vec<Pin>,
 }
 
 /// Most places at which an orbit is begun anew.

@@ -141,11 +141,7 @@ impl Orbit {
         if candidates.is_empty() {
             return Ok(false);
         }
-        let want = Want {
-            derivatives: true,
-            ..Want::default()
-        };
-        let after = |time: f64| flow.advance(&self.place, time, want);
+        let after = |time: f64| flow.advance(&self.place, time, Want::DERIVATIVES);
         let (half, whole) = (after(0.5 * self.period)?, after(self.period)?);
         let start = &self.place.state;
         for one in &candidates {

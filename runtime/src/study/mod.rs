@@ -45,9 +45,9 @@ pub use diagram::{
 pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
-pub use law::{Acting, Characteristic, Hysteresis, Remembering, Shown, Specimen};
+pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen};
 pub use motion::Trajectory;
-pub use orbit::{CertifiedOrbit, OrbitRecord};
+pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::System;
 pub use trade::{End, TradeRecord};

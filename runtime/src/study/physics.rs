@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use crate::field::exact::{ExactSystem, Mode, Modes};
-use crate::field::{Design, EnclosedField, Smoothing};
+use crate::field::{EnclosedField, Smoothing};
 use crate::flow::{ExactFamily, SmoothFamily};
 use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
@@ -13,44 +13,31 @@ use crate::scalar::Inline;
 use crate::shooting::Orbit;
 use crate::study::law::{Acting, Laws};
 use crate::study::predict::{PredictError, Prediction, Rubbed, predict};
+use crate::study::question::{Case, Dynamics};
 
 /// A declared model, whatever its type and its number of states.
 pub(super) trait Physics: Send + Sync {
     /// The model as data.
     fn info(&self) -> &'static ModelInfo;
 
-    /// Its flows along a design variable, with friction as declared; smooth where it has none.
-    fn exact(&self, values: &[f64], design: Design, tolerance: Tolerance) -> Family;
-
-    /// Its flows along a design variable, with this smoothing of its friction.
-    fn smooth(
-        &self,
-        values: &[f64],
-        smoothing: Option<Smoothing>,
-        design: Design,
-        tolerance: Tolerance,
-    ) -> Family;
+    /// The flows that a case is about, along its design variable.
+    fn family(&self, case: &Case) -> Family;
 
     /// Shows the law of each contact and each law with internal state.
-    fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(Acting<'_>));
+    fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(Acting<'_>));
 
-    /// Its field over boxes: sliding in these modes, or else with this smoothing.
-    fn enclosure(
-        &self,
-        values: &[f64],
-        modes: Option<&[Mode]>,
-        smoothing: Option<Smoothing>,
-    ) -> Box<dyn Enclosure>;
+    /// Its field over boxes: sliding in these modes, or else smooth.
+    fn enclosure(&self, case: &Case, modes: Option<&[Mode]>) -> Box<dyn Enclosure>;
 
     /// stick · G of each contact at a state, all of them held; the largest.
-    fn stiffness(&self, values: &[f64], state: &[f64]) -> f64;
+    fn stiffness(&self, case: &Case, state: &[f64]) -> f64;
 
     /// The errors of the copy with this smoothing, predicted from the exact orbit.
     fn predict(
         &self,
-        values: &[f64],
+        case: &Case,
         orbit: &Orbit,
-        smoothing: Smoothing,
+        copy: Smoothing,
     ) -> Result<Prediction, PredictError>;
 }
 
@@ -66,10 +53,11 @@ impl<M: Model<N>, const N: usize> Of<M, N> {
     }
 }
 
-fn model<M: Model<N>, const N: usize>(values: &[f64]) -> M {
+fn model<M: Model<N>, const N: usize>(case: &Case) -> M {
     let default = M::default().values();
     M::from_values(Inline::from_fn(|i| {
-        values.get(i).copied().unwrap_or(default.as_ref()[i])
+        let value = case.parameters.get(i).copied();
+        value.unwrap_or(default.as_ref()[i])
     }))
 }
 
@@ -78,61 +66,48 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         M::INFO
     }
 
-    fn exact(&self, values: &[f64], design: Design, tolerance: Tolerance) -> Family {
+    fn family(&self, case: &Case) -> Family {
+        let (model, magnitude) = (model::<M, N>(case), [1.0; N]);
+        let tolerance = Tolerance::for_accuracy(case.accuracy);
+        let design = case.design();
+        // Only a condition by itself keeps what follows from being compiled where it is false.
+        #[allow(clippy::collapsible_if)]
         if const { Self::RUBS } {
-            let parameter = match design {
-                Design::Parameter(index) => Some(index),
-                Design::Smoothing | Design::None => None,
-            };
-            let family: ExactFamily<M, N> = ExactFamily {
-                model: model(values),
-                design: parameter,
-                tolerance,
-                magnitude: [1.0; N],
-            };
-            family.into()
-        } else {
-            self.smooth(values, None, design, tolerance)
+            if case.dynamics == Dynamics::Exact {
+                let family = ExactFamily {
+                    model,
+                    design: design.parameter(),
+                    tolerance,
+                    magnitude,
+                };
+                return family.into();
+            }
         }
-    }
-
-    fn smooth(
-        &self,
-        values: &[f64],
-        smoothing: Option<Smoothing>,
-        design: Design,
-        tolerance: Tolerance,
-    ) -> Family {
-        let family: SmoothFamily<M, N> = SmoothFamily {
-            model: model(values),
-            smoothing,
+        let family = SmoothFamily {
+            model,
+            smoothing: case.smoothing(),
             design,
             tolerance,
-            magnitude: [1.0; N],
+            magnitude,
         };
         family.into()
     }
 
-    fn laws(&self, values: &[f64], start: &[f64], see: &mut dyn FnMut(Acting<'_>)) {
-        let values = model::<M, N>(values).values();
+    fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(Acting<'_>)) {
+        let values = model::<M, N>(case).values();
         let _ = M::rhs(&values, fixed(start), &mut Laws(see));
     }
 
-    fn enclosure(
-        &self,
-        values: &[f64],
-        sliding: Option<&[Mode]>,
-        smoothing: Option<Smoothing>,
-    ) -> Box<dyn Enclosure> {
-        let model: M = model(values);
+    fn enclosure(&self, case: &Case, sliding: Option<&[Mode]>) -> Box<dyn Enclosure> {
+        let model: M = model(case);
         Box::new(match sliding {
             Some(sliding) => EnclosedField::sliding(&model, fixed_modes(sliding)),
-            None => EnclosedField::smooth(&model, smoothing),
+            None => EnclosedField::smooth(&model, case.smoothing()),
         })
     }
 
-    fn stiffness(&self, values: &[f64], at: &[f64]) -> f64 {
-        let system = ExactSystem::<M, N>::new(&model(values), None);
+    fn stiffness(&self, case: &Case, at: &[f64]) -> f64 {
+        let system = ExactSystem::<M, N>::new(&model(case), None);
         let affine = system.affine(&fixed(at), &Modes::from_fn(|_| Mode::Stick));
         let of = |i: usize| affine.compliance.as_ref()[i].as_ref()[i] * affine.stick.as_ref()[i];
         (0..M::INFO.contacts.len()).map(of).fold(0.0, f64::max)
@@ -140,12 +115,12 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
 
     fn predict(
         &self,
-        values: &[f64],
+        case: &Case,
         orbit: &Orbit,
-        smoothing: Smoothing,
+        copy: Smoothing,
     ) -> Result<Prediction, PredictError> {
         if const { Self::RUBS } {
-            predict(&Rubbed::<M, N>::new(model(values)), orbit, smoothing)
+            predict(&Rubbed::<M, N>::new(model(case)), orbit, copy)
         } else {
             Err(PredictError::NeverSticks)
         }

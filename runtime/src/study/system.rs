@@ -6,7 +6,6 @@ use std::sync::Arc;
 use crate::field::exact::Mode;
 use crate::field::{Design, Smoothing};
 use crate::flow::FlowError;
-use crate::integrate::Tolerance;
 use crate::model::{Model, ModelInfo};
 use crate::motion::{Enclosure, Family, Flow, Tape};
 use crate::shooting::Orbit;
@@ -59,7 +58,7 @@ impl System {
     /// # Errors
     /// A parameter is out of its bounds, a smoothing would falsify a law, or there is nothing to follow.
     pub fn check(&self, case: &Case) -> Result<(), StudyError> {
-        if design(case) == Design::Smoothing && case.smoothing().is_none() {
+        if case.design() == Design::Smoothing && case.smoothing().is_none() {
             return Err(StudyError::NothingToSmooth);
         }
         let family = self.family(case);
@@ -71,7 +70,7 @@ impl System {
 
     /// Shows the law of each contact and each law with internal state, at the parameters and the start of the case.
     pub fn laws(&self, case: &Case, see: &mut dyn FnMut(Acting<'_>)) {
-        self.physics.laws(&case.parameters, &self.start(case), see);
+        self.physics.laws(case, &self.start(case), see);
     }
 
     /// Whether friction acts as declared, by set-valued laws.
@@ -81,14 +80,7 @@ impl System {
 
     /// The flows that the case is about, along its design variable.
     pub(super) fn family(&self, case: &Case) -> Family {
-        let tolerance = Tolerance::for_accuracy(case.accuracy);
-        let (values, design) = (&case.parameters, design(case));
-        let family = if self.rubs(case) {
-            self.physics.exact(values, design, tolerance)
-        } else {
-            let smoothing = case.smoothing();
-            self.physics.smooth(values, smoothing, design, tolerance)
-        };
+        let family = self.physics.family(case);
         match &self.tape {
             Some(tape) => family.recorded(tape),
             None => family,
@@ -116,13 +108,12 @@ impl System {
 
     /// The field of the case over boxes: sliding in these modes, or smooth.
     pub(super) fn enclosure(&self, case: &Case, modes: Option<&[Mode]>) -> Box<dyn Enclosure> {
-        let smoothing = case.smoothing();
-        self.physics.enclosure(&case.parameters, modes, smoothing)
+        self.physics.enclosure(case, modes)
     }
 
     /// stick · G of each contact at a state, all of them held; the largest.
     pub(super) fn stiffness(&self, case: &Case, state: &[f64]) -> f64 {
-        self.physics.stiffness(&case.parameters, state)
+        self.physics.stiffness(case, state)
     }
 
     /// The errors of the copy with this smoothing, predicted from the exact orbit of the case.
@@ -135,10 +126,6 @@ impl System {
         orbit: &Orbit,
         smoothing: Smoothing,
     ) -> Result<Prediction, PredictError> {
-        self.physics.predict(&case.parameters, orbit, smoothing)
+        self.physics.predict(case, orbit, smoothing)
     }
-}
-
-fn design(case: &Case) -> Design {
-    case.along.map_or(Design::None, |along| along.design)
 }

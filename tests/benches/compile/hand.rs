@@ -75,6 +75,7 @@ impl Model<2> for Belt {
             fields: "limit: F_s, decay: delta",
             speed: "v - v_dr",
             speed_unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]),
+            states: &[],
         }],
         memories: &[],
             moving: false,

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use stickslip::continuation::{Followed, Settings, Stop};
+use stickslip::continuation::{Settings, Stop};
 use stickslip::field::{Design, Smoothing, Work};
 use stickslip::flow::SmoothFamily;
 use stickslip::integrate::Tolerance;

@@ -105,6 +105,7 @@ fn round(family: &Family, orbit: &Orbit) -> (f64, usize) {
             None,
             0,
             &[],
+            0,
             ACCURACY,
         ));
     });

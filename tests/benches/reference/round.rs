@@ -2,7 +2,7 @@
 
 use stickslip::continuation::Settings;
 use stickslip::field::{Design, SmoothField, Smoothing};
-use stickslip::flow::{ExactFamily, Family as _, Flow as _, Passage, Place, SmoothFamily, Want};
+use stickslip::flow::{ExactFamily, Flow as _, Passage, Place, SmoothFamily, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip::motion::Family;
@@ -32,6 +32,7 @@ pub(crate) struct ExactRound<M: Model<N>, const N: usize> {
 const DERIVATIVES: Want = Want {
     derivatives: true,
     factors: false,
+    panel: 0.0,
     extrema: false,
     path: false,
 };

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use stickslip::model::Model;
-use stickslip::report::{Axis, Curve, Figure, Panel, Report, Section};
+use stickslip::report::{Axis, Block, Curve, Figure, Panel, Report, ReportError, Section, Written};
 
 use crate::clock::best;
 use crate::contender::{library, methods};
@@ -46,7 +46,7 @@ pub(crate) fn table() {
         ),
     ];
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("work-precision");
-    match report(panels).write(&out) {
+    match report(panels, &out) {
         Ok(written) => println!("drawn in {}", written.page.display()),
         Err(error) => println!("not drawn: {error}"),
     }
@@ -146,7 +146,7 @@ impl Line {
     }
 }
 
-fn report(panels: [Panel; 4]) -> Report {
+fn report(panels: [Panel; 4], out: &Path) -> Result<Written, ReportError> {
     let caption = "Time of one period with Φ and ∂φ/∂r against the error of Φ that it leaves. Further left is more \
                    accurate, further down is faster. `exact` is the exact system and not a copy of it.";
     let figure = panels
@@ -156,8 +156,10 @@ fn report(panels: [Panel; 4]) -> Report {
             Figure::panel,
         )
         .columns(2);
-    Report {
-        sections: vec![Section::new("Work and precision").figure(figure)],
-        ..Report::default()
-    }
+    let mut report = Report::begin("", "", out)?;
+    report.add(Section {
+        title: "Work and precision".to_owned(),
+        blocks: vec![Block::Figure(figure)],
+    })?;
+    Ok(report.written())
 }

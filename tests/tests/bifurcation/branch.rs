@@ -1,7 +1,7 @@
 //! Branches of orbits of the reference systems.
 
 use stickslip::bifurcation::Stability;
-use stickslip::continuation::{Followed, Settings, Stop};
+use stickslip::continuation::{Settings, Stop};
 use stickslip::field::Design;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;

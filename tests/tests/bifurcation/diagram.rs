@@ -200,7 +200,8 @@ fn sections_of_an_orbit_agree_with_its_count() {
     let count = |surface, direction| {
         let section = Section { surface, direction };
         let span = Span::Period(orbit.period);
-        model.crossings(&from, section, span).unwrap().len()
+        let met = model.crossings(&from, section, span).unwrap();
+        met.points.len()
     };
     let default = count(Surface::Rate(0), Direction::Up);
     assert_eq!(default, orbit.period_count);

@@ -7,3 +7,4 @@ mod diagram;
 mod equilibria;
 mod margins;
 mod orbits;
+mod scales;

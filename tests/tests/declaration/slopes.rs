@@ -1,7 +1,7 @@
 //! Derivatives of smoothed fields against differences of the fields themselves.
 
 use stickslip::field::{Field, SmoothField};
-use stickslip::flow::{Family, SmoothFamily};
+use stickslip::flow::SmoothFamily;
 use stickslip::model::Model;
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::random::Random;

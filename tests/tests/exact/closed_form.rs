@@ -17,6 +17,7 @@ const EXTREMA: Want = Want {
     extrema: true,
     path: true,
     factors: false,
+    panel: 0.0,
 };
 
 stickslip::model! {

@@ -24,6 +24,7 @@ const DERIVATIVES: Want = Want {
     extrema: false,
     path: false,
     factors: false,
+    panel: 0.0,
 };
 
 stickslip::model! {

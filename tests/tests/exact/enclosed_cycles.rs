@@ -191,6 +191,7 @@ fn computed_orbits_reach_their_enclosures() {
                 place: orbit.heading.start.clone(),
                 period: orbit.period,
                 magnitude: orbit.magnitude(),
+                pins: Vec::new(),
             };
             let certificate = certify(&family, 0.0, &guess, accuracy).expect("a certificate");
             within(

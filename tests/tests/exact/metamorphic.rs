@@ -154,7 +154,7 @@ fn a_doubled_period_squares_the_multipliers() {
         .unwrap();
     let velocity = flow.velocity(&reference.place).unwrap().f;
     let phi = twice.derivatives.unwrap().state;
-    let doubled = stickslip::bifurcation::floquet(&phi, &velocity, None, 2, &[], 1e-10);
+    let doubled = stickslip::bifurcation::floquet(&phi, &velocity, None, 2, &[], 0, 1e-10);
     let once = reference.floquet.multipliers[0];
     assert!((doubled.multipliers[0] - once * once).norm() < 1e-8);
 }

@@ -14,6 +14,7 @@ const ALL: Want = Want {
     extrema: true,
     path: true,
     factors: true,
+    panel: 0.0,
 };
 
 #[test]

@@ -16,6 +16,7 @@ const EXTREMA: Want = Want {
     extrema: true,
     path: false,
     factors: false,
+    panel: 0.0,
 };
 
 const DERIVATIVES: Want = Want {

@@ -8,11 +8,11 @@ use std::path::Path;
 use files::{Files, Graph, beside, circle};
 
 /// Modules from the ground up.
-const ORDER: [&str; 23] = [
+const ORDER: [&str; 24] = [
     "scalar",
     "math",
     "linear",
-    "serial",
+    "words",
     "suggest",
     "model",
     "memory",
@@ -26,6 +26,7 @@ const ORDER: [&str; 23] = [
     "bifurcation",
     "poincare",
     "lyapunov",
+    "harmonics",
     "equilibrium",
     "shooting",
     "curve",

@@ -1,6 +1,6 @@
 //! What any flow must do, whatever it is the flow of.
 
-use stickslip::flow::{Derivatives, Family, Flow, Passage, Place, Want};
+use stickslip::flow::{Derivatives, Flow, Passage, Place, Want};
 use stickslip::model::Model;
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{Subject, TIGHT};
@@ -18,6 +18,7 @@ const DERIVATIVES: Want = Want {
     extrema: false,
     path: false,
     factors: false,
+    panel: 0.0,
 };
 
 /// A time in which every subject slides, and those with friction stick and slide again.

@@ -21,6 +21,7 @@ const EXTREMA: Want = Want {
     extrema: true,
     path: false,
     factors: false,
+    panel: 0.0,
 };
 
 /// Largest |first state| once the motion from `start` has gone on for `before`, during the time `during`.

@@ -6,5 +6,7 @@ mod followed;
 mod layers;
 mod memory_laws;
 mod metamorphic;
+mod response;
 mod shooting;
 mod stops;
+mod strobes;

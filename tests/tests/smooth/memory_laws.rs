@@ -1,7 +1,7 @@
 //! Laws with internal state: what the papers say of them, closed forms, and their derivatives.
 
 use stickslip::field::{Design, SmoothField};
-use stickslip::flow::{Family, Flow, SmoothFamily, Want};
+use stickslip::flow::{Flow, SmoothFamily, Want};
 use stickslip::friction::{ContactRule, FrictionLaw};
 use stickslip::integrate::Tolerance;
 use stickslip::model;

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use nalgebra::DVector;
 use stickslip::continuation::correct;
 use stickslip::field::{Design, SmoothField, Smoothing};
-use stickslip::flow::{Family, Flow, FlowError, SmoothFamily, SmoothFlow, Want};
+use stickslip::flow::{Flow, FlowError, SmoothFamily, SmoothFlow, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::lyapunov::lyapunov;
 use stickslip::model;

@@ -50,6 +50,7 @@ fn computed(orbit: &Orbit) -> Guess {
         place: orbit.heading.start.clone(),
         period: orbit.period,
         magnitude: orbit.magnitude(),
+        pins: Vec::new(),
     }
 }
 
@@ -330,6 +331,7 @@ fn a_family_of_orbits_is_singular() {
         place: flow.place(&[-1.0, 0.0]).expect("a place"),
         period: std::f64::consts::TAU,
         magnitude: vec![1.0; 2],
+        pins: Vec::new(),
     };
     let answer = certify(&family, 0.0, &guess, 1e-9);
     assert!(

@@ -4,5 +4,6 @@ mod certificates;
 mod coverage;
 mod hostile;
 mod laws;
+mod neutral;
 mod proofs;
 mod trade;

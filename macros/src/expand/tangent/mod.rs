@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, HashMap};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use super::lift::{Lift, Lifted, call, constant, negative, power, scalar, small_power};
+use super::lift::{Lift, Lifted, atom, call, constant, negative, power, scalar, small_power};
 use crate::formula::{Formula, Kind, Operator};
 
 /// A derivative; that of a name by itself costs nothing.
@@ -118,12 +118,8 @@ impl<'a> Tangents<'a> {
     }
 
     fn keep(&mut self, lifted: &Lifted) -> Lifted {
-        let name = self.bind(&lifted.tokens).into_token_stream();
-        if lifted.is_constant {
-            constant(name)
-        } else {
-            scalar(name)
-        }
+        let name = self.bind(&lifted.tokens);
+        atom(name.into_token_stream(), lifted.is_constant)
     }
 
     fn join(&mut self, left: Lifted, operator: Operator, right: Lifted) -> Lifted {

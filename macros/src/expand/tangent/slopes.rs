@@ -34,28 +34,22 @@ impl Tangents<'_> {
         negated.collect()
     }
 
-    pub(in crate::expand) fn sum(&mut self, mut left: Slopes, right: &Slopes) -> Slopes {
-        for (direction, slope) in right {
-            let sum = match left.get(direction) {
-                None => slope.clone(),
-                Some(before) => {
-                    Slope::Other(self.join(before.lifted(), Operator::Add, slope.lifted()))
-                }
-            };
-            left.insert(*direction, sum);
-        }
-        left
+    pub(in crate::expand) fn sum(&mut self, left: Slopes, right: &Slopes) -> Slopes {
+        self.joined(left, Operator::Add, right)
     }
 
-    pub(in crate::expand) fn difference(&mut self, mut left: Slopes, right: &Slopes) -> Slopes {
+    pub(in crate::expand) fn difference(&mut self, left: Slopes, right: &Slopes) -> Slopes {
+        self.joined(left, Operator::Subtract, right)
+    }
+
+    fn joined(&mut self, mut left: Slopes, operator: Operator, right: &Slopes) -> Slopes {
         for (direction, slope) in right {
-            let difference = match left.get(direction) {
+            let joined = match left.get(direction) {
+                None if operator == Operator::Add => slope.clone(),
                 None => self.negated(slope),
-                Some(before) => {
-                    Slope::Other(self.join(before.lifted(), Operator::Subtract, slope.lifted()))
-                }
+                Some(before) => Slope::Other(self.join(before.lifted(), operator, slope.lifted())),
             };
-            left.insert(*direction, difference);
+            left.insert(*direction, joined);
         }
         left
     }

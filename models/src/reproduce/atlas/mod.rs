@@ -7,14 +7,14 @@ mod page;
 use std::time::{Duration, Instant};
 
 use stickslip::field::Kernel;
-use stickslip::report::{Column, Section, Table};
+use stickslip::report::numerals::{count, duration};
+use stickslip::report::{Manuscript, Section};
 use stickslip::study::{Beginning, BranchRecord, Case, Dynamics, Switch, parallel};
 
 use super::ReproduceError;
 use super::ask::Subject;
 use super::branch::work;
 use super::copies::copy;
-use super::words::{count, duration};
 use crate::BeltPair;
 
 /// The copy is of size 10ⁱ.
@@ -70,20 +70,21 @@ pub(super) fn section() -> Result<(Section, usize), ReproduceError> {
     let smoothed = follow(&pair, copy(Kernel::Arctan, EXPONENT))?;
     let exact = follow(&pair, Dynamics::Exact)?;
     let branches = smoothed.branches().count() + exact.branches().count();
-    let section = Section::new("Two masses on a belt: all branches")
-        .text(
-            "How do the motions of the two masses change with the speed of the belt? The thesis followed its branches \
-             of periodic orbits for more than nine hours, on the copy with *ε* = 10^{5}, and read their bifurcations \
-             off its figures. Here each family is followed from one orbit in both directions, and at every flip the \
-             doubled orbit is followed, too; then the same again with friction as it is.",
-        )
+    let both = [&smoothed, &exact];
+    let manuscript = Manuscript::new(include_str!("atlas.md"))
         .page(page::page(&pair, &smoothed, &exact))
-        .table(named::table(&smoothed, &exact))
-        .table(costs(&[&smoothed, &exact]));
-    let section = drawn::figures(&smoothed, &exact)
-        .into_iter()
-        .fold(section, Section::figure);
-    Ok((section, branches))
+        .rows("atlas-bifurcations", named::rows(&smoothed, &exact))
+        .rows("atlas-cost", both.map(costs))
+        .panels(
+            "3.15",
+            drawn::panels(both, "*f*", |orbit| 1.0 / orbit.period),
+        )
+        .panels(
+            "3.17",
+            drawn::panels(both, "max |*X*_{1}|", |orbit| orbit.max_abs[0]),
+        )
+        .panels("3.18", both.map(drawn::points));
+    Ok((manuscript.section()?, branches))
 }
 
 /// Follows all families, on all cores.
@@ -141,34 +142,20 @@ impl Atlas {
     }
 }
 
-fn costs(atlases: &[&Atlas]) -> Table {
-    let heads = [
-        "branches",
-        "orbits",
-        "special points",
-        "steps",
-        "*f*",
-        "LU",
-        "Newton",
-        "time",
-    ];
-    let columns = std::iter::once(Column::words("system")).chain(heads.map(Column::numbers));
-    let caption = "What the branches cost on all cores. The thesis took 9 h 35 min for fewer branches of the copy.";
-    Table::new("atlas-cost", caption, columns).rows(atlases.iter().map(|atlas| {
-        let all: Vec<&BranchRecord> = atlas.branches().map(|(_, branch)| branch).collect();
-        let points = all.iter().flat_map(|branch| &branch.points);
-        let work = work(points.clone());
-        let special: usize = all.iter().map(|branch| branch.special.len()).sum();
-        vec![
-            atlas.title().to_owned(),
-            count(all.len() as u64),
-            count(points.count() as u64),
-            count(special as u64),
-            count(work.steps),
-            count(work.evaluations),
-            count(work.factorisations),
-            count(work.newton),
-            duration(atlas.time),
-        ]
-    }))
+fn costs(atlas: &Atlas) -> Vec<String> {
+    let all: Vec<&BranchRecord> = atlas.branches().map(|(_, branch)| branch).collect();
+    let points = all.iter().flat_map(|branch| &branch.points);
+    let work = work(points.clone());
+    let special: usize = all.iter().map(|branch| branch.special.len()).sum();
+    vec![
+        atlas.title().to_owned(),
+        count(all.len() as u64),
+        count(points.count() as u64),
+        count(special as u64),
+        count(work.steps),
+        count(work.evaluations),
+        count(work.factorisations),
+        count(work.newton),
+        duration(atlas.time),
+    ]
 }

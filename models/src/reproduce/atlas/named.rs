@@ -1,10 +1,9 @@
 //! The bifurcations that the thesis names, beside ours.
 
 use stickslip::continuation::Kind;
-use stickslip::report::{Column, Table};
+use stickslip::report::numerals::decimals;
 use stickslip::study::{BranchRecord, Special};
 
-use super::super::words::decimals;
 use super::{Atlas, FAMILIES};
 
 /// A bifurcation of section 3.3.2.
@@ -26,7 +25,7 @@ const fn named(family: usize, path: &'static [f64], kind: Kind, v_dr: f64) -> Na
     }
 }
 
-pub(super) const NAMED: [Named; 18] = [
+static NAMED: [Named; 18] = [
     named(0, &[], Kind::Flip, 0.081),
     named(0, &[], Kind::Flip, 0.141),
     named(0, &[0.081], Kind::Flip, 0.08),
@@ -59,43 +58,32 @@ pub(super) struct Match<'a> {
 /// it in the exact system: reached by the same flips, and of the same kind and number on its branch.
 pub(super) fn matches<'a>(smoothed: &'a Atlas, exact: &'a Atlas) -> Vec<Match<'a>> {
     let one = |named: &'a Named| {
-        let mut pair = [
-            &smoothed.families[named.family],
-            &exact.families[named.family],
-        ];
-        for flip in named.path {
-            let [Some(a), Some(b)] = flips(pair, *flip) else {
-                return None;
-            };
-            pair = [a, b];
-        }
-        let near = nearest(pair[0], named.kind, named.v_dr);
-        Some(Match {
+        let first = [smoothed, exact].map(|atlas| &atlas.families[named.family]);
+        let pair = named
+            .path
+            .iter()
+            .try_fold(first, |pair, flip| flips(pair, *flip));
+        let near = pair.and_then(|pair| nearest(pair[0], named.kind, named.v_dr));
+        let exact = pair.zip(near);
+        let orbit = pair.and_then(|pair| pair[0].points.first());
+        Match {
             named,
             smoothed: near,
-            exact: near.and_then(|special| counterpart(pair, special, named.family)),
-            period_count: pair[0].points.first().map_or(0, |point| point.period_count),
-        })
+            exact: exact.and_then(|(pair, special)| counterpart(pair, special, named.family)),
+            period_count: orbit.map_or(0, |orbit| orbit.period_count),
+        }
     };
-    let missing = |named| Match {
-        named,
-        smoothed: None,
-        exact: None,
-        period_count: 0,
-    };
-    let found = super::named::NAMED.iter();
-    found
-        .map(|named| one(named).unwrap_or_else(|| missing(named)))
-        .collect()
+    NAMED.iter().map(one).collect()
 }
 
 /// The branches that leave both at the flip that the copy has next to this speed.
-fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> [Option<&BranchRecord>; 2] {
-    let label = nearest(pair[0], Kind::Flip, v_dr).map(|special| special.label.as_str());
-    pair.map(|branch| {
+fn flips(pair: [&BranchRecord; 2], v_dr: f64) -> Option<[&BranchRecord; 2]> {
+    let label = nearest(pair[0], Kind::Flip, v_dr)?.label.as_str();
+    let [a, b] = pair.map(|branch| {
         let mut below = branch.branches.iter();
-        below.find(|below| label.is_some() && below.from.as_deref() == label)
-    })
+        below.find(|below| below.from.as_deref() == Some(label))
+    });
+    Some([a?, b?])
 }
 
 fn nearest(branch: &BranchRecord, kind: Kind, v_dr: f64) -> Option<&Special> {
@@ -132,39 +120,22 @@ fn counterpart<'a>(
     (place == 0).then(|| theirs.first().copied()).flatten()
 }
 
-/// The table of all named bifurcations.
-pub(super) fn table(smoothed: &Atlas, exact: &Atlas) -> Table {
-    let columns = [
-        Column::words("family"),
-        Column::numbers("period *n*"),
-        Column::words("kind"),
-        Column::numbers("*V*_{dr}, thesis"),
-        Column::numbers("smoothed"),
-        Column::numbers("exact"),
-        Column::numbers("shift"),
-        Column::words("smoothed"),
-    ];
-    let caption = "The bifurcations that section 3.3.2 of the thesis names, on the same smoothed copy and in the exact \
-                   system, and by how much smoothing shifts each. A flip is supercritical where the doubled orbit lies \
-                   on the side on which the orbit has lost its stability.";
+/// A row for each named bifurcation.
+pub(super) fn rows(smoothed: &Atlas, exact: &Atlas) -> Vec<Vec<String>> {
     let number = |special: Option<&Special>| special.map_or("–".to_owned(), |s| decimals(s.r, 6));
-    Table::new("atlas-bifurcations", caption, columns).rows(
-        matches(smoothed, exact).into_iter().map(|found| {
-            let shift = found.smoothed.zip(found.exact).map(|(a, b)| a.r - b.r);
-            vec![
-                FAMILIES[found.named.family].name.to_owned(),
-                found.period_count.to_string(),
-                found.named.kind.to_string(),
-                found.named.v_dr.to_string(),
-                number(found.smoothed),
-                number(found.exact),
-                shift.map_or("–".to_owned(), |shift| decimals(shift, 6)),
-                found
-                    .smoothed
-                    .and_then(|special| special.criticality)
-                    .unwrap_or("")
-                    .to_owned(),
-            ]
-        }),
-    )
+    let row = |found: Match<'_>| {
+        let shift = found.smoothed.zip(found.exact).map(|(a, b)| a.r - b.r);
+        let criticality = found.smoothed.and_then(|special| special.criticality);
+        vec![
+            FAMILIES[found.named.family].name.to_owned(),
+            found.period_count.to_string(),
+            found.named.kind.to_string(),
+            found.named.v_dr.to_string(),
+            number(found.smoothed),
+            number(found.exact),
+            shift.map_or("–".to_owned(), |shift| decimals(shift, 6)),
+            criticality.unwrap_or_default().to_owned(),
+        ]
+    };
+    matches(smoothed, exact).into_iter().map(row).collect()
 }

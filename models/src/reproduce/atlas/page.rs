@@ -1,7 +1,6 @@
 //! The interactive page: its data, and the page around them.
 
-use std::fmt::Write;
-
+use serde_json::{Value, json};
 use stickslip::bifurcation::Stability;
 use stickslip::report::Page;
 use stickslip::study::{BranchRecord, Dynamics, OrbitRecord, Special, parallel};
@@ -21,22 +20,19 @@ const THIN: f64 = 2e-3;
 /// The page of all branches.
 pub(super) fn page(pair: &Subject, smoothed: &Atlas, exact: &Atlas) -> Page {
     let named = matches(smoothed, exact);
-    let marked = [
+    let marked: [Vec<&Special>; 2] = [
         named.iter().filter_map(|found| found.smoothed).collect(),
-        named
-            .iter()
-            .filter_map(|found| found.exact)
-            .collect::<Vec<_>>(),
+        named.iter().filter_map(|found| found.exact).collect(),
     ];
     let atlases = [smoothed, exact];
     let systems = atlases.iter().zip(&marked);
-    let systems: Vec<String> = systems
+    let systems: Value = systems
         .map(|(atlas, marked)| system(pair, atlas, marked))
         .collect();
     Page {
         name: "atlas".to_owned(),
         link: "All branches, to be explored: Figs. 3.15 to 3.18, smoothed and exact".to_owned(),
-        html: TEMPLATE.replace("/*DATA*/", &format!("[{}]", systems.join(",\n"))),
+        html: TEMPLATE.replace("/*DATA*/", &systems.to_string()),
         data: (
             HEAD.map(str::to_owned).to_vec(),
             atlases.iter().flat_map(|atlas| rows(atlas)).collect(),
@@ -61,12 +57,8 @@ fn rows(atlas: &Atlas) -> Vec<Vec<String>> {
     let all = atlas.branches().enumerate();
     all.flat_map(|(number, (family, branch))| {
         branch.points.iter().map(move |point| {
-            let multipliers: Vec<String> = point
-                .floquet
-                .multipliers
-                .iter()
-                .map(ToString::to_string)
-                .collect();
+            let multipliers = point.floquet.multipliers.iter();
+            let multipliers: Vec<String> = multipliers.map(ToString::to_string).collect();
             vec![
                 atlas.dynamics.to_string(),
                 number.to_string(),
@@ -99,44 +91,31 @@ fn leaves<'a>((family, branch, origin): Leaf<'a>, all: &mut Vec<Leaf<'a>>) {
     }
 }
 
-fn system(pair: &Subject, atlas: &Atlas, marked: &[&Special]) -> String {
+fn system(pair: &Subject, atlas: &Atlas, marked: &[&Special]) -> Value {
     let mut all = Vec::new();
     for (family, first) in FAMILIES.iter().zip(&atlas.families) {
         leaves((family.name, first, None), &mut all);
     }
-    let branches = parallel(&all, |leaf| branch(pair, leaf, marked));
     let name = match atlas.dynamics {
         Dynamics::Exact => "exact".to_owned(),
         other => format!("smoothed, {other}"),
     };
-    format!(
-        "{{\"name\":{},\"branches\":[\n{}]}}",
-        quoted(&name),
-        branches.join(",\n")
-    )
+    json!({ "name": name, "branches": parallel(&all, |leaf| branch(pair, leaf, marked)) })
 }
 
-fn branch(pair: &Subject, (family, branch, origin): &Leaf<'_>, marked: &[&Special]) -> String {
+fn branch(pair: &Subject, (family, branch, origin): &Leaf<'_>, marked: &[&Special]) -> Value {
     let kept = thinned(&branch.points);
-    let points: Vec<String> = kept.iter().map(|(_, orbit)| point(pair, orbit)).collect();
+    let points = kept.iter().map(|(_, orbit)| point(pair, orbit));
     let after = |one: &Special| kept.iter().filter(|(i, _)| *i < one.after).count();
-    let special: Vec<String> = branch
-        .special
-        .iter()
-        .map(|one| {
-            let named = marked.iter().any(|mark| std::ptr::eq(*mark, one));
-            special(one, named, after(one))
-        })
-        .collect();
-    format!(
-        "{{\"family\":{},\"from\":{},\"origin\":{},\"ended\":{},\"points\":[{}],\"special\":[{}]}}",
-        quoted(family),
-        branch.from.as_deref().map_or("null".to_owned(), quoted),
-        origin.map_or("null".to_owned(), |origin| self::special(origin, false, 0)),
-        quoted(branch.ended.word()),
-        points.join(","),
-        special.join(",")
-    )
+    let special = branch.special.iter().map(|one| {
+        let named = marked.iter().any(|mark| std::ptr::eq(*mark, one));
+        special(one, named, after(one))
+    });
+    json!({
+        "family": family, "from": branch.from, "ended": branch.ended.word(),
+        "origin": origin.map(|origin| self::special(origin, false, 0)),
+        "points": points.collect::<Vec<_>>(), "special": special.collect::<Vec<_>>(),
+    })
 }
 
 /// Enough of these orbits to draw their branch, with their numbers.
@@ -157,26 +136,22 @@ fn thinned(points: &[OrbitRecord]) -> Vec<(usize, &OrbitRecord)> {
     kept
 }
 
-fn point(pair: &Subject, orbit: &OrbitRecord) -> String {
+fn point(pair: &Subject, orbit: &OrbitRecord) -> Value {
     let multipliers = orbit.floquet.multipliers.iter();
     let section = orbit.section.iter().filter_map(|state| state.first());
-    let mut text = format!(
-        "{{\"r\":{},\"T\":{},\"m\":{},\"n\":{},\"s\":{},\"mu\":[{}],\"p\":[{}]",
-        digits(orbit.r.unwrap_or(0.0), 8),
-        digits(orbit.period, 8),
-        digits(orbit.max_abs[0], 5),
-        orbit.period_count,
-        u8::from(orbit.floquet.stability == Stability::Stable),
-        list(multipliers.flat_map(|mu| [mu.re, mu.im]), 5),
-        list(section.copied(), 4),
-    );
+    let mut point = json!({
+        "r": digits(orbit.r.unwrap_or(0.0), 8), "T": digits(orbit.period, 8),
+        "m": digits(orbit.max_abs[0], 5), "n": orbit.period_count,
+        "s": u8::from(orbit.floquet.stability == Stability::Stable),
+        "mu": list(multipliers.flat_map(|mu| [mu.re, mu.im]), 5), "p": list(section.copied(), 4),
+    });
     if let Some(word) = &orbit.word {
-        let _ = write!(text, ",\"w\":{}", quoted(word));
+        point["w"] = word.as_str().into();
     }
     if let Some(path) = path(pair, orbit) {
-        let _ = write!(text, ",\"x\":[{}]", list(path.into_iter(), 3));
+        point["x"] = list(path.into_iter(), 3).into();
     }
-    text + "}"
+    point
 }
 
 /// Both displacements along one period, one after the other.
@@ -196,39 +171,23 @@ fn path(pair: &Subject, orbit: &OrbitRecord) -> Option<Vec<f64>> {
     Some(path)
 }
 
-fn special(special: &Special, named: bool, after: usize) -> String {
-    format!(
-        "{{\"named\":{named},\"a\":{after},\"k\":{},\"l\":{},\"r\":{},\"T\":{},\"m\":{},\"c\":{}}}",
-        quoted(special.kind.name()),
-        quoted(&special.label),
-        digits(special.r, 9),
-        digits(special.period, 8),
-        digits(special.max_abs[0], 5),
-        special.criticality.map_or("null".to_owned(), quoted)
-    )
+fn special(special: &Special, named: bool, after: usize) -> Value {
+    json!({
+        "named": named, "a": after, "k": special.kind.name(), "l": special.label,
+        "r": digits(special.r, 9), "T": digits(special.period, 8),
+        "m": digits(special.max_abs[0], 5), "c": special.criticality,
+    })
 }
 
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+fn list(values: impl Iterator<Item = f64>, count: usize) -> Vec<Option<f64>> {
+    values.map(|value| digits(value, count)).collect()
 }
 
-fn list(values: impl Iterator<Item = f64>, count: usize) -> String {
-    values
-        .map(|value| digits(value, count))
-        .collect::<Vec<_>>()
-        .join(",")
-}
-
-/// A number with so many significant digits at most, as JSON writes it.
-fn digits(value: f64, count: usize) -> String {
-    if !value.is_finite() {
-        return "null".to_owned();
-    }
-    let rounded: f64 = format!("{value:.*e}", count.max(1) - 1)
-        .parse()
-        .unwrap_or(value);
-    if rounded.abs() < 1e-12 {
-        return "0".to_owned();
-    }
-    format!("{rounded}")
+/// A number with so many significant digits at most, if it is one.
+fn digits(value: f64, count: usize) -> Option<f64> {
+    let rounded: f64 = format!("{value:.*e}", count.max(1) - 1).parse().ok()?;
+    let tiny = rounded.abs() < 1e-12;
+    rounded
+        .is_finite()
+        .then_some(if tiny { 0.0 } else { rounded })
 }

@@ -3,10 +3,9 @@
 use std::f64::consts::{LN_2, TAU};
 
 use stickslip::field::Kernel;
-use stickslip::study::{Case, Dynamics};
+use stickslip::study::{Case, Dynamics, OrbitRecord};
 
 use super::super::ask::Subject;
-use super::judge::Limit;
 use crate::closed_form;
 use crate::{BeltOscillator, BeltPair, DrillString};
 
@@ -14,6 +13,55 @@ use crate::{BeltOscillator, BeltPair, DrillString};
 const AIRY: f64 = 7.014_322_339_2;
 /// Period and largest displacement of the belt oscillator at its defaults, from an independent computation.
 const BELT: (f64, f64) = (12.001_031_294_830_579, 1.133_944_676_441_657);
+
+/// What is known of an orbit without computing it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limit {
+    /// Which quantity.
+    of: fn(&OrbitRecord) -> f64,
+    /// Its value there.
+    value: f64,
+    /// How far from it the true value may be, relative to it.
+    remainder: f64,
+}
+
+impl Limit {
+    /// A period known but for this relative remainder.
+    pub(super) const fn period(value: f64, remainder: f64) -> Self {
+        let of = |orbit: &OrbitRecord| orbit.period;
+        Self {
+            of,
+            value,
+            remainder,
+        }
+    }
+
+    /// A largest value of the first state known but for this relative remainder.
+    pub(super) const fn max(value: f64, remainder: f64) -> Self {
+        let of = |orbit: &OrbitRecord| orbit.max.first().copied().unwrap_or(f64::NAN);
+        Self {
+            of,
+            value,
+            remainder,
+        }
+    }
+
+    /// A largest magnitude of the first state known but for this relative remainder.
+    pub(super) const fn amplitude(value: f64, remainder: f64) -> Self {
+        let of = |orbit: &OrbitRecord| orbit.max_abs.first().copied().unwrap_or(f64::NAN);
+        Self {
+            of,
+            value,
+            remainder,
+        }
+    }
+
+    /// By how much more than the remainder an orbit is off; nothing if it is not.
+    pub(super) fn error(&self, orbit: &OrbitRecord) -> f64 {
+        let off = ((self.of)(orbit) / self.value - 1.0).abs() - self.remainder;
+        if off.is_nan() { 1.0 } else { off.max(0.0) }
+    }
+}
 
 /// Nothing is known.
 pub(super) fn none(_: &Case, _: f64) -> Vec<Limit> {

@@ -1,18 +1,18 @@
 //! The map of the extremes: over which ranges of parameters and of ε answers keep their digits, and what stops them.
 
-mod judge;
 mod limits;
 mod page;
 mod ranges;
 
 use std::path::Path;
 
-use stickslip::report::{Report, ReportError, Written};
-use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, parallel};
+use stickslip::report::{ReportError, Written};
+use stickslip::study::{Case, OrbitRecord, StudyError, parallel};
 
+use super::Part;
 use super::ask::Subject;
 pub(super) use page::section;
-pub use ranges::{Expected, Range, System, ranges};
+pub use ranges::{Expected, Range, ranges};
 
 /// What became of one cell of the map.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,60 +52,42 @@ pub enum Outcome {
 const ACCURACY: f64 = 1e-9;
 const TIGHT: [f64; 3] = [1e-12, 1e-11, 1e-10];
 
-/// Computes the map alone and writes it as a page to the folder `out`; says in words what was written.
-///
-/// # Errors
-/// A file cannot be written.
-pub fn reproduce(out: &Path) -> Result<String, ReportError> {
-    let written = draw(&map(), out)?;
-    Ok(format!("open {} in a browser", written.page.display()))
-}
-
 /// Writes a map as a page to the folder `out`.
 ///
 /// # Errors
 /// A file cannot be written.
 pub fn draw(map: &[(Range, Vec<Cell>)], out: &Path) -> Result<Written, ReportError> {
-    let report = Report {
-        title: "At the extremes".to_owned(),
-        subtitle: "How far answers keep their digits, and what stops them".to_owned(),
-        sections: vec![page::from(map)],
-    };
-    report.write(out)
+    let mut report = Part::Extremes.begin(out)?;
+    report.add(section(map)?)?;
+    Ok(report.written())
 }
 
 /// Every cell of every range.
 #[must_use]
 pub fn map() -> Vec<(Range, Vec<Cell>)> {
     let ranges = ranges();
-    let places = ranges.iter().enumerate();
-    let all: Vec<(usize, f64, Expected)> = places
-        .flat_map(|(i, range)| {
-            let cells = range.cells();
-            cells.into_iter().map(move |(value, is)| (i, value, is))
-        })
+    let all: Vec<(&Range, (f64, Expected))> = ranges
+        .iter()
+        .flat_map(|range| range.cells.iter().map(move |cell| (range, *cell)))
         .collect();
-    let cells = parallel(&all, |&(i, value, expected)| Cell {
+    let found = parallel(&all, |&(range, (value, expected))| Cell {
         value,
         expected,
-        outcome: ranges[i].outcome(value),
+        outcome: range.outcome(value),
     });
-    let mut map: Vec<(Range, Vec<Cell>)> = ranges
-        .into_iter()
-        .map(|range| (range, Vec::new()))
-        .collect();
-    for ((i, ..), cell) in all.into_iter().zip(cells) {
-        map[i].1.push(cell);
-    }
-    map
+    let mut found = found.into_iter();
+    let of = |range: Range| {
+        let count = range.cells.len();
+        (range, found.by_ref().take(count).collect())
+    };
+    ranges.into_iter().map(of).collect()
 }
 
 impl Range {
     /// What becomes of the orbit at this value.
     #[must_use]
     pub fn outcome(&self, value: f64) -> Outcome {
-        let subject = self.system.subject();
-        let case = self.case(&subject, value);
+        let (subject, case) = (&self.subject, self.case(value));
         let orbit = match subject.orbit(&case) {
             Ok(orbit) => orbit,
             Err(error) => {
@@ -122,8 +104,8 @@ impl Range {
             .reduce(f64::max);
         let tight = TIGHT
             .iter()
-            .find_map(|&accuracy| tighter(&subject, &case, &orbit, accuracy));
-        let tight = tight.map(|tight| (judge::difference(&orbit, &tight), tight.error_estimate));
+            .find_map(|&accuracy| tighter(subject, &case, &orbit, accuracy));
+        let tight = tight.map(|tight| (difference(&orbit, &tight), tight.error_estimate));
         let Some(error) = known
             .into_iter()
             .chain(tight.map(|(error, _)| error))
@@ -142,19 +124,6 @@ impl Range {
             period: orbit.period,
         }
     }
-
-    /// The case at this value.
-    fn case(&self, subject: &Subject, value: f64) -> Case {
-        let mut case = Case::declared(subject.info(), Dynamics::Smooth);
-        case.accuracy = ACCURACY;
-        case.dynamics = if subject.info().contacts.is_empty() {
-            Dynamics::Smooth
-        } else {
-            Dynamics::Exact
-        };
-        (self.set)(&mut case, subject.info(), value);
-        case
-    }
 }
 
 /// The same orbit, computed more tightly.
@@ -171,6 +140,17 @@ fn tighter(
         ..case.clone()
     };
     subject.orbit(&case).ok()
+}
+
+/// Largest relative difference of period and extrema.
+fn difference(a: &OrbitRecord, b: &OrbitRecord) -> f64 {
+    let extrema = |of: fn(&OrbitRecord) -> &Vec<f64>| {
+        let pairs = of(a).iter().zip(of(b)).zip(&b.max_abs);
+        pairs.map(|((x, y), size)| (x - y).abs() / size.max(f64::MIN_POSITIVE))
+    };
+    extrema(|orbit| &orbit.max)
+        .chain(extrema(|orbit| &orbit.min))
+        .fold((a.period / b.period - 1.0).abs(), f64::max)
 }
 
 /// Decimal digits of a relative error.

@@ -73,10 +73,8 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
 
     fn lift(&mut self, constants: &Constants<M, N>, modes: &Modes<M, N>) {
         for row in modes.sticking() {
-            let gradient = &constants.gradient.as_ref()[row];
-            let drift = self.field.iter().zip(gradient).map(|(f, g)| *f * *g);
-            self.rate.as_mut()[row] = drift.sum();
-            self.input.as_mut()[row] = constants.input.as_ref()[row].map(D::from);
+            self.rate.as_mut()[row] = constants.gradient.as_ref()[row].dot(&self.field);
+            self.input.as_mut()[row] = constants.input.as_ref()[row].entries().map(D::from);
             for column in modes.sticking() {
                 let entry = constants.compliance.as_ref()[row].as_ref()[column];
                 self.compliance.as_mut()[row].as_mut()[column] = D::from(entry);

@@ -1,30 +1,36 @@
 //! What does not depend on the state: gradients of affine speeds, and how forces enter.
 
-use super::affine::{Square, input, speed_rates};
+use super::affine::{Snapshot, Square, input, speed_rates};
 use super::mode::{Mode, Modes};
 use super::rule::Branches;
 use super::solve::solve;
+use super::strip::Strip;
 use crate::model::Model;
-use crate::scalar::{Inline, Lanes};
+use crate::scalar::{Inline, Lanes, Scalar};
+
+/// Seeds of two generic states: what is the same at both is taken to be the same everywhere.
+pub(super) const GENERIC: [f64; 2] = [0.317, 0.871];
 
 /// w_y, w_r, B and G of a model in which they are the same at every state and every value of the design variable.
 #[derive(Clone, Copy)]
 pub(crate) struct Constants<M: Model<N>, const N: usize> {
     /// w_y of each contact.
-    pub(crate) gradient: M::PerContact<[f64; N]>,
+    pub(crate) gradient: M::PerContact<Strip<N>>,
     /// Bᵢ of each contact.
-    pub(crate) input: M::PerContact<[f64; N]>,
+    pub(crate) input: M::PerContact<Strip<N>>,
     /// G.
     pub(crate) compliance: Square<M, f64, N>,
+    /// Which contacts act on the speed of another, or are acted on: where the matrix is not diagonal.
+    coupled: M::PerContact<bool>,
 }
 
 impl<M: Model<N>, const N: usize> Constants<M, N> {
     /// Finds them, or `None` if second derivatives at generic states show that they are not constant.
     pub(super) fn find(params: &M::Params<M::Lanes>) -> Option<Self> {
-        let first = Self::at(params, &generic_state::<M, N>(0.317))?;
-        let second = Self::at(params, &generic_state::<M, N>(0.871))?;
+        let [first, second] = GENERIC.map(|seed| Self::at(params, &generic_state::<M, N>(seed)));
+        let (first, second) = (first?, second?);
         let same =
-            |a: &M::PerContact<[f64; N]>, b: &M::PerContact<[f64; N]>| a.as_ref() == b.as_ref();
+            |a: &M::PerContact<Strip<N>>, b: &M::PerContact<Strip<N>>| a.as_ref() == b.as_ref();
         (same(&first.gradient, &second.gradient) && same(&first.input, &second.input))
             .then_some(first)
     }
@@ -37,43 +43,91 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         let straight = bend.as_ref().iter().all(|rate| flat(rate).is_some());
         let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
         let _ = M::rhs(params, lanes, &mut rule);
-        let gradient: M::PerContact<[f64; N]> =
-            Inline::from_fn(|i| rule.speed.as_ref()[i].slopes().0);
-        let mut forces: M::PerContact<[f64; N]> = Inline::from_fn(|_| [0.0; N]);
+        let gradient: M::PerContact<Strip<N>> =
+            Inline::from_fn(|i| rule.speed.as_ref()[i].slopes().0.into());
+        let mut forces: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
         for (contact, slot) in forces.as_mut().iter_mut().enumerate() {
             let column = input::<M, M::Lanes, N>(params, &lanes, &modes, contact);
-            for (entry, b) in slot.iter_mut().zip(&column) {
+            let mut entries = [0.0; N];
+            for (entry, b) in entries.iter_mut().zip(&column) {
                 *entry = flat(b)?;
             }
+            *slot = entries.into();
         }
-        let compliance = Inline::from_fn(|i| {
-            Inline::from_fn(|j| dot(&gradient.as_ref()[i], &forces.as_ref()[j]))
+        let compliance: Square<M, f64, N> = Inline::from_fn(|i| {
+            Inline::from_fn(|j| gradient.as_ref()[i].dot(forces.as_ref()[j].entries()))
         });
+        let acts = |i: usize, j: usize| compliance.as_ref()[i].as_ref()[j] != 0.0;
+        let others = |i: usize| (0..M::INFO.contacts.len()).filter(move |&j| j != i);
         straight.then_some(Self {
             gradient,
             input: forces,
+            coupled: Inline::from_fn(|i| others(i).any(|j| acts(i, j) || acts(j, i))),
             compliance,
         })
+    }
+
+    /// All that is known at a state, over any scalar; `None` if the sticking forces are not unique.
+    pub(super) fn snapshot<D: Scalar>(
+        &self,
+        params: &M::Params<D>,
+        state: &[D; N],
+        modes: &Modes<M, N>,
+    ) -> Option<Snapshot<M, D, N>> {
+        let mut rule = Branches::<M, D, N>::free(modes.as_slice());
+        let mut field = M::rhs(params, *state, &mut rule);
+        for contact in modes.sticking() {
+            rule.force.as_mut()[contact] = -self.gradient.as_ref()[contact].dot(&field);
+        }
+        let force = self.respond(modes, rule.force)?;
+        for contact in modes.sticking() {
+            self.input.as_ref()[contact].add_to(&mut field, force.as_ref()[contact]);
+        }
+        Some(Snapshot {
+            field,
+            speed: rule.speed,
+            force,
+            stick: rule.stick,
+        })
+    }
+
+    /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S; elsewhere as given.
+    fn respond<D: Scalar>(
+        &self,
+        modes: &Modes<M, N>,
+        mut rates: M::PerContact<D>,
+    ) -> Option<M::PerContact<D>> {
+        let coupled = |i: usize| self.coupled.as_ref()[i];
+        if modes.sticking().any(coupled) {
+            let matrix = Inline::from_fn(|i| {
+                Inline::from_fn(|j| D::from(self.compliance.as_ref()[i].as_ref()[j]))
+            });
+            let set = |i: usize| coupled(i) && modes.as_slice()[i] == Mode::Stick;
+            rates = solve::<M, D, N>(matrix, rates, set)?;
+        }
+        for contact in modes.sticking().filter(|&i| !coupled(i)) {
+            let compliance = self.compliance.as_ref()[contact].as_ref()[contact];
+            if compliance == 0.0 {
+                return None;
+            }
+            rates.as_mut()[contact] /= D::from(compliance);
+        }
+        Some(rates)
     }
 }
 
 impl<M: Model<N>, const N: usize> Constants<M, N> {
     /// B_S G_SS⁻¹ column by column for the contacts that stick; `None` if G_SS is singular.
-    pub(super) fn levers(&self, modes: &Modes<M, N>) -> Option<M::PerContact<[f64; N]>> {
-        let stuck = |i: usize| modes.as_slice()[i] == Mode::Stick;
-        let mut levers: M::PerContact<[f64; N]> = Inline::from_fn(|_| [0.0; N]);
+    pub(super) fn levers(&self, modes: &Modes<M, N>) -> Option<M::PerContact<Strip<N>>> {
+        let mut levers: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
         for column in modes.sticking() {
             let unit = Inline::from_fn(|i| f64::from(i == column));
-            let push = solve::<M, f64, N>(self.compliance, unit, stuck)?;
+            let push = self.respond::<f64>(modes, unit)?;
+            let mut lever = [0.0; N];
             for row in modes.sticking() {
-                let force = push.as_ref()[row];
-                for (entry, b) in levers.as_mut()[column]
-                    .iter_mut()
-                    .zip(&self.input.as_ref()[row])
-                {
-                    *entry += b * force;
-                }
+                self.input.as_ref()[row].add_to(&mut lever, push.as_ref()[row]);
             }
+            levers.as_mut()[column] = lever.into();
         }
         Some(levers)
     }
@@ -91,13 +145,9 @@ fn generic(index: usize, seed: f64) -> f64 {
     0.1 + 0.8 * (seed + 0.618_033_988_749_895 * (index + 1) as f64).fract()
 }
 
-fn generic_state<M: Model<N>, const N: usize>(seed: f64) -> [f64; N] {
+pub(super) fn generic_state<M: Model<N>, const N: usize>(seed: f64) -> [f64; N] {
     std::array::from_fn(|i| {
         let start = M::INFO.states.get(i).map_or(0.0, |state| state.start);
         start + (1.0 + start.abs()) * generic(i, seed)
     })
-}
-
-pub(super) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -4,8 +4,10 @@ mod affine;
 mod columns;
 mod constants;
 mod mode;
+mod rest;
 mod rule;
 mod solve;
+mod strip;
 mod system;
 
 use num_dual::Dual64;
@@ -18,6 +20,7 @@ pub(crate) use affine::{Affine, Snapshot, Square};
 pub use mode::{Mode, Modes};
 use rule::Branches;
 pub(crate) use solve::solve;
+pub(crate) use strip::Strip;
 use system::singular;
 pub use system::{ContactError, ContactState, ExactSystem};
 
@@ -32,7 +35,7 @@ pub struct ExactField<'s, M: Model<N>, const N: usize> {
     stuck: M::PerContact<usize>,
     sticking: usize,
     /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
-    levers: Option<M::PerContact<[f64; N]>>,
+    levers: Option<M::PerContact<Strip<N>>>,
     /// Speeds within which sliding forces change, if any is so small that errors must be judged by it.
     layers: Option<M::PerContact<f64>>,
 }
@@ -85,20 +88,18 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     /// contacts by `speeds`: B_S G_SS⁻¹ w_S; zero where the forces are not unique.
     pub(crate) fn correction(&self, state: &[f64; N], speeds: &M::PerContact<f64>) -> [f64; N] {
         let mut change = [0.0; N];
-        let mut add = |input: &[f64; N], push: f64| {
-            for (c, b) in change.iter_mut().zip(input) {
-                *c += b * push;
-            }
-        };
         if let Some(levers) = &self.levers {
             for contact in self.stuck() {
-                add(&levers.as_ref()[contact], speeds.as_ref()[contact]);
+                levers.as_ref()[contact].add_to(&mut change, speeds.as_ref()[contact]);
             }
         } else if self.sticks() {
             let affine = self.system.affine(state, &self.modes);
             if let Some(push) = affine.respond(&self.modes, speeds) {
                 for contact in self.stuck() {
-                    add(&affine.input.as_ref()[contact], push.as_ref()[contact]);
+                    let (push, input) = (push.as_ref()[contact], &affine.input.as_ref()[contact]);
+                    for (c, b) in change.iter_mut().zip(input) {
+                        *c += b * push;
+                    }
                 }
             }
         }
@@ -124,7 +125,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     }
 
     /// w_y and lever of every contact that sticks, if they are constant.
-    fn holds(&self) -> Option<impl Iterator<Item = (&[f64; N], &[f64; N])>> {
+    fn holds(&self) -> Option<impl Iterator<Item = (&Strip<N>, &Strip<N>)>> {
         let (levers, gradients) = (self.levers.as_ref()?.as_ref(), self.system.gradients()?);
         Some(self.stuck().map(move |i| (&gradients[i], &levers[i])))
     }
@@ -134,11 +135,9 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
 ///
 /// The lever of one contact moves no other, so that they may follow each other.
 #[inline]
-fn hold<const N: usize>(column: &mut [f64; N], gradient: &[f64; N], lever: &[f64; N]) {
-    let rate: f64 = column.iter().zip(gradient).map(|(f, g)| f * g).sum();
-    for (f, b) in column.iter_mut().zip(lever) {
-        *f -= rate * b;
-    }
+fn hold<const N: usize>(column: &mut [f64; N], gradient: &Strip<N>, lever: &Strip<N>) {
+    let rate = gradient.dot(column);
+    lever.add_to(column, -rate);
 }
 
 impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
@@ -170,14 +169,14 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
         };
         let speeds = self.system.speeds(y);
         for (i, gradient) in gradients.iter().enumerate() {
-            let terms = gradient.iter().zip(y).map(|(g, y)| (g * y).abs());
+            let terms = gradient.iter().map(|(j, slope)| (slope * y[j]).abs());
             let speed = speeds.as_ref()[i].abs();
             let rounding = f64::EPSILON * (terms.sum::<f64>() + speed);
             let layer = (tolerance.absolute + tolerance.relative)
                 * layers.as_ref()[i].min(self.system.usual_speed(i));
             let allowed = layer + tolerance.relative * speed + rounding;
-            for (scale, slope) in scale.iter_mut().zip(gradient) {
-                *scale = scale.min(allowed / slope.abs());
+            for (j, slope) in gradient.iter() {
+                scale[j] = scale[j].min(allowed / slope.abs());
             }
         }
         scale
@@ -230,17 +229,17 @@ pub(crate) fn linear_of<L: Lanes<N>, const N: usize>(field: &[L; N]) -> Linear<N
 impl<const N: usize> Linear<N> {
     /// [`hold`] for f, every column of the Jacobian, and the design column.
     #[inline]
-    fn hold(&mut self, gradient: &[f64; N], lever: &[f64; N]) {
+    fn hold(&mut self, gradient: &Strip<N>, lever: &Strip<N>) {
         hold(&mut self.f, gradient, lever);
         hold(&mut self.design, gradient, lever);
         let mut rates = [0.0; N];
-        for (row, g) in self.jacobian.iter().zip(gradient) {
-            for (rate, entry) in rates.iter_mut().zip(row) {
+        for (j, g) in gradient.iter() {
+            for (rate, entry) in rates.iter_mut().zip(&self.jacobian[j]) {
                 *rate += g * entry;
             }
         }
-        for (row, b) in self.jacobian.iter_mut().zip(lever) {
-            for (entry, rate) in row.iter_mut().zip(&rates) {
+        for (j, b) in lever.iter() {
+            for (entry, rate) in self.jacobian[j].iter_mut().zip(&rates) {
                 *entry -= rate * b;
             }
         }

@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
 use crate::model::Model;
 use crate::scalar::Inline;
 
 /// The mode of one contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Mode {
     /// w > 0.
     SlideForward,

@@ -2,15 +2,16 @@
 
 use num_dual::Dual64;
 
-use super::affine::{Affine, Snapshot, speed_rates};
+use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
 use super::mode::{Mode, Modes};
+use super::rest::idle;
 use super::rule::Branches;
+use super::strip::Strip;
 use crate::field::memory;
-use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::{Model, listed};
-use crate::scalar::{Inline, Lanes};
+use crate::scalar::{Inline, Lanes, Scalar};
 
 /// Why the forces at rest are not determined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -60,6 +61,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(crate) magnitude: [f64; N],
     /// Number of kinks of laws with internal state.
     pub(super) corners: usize,
+    /// Which contacts no force ever holds: where w = 0 nothing happens to them.
+    pub(super) idle: M::PerContact<bool>,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -69,15 +72,17 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let plain = model.values();
         let values = plain.as_ref();
         let lanes = Inline::from_fn(|i| M::Lanes::design(values[i], f64::from(design == Some(i))));
+        let turned = Inline::from_fn(|i| Dual64::new(values[i], f64::from(design == Some(i))));
         Self {
             plain,
             directional: Inline::from_fn(|i| Dual64::from(values[i])),
-            turned: Inline::from_fn(|i| Dual64::new(values[i], f64::from(design == Some(i)))),
             columns: Columns::of::<M>(design.is_some()),
             constants: Constants::find(&lanes),
             lanes,
             magnitude: memory::bounded::<M, N>(&plain, [1.0; N]),
             corners: memory::corners::<M, N>(&plain),
+            idle: idle::<M, N>(&turned),
+            turned,
         }
     }
 
@@ -114,17 +119,24 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     }
 
     /// w_y of each contact, if none depends on the state.
-    pub(crate) fn gradients(&self) -> Option<&[[f64; N]]> {
+    pub(crate) fn gradients(&self) -> Option<&[Strip<N>]> {
         self.constants.as_ref().map(|c| c.gradient.as_ref())
     }
 
     /// Usual magnitude of a contact's relative speed, as far as that of the states tells.
-    pub(super) fn usual_speed(&self, contact: usize) -> f64 {
+    pub(crate) fn usual_speed(&self, contact: usize) -> f64 {
         let Some(gradients) = self.gradients() else {
             return 1.0;
         };
-        let terms = gradients[contact].iter().zip(&self.magnitude);
-        terms.map(|(slope, size)| (slope * size).abs()).sum()
+        let terms = gradients[contact].iter();
+        terms
+            .map(|(j, slope)| (slope * self.magnitude[j]).abs())
+            .sum()
+    }
+
+    /// Whether no force ever holds this contact: where w = 0 nothing happens to it.
+    pub(crate) fn is_idle(&self, contact: usize) -> bool {
+        self.idle.as_ref()[contact]
     }
 
     /// The values of the parameters.
@@ -146,17 +158,29 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         state: &[f64; N],
         modes: &Modes<M, N>,
     ) -> Result<Snapshot<M, f64, N>, ContactError> {
-        let affine = self.affine(state, modes);
-        for contact in modes.sticking() {
-            let compliance = affine.compliance.as_ref()[contact].as_ref()[contact];
-            if compliance <= 0.0 {
-                return Err(ContactError::NotOpposing {
-                    contact,
-                    compliance,
-                });
-            }
+        if let Some(constants) = &self.constants {
+            opposing::<M, N>(&constants.compliance, modes)?;
+            return constants
+                .snapshot(&self.plain, state, modes)
+                .ok_or_else(|| singular(modes));
         }
+        let affine = self.affine(state, modes);
+        opposing::<M, N>(&affine.compliance, modes)?;
         affine.resolve(modes).ok_or_else(|| singular(modes))
+    }
+
+    /// The same over any scalar, where nothing is known to push the wrong way.
+    fn known<D: Scalar>(
+        &self,
+        params: &M::Params<D>,
+        state: &[D; N],
+        modes: &Modes<M, N>,
+    ) -> Result<Snapshot<M, D, N>, ContactError> {
+        let known = match &self.constants {
+            Some(constants) => constants.snapshot(params, state, modes),
+            None => Affine::new(None, params, state, modes).resolve(modes),
+        };
+        known.ok_or_else(|| singular(modes))
     }
 
     /// What every contact does at a state.
@@ -187,9 +211,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     ) -> Result<Snapshot<M, Dual64, N>, ContactError> {
         let field = self.snapshot(state, modes)?.field;
         let state = std::array::from_fn(|i| Dual64::new(state[i], field[i]));
-        Affine::new(self.constants.as_ref(), &self.directional, &state, modes)
-            .resolve(modes)
-            .ok_or_else(|| singular(modes))
+        self.known(&self.directional, &state, modes)
     }
 
     /// The same, each number with its derivatives by the states and the design variable.
@@ -202,9 +224,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         modes: &Modes<M, N>,
     ) -> Result<Snapshot<M, M::Lanes, N>, ContactError> {
         let state = std::array::from_fn(|i| M::Lanes::state(state[i], i));
-        Affine::new(self.constants.as_ref(), &self.lanes, &state, modes)
-            .resolve(modes)
-            .ok_or_else(|| singular(modes))
+        self.known(&self.lanes, &state, modes)
     }
 
     /// ẅ of every contact, from f and its rate along the motion.
@@ -235,46 +255,23 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let _ = M::rhs(&self.lanes, lanes, &mut rule);
         rule.speed
     }
-
-    /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
-    pub(super) fn layers(&self, state: &[f64; N]) -> M::PerContact<f64> {
-        let mut rule = Layers::<M, N>(Inline::from_fn(|_| f64::INFINITY));
-        let _ = M::rhs(&self.directional, state.map(Dual64::from), &mut rule);
-        rule.0
-    }
-
-    /// stick and slip(0⁺) of every contact.
-    pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
-        let mut rule = AtRest::<M, N>(Inline::from_fn(|_| (0.0, 0.0)));
-        let _ = M::rhs(&self.plain, *state, &mut rule);
-        rule.0
-    }
 }
 
-/// Notes the largest force at rest and the limit of the sliding force at speed 0.
-struct AtRest<M: Model<N>, const N: usize>(M::PerContact<(f64, f64)>);
-
-impl<M: Model<N>, const N: usize> ContactRule<f64> for AtRest<M, N> {
-    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _: f64) -> f64 {
-        if let Some(place) = self.0.as_mut().get_mut(contact) {
-            *place = (law.stick(), law.slip(0.0));
+/// The forces of the sticking contacts must oppose their speeds: G_ii > 0.
+fn opposing<M: Model<N>, const N: usize>(
+    compliance: &Square<M, f64, N>,
+    modes: &Modes<M, N>,
+) -> Result<(), ContactError> {
+    for contact in modes.sticking() {
+        let compliance = compliance.as_ref()[contact].as_ref()[contact];
+        if compliance <= 0.0 {
+            return Err(ContactError::NotOpposing {
+                contact,
+                compliance,
+            });
         }
-        0.0
     }
-}
-
-/// Notes how fast every sliding force changes at speed 0.
-struct Layers<M: Model<N>, const N: usize>(M::PerContact<f64>);
-
-impl<M: Model<N>, const N: usize> ContactRule<Dual64> for Layers<M, N> {
-    fn force<L: FrictionLaw<Dual64>>(&mut self, contact: usize, law: &L, _: Dual64) -> Dual64 {
-        let slip = law.slip(Dual64::from(0.0).derivative());
-        let layer = (slip.re / slip.eps).abs();
-        if let (Some(place), true) = (self.0.as_mut().get_mut(contact), layer > 0.0) {
-            *place = layer;
-        }
-        Dual64::from(0.0)
-    }
+    Ok(())
 }
 
 pub(super) fn singular<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> ContactError {

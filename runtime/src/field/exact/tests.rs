@@ -87,7 +87,7 @@ fn sticking_contacts_do_not_accelerate() {
 
 #[test]
 fn constants_are_recognised() {
-    let known = |system: Option<&[[f64; 2]]>| system.map(<[_]>::len);
+    let known = |system: Option<&[Strip<2>]>| system.map(<[_]>::len);
     assert_eq!(
         known(ExactSystem::new(&Belt::default(), Some(2)).gradients()),
         Some(1)

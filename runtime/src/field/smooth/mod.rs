@@ -236,7 +236,7 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
     }
 
     fn kinks(&self) -> usize {
-        self.corners + M::INFO.contacts.len() * self.smoothing.kinks().len()
+        self.corners + M::INFO.contacts.len() * self.smoothing.kernel.kinks().len()
     }
 
     fn corners(&self) -> usize {
@@ -264,7 +264,7 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
             return memory::corner::<M, N>(&self.values, index, y);
         }
         let index = index - self.corners;
-        let places = self.smoothing.kinks();
+        let places = self.smoothing.kernel.kinks();
         let (wanted, place) = (index / places.len(), places[index % places.len()]);
         let mut value = 1.0;
         self.speeds(y, |contact, speed| {

@@ -10,22 +10,24 @@ use std::fmt;
 
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::scalar::Scalar;
+use crate::words::words;
 
-/// The shape by which a smoothing replaces the jump of a friction force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kernel {
-    /// (2/π) atan z: thesis (3.6). Its slow tail makes it the least accurate for its stiffness.
-    Arctan,
-    /// tanh z.
-    Tanh,
-    /// z / √(1 + z²).
-    Algebraic,
-    /// (3z − z³)/2 up to |z| = 1, then ±1.
-    Cubic,
-    /// (15z − 10z³ + 3z⁵)/8 up to |z| = 1, then ±1.
-    Quintic,
-    /// A bump of width ε that keeps a static peak, for one direction of sliding: thesis (4.7).
-    Quartic,
+words! {
+    /// The shape by which a smoothing replaces the jump of a friction force.
+    pub enum Kernel {
+        /// (2/π) atan z: thesis (3.6). Its slow tail makes it the least accurate for its stiffness.
+        Arctan = "arctan",
+        /// tanh z.
+        Tanh = "tanh",
+        /// z / √(1 + z²).
+        Algebraic = "algebraic",
+        /// (3z − z³)/2 up to |z| = 1, then ±1.
+        Cubic = "cubic",
+        /// (15z − 10z³ + 3z⁵)/8 up to |z| = 1, then ±1.
+        Quintic = "quintic",
+        /// A bump of width ε that keeps a static peak, for one direction of sliding: thesis (4.7).
+        Quartic = "quartic",
+    }
 }
 
 /// A kernel and its size ε: s/m and growing towards the exact law for sign types, a speed that
@@ -46,29 +48,6 @@ pub struct Smoothing {
 }
 
 impl Kernel {
-    /// Every kernel.
-    pub const ALL: [Self; 6] = [
-        Self::Arctan,
-        Self::Tanh,
-        Self::Algebraic,
-        Self::Cubic,
-        Self::Quintic,
-        Self::Quartic,
-    ];
-
-    /// Name on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Arctan => "arctan",
-            Self::Tanh => "tanh",
-            Self::Algebraic => "algebraic",
-            Self::Cubic => "cubic",
-            Self::Quintic => "quintic",
-            Self::Quartic => "quartic",
-        }
-    }
-
     /// Whether the kernel stands for a static peak in one direction instead of a change of sign.
     #[must_use]
     pub const fn is_bump(self) -> bool {
@@ -108,7 +87,7 @@ impl Kernel {
     }
 
     /// Values of z (or u, for a bump) at which the kernel itself is not analytic.
-    const fn kinks(self) -> &'static [f64] {
+    pub(crate) const fn kinks(self) -> &'static [f64] {
         match self {
             Self::Arctan | Self::Tanh | Self::Algebraic => &[0.0],
             Self::Cubic | Self::Quintic => &[-1.0, 0.0, 1.0],
@@ -117,19 +96,7 @@ impl Kernel {
     }
 }
 
-impl fmt::Display for Kernel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
 impl Smoothing {
-    /// Kinks of each contact, as relative speeds times the sharpness.
-    #[must_use]
-    pub(crate) fn kinks(&self) -> &'static [f64] {
-        self.kernel.kinks()
-    }
-
     /// Steepest slope of the force over its limit at rest, in the layer's own variable.
     #[must_use]
     pub fn steepness(&self) -> f64 {
@@ -188,7 +155,6 @@ impl std::str::FromStr for Smoothing {
             .ok_or_else(|| SmoothingError::BadSize {
                 kernel,
                 word: size.to_owned(),
-                example: kernel.example(),
             })
     }
 }

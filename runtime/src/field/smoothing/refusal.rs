@@ -17,23 +17,18 @@ pub enum SmoothingError {
     },
     /// The size is not a number, not finite, or not positive.
     #[error(
-        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{example}`"
+        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{}`",
+        kernel.example()
     )]
     BadSize {
         /// The kernel.
         kernel: Kernel,
         /// The word given for the size.
         word: String,
-        /// A usual size.
-        example: &'static str,
     },
-    /// A sign-type kernel would drop the static peak of a law.
-    #[error(
-        "`{kernel}` would drop the static peak of `{law}`{}: its limit at rest is {stick}, but sliding \
-         starts at {slip}, and the copy would converge to a law with the limit {slip}; use `quartic`, which keeps the peak",
-        place(contact)
-    )]
-    DropsPeak {
+    /// A sign type would drop the static peak of the law, or a bump has none to stand on.
+    #[error("{}", unsuited(*.kernel, law, contact, *.stick, *.slip))]
+    Unsuited {
         /// The kernel.
         kernel: Kernel,
         /// The law.
@@ -45,24 +40,20 @@ pub enum SmoothingError {
         /// slip(0⁺).
         slip: f64,
     },
-    /// A bump has nothing to stand on.
-    #[error(
-        "`{kernel}` smooths a static peak, and `{law}`{} has none (limit at rest {stick}, sliding starts \
-         at {slip}): the copy would never stick; use a sign type such as `arctan` or `cubic`",
-        place(contact)
-    )]
-    NoPeak {
-        /// The kernel.
-        kernel: Kernel,
-        /// The law.
-        law: &'static str,
-        /// The contact, if it acts at one.
-        contact: Option<&'static str>,
-        /// Limit at rest.
-        stick: f64,
-        /// slip(0⁺).
-        slip: f64,
-    },
+}
+
+fn unsuited(kernel: Kernel, law: &str, contact: &Option<&str>, stick: f64, slip: f64) -> String {
+    let place = place(contact);
+    if kernel.is_bump() {
+        return format!(
+            "`{kernel}` smooths a static peak, and `{law}`{place} has none (limit at rest {stick}, sliding starts \
+             at {slip}): the copy would never stick; use a sign type such as `arctan` or `cubic`"
+        );
+    }
+    format!(
+        "`{kernel}` would drop the static peak of `{law}`{place}: its limit at rest is {stick}, but sliding \
+         starts at {slip}, and the copy would converge to a law with the limit {slip}; use `quartic`, which keeps the peak"
+    )
 }
 
 /// Where a law acts, after its name.
@@ -80,28 +71,17 @@ impl Kernel {
         law: &L,
         contact: Option<&'static str>,
     ) -> Result<(), SmoothingError> {
-        let (kernel, name) = (self, L::INFO.name);
         let (stick, slip) = (law.stick(), law.slip(0.0));
         let peak = stick - slip > 1e-12 * stick;
-        if stick <= 0.0 || peak == kernel.is_bump() {
+        if stick <= 0.0 || peak == self.is_bump() {
             return Ok(());
         }
-        Err(if peak {
-            SmoothingError::DropsPeak {
-                kernel,
-                law: name,
-                contact,
-                stick,
-                slip,
-            }
-        } else {
-            SmoothingError::NoPeak {
-                kernel,
-                law: name,
-                contact,
-                stick,
-                slip,
-            }
+        Err(SmoothingError::Unsuited {
+            kernel: self,
+            law: L::INFO.name,
+            contact,
+            stick,
+            slip,
         })
     }
 }

@@ -2,7 +2,7 @@
 //! there is rejected anyway.
 
 use super::run::{Run, Steps};
-use crate::flow::saltation::{Tracked, dot};
+use crate::flow::saltation::Tracked;
 use crate::model::Model;
 
 /// Part of the predicted time to the surface by which a step may go further.
@@ -19,8 +19,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         };
         let speeds = system.speeds(stepper.from().state());
         let (rates, length) = &mut self.rates;
-        for (i, mode) in self.modes.as_slice().iter().enumerate() {
-            let rate = mode.sign() * dot(&gradients[i], stepper.from_slope().state());
+        let modes = self.modes.as_slice().iter().enumerate();
+        for (i, mode) in modes.filter(|(i, _)| !system.is_idle(*i)) {
+            let rate = mode.sign() * gradients[i].dot(stepper.from_slope().state());
             let bend = (rate - rates.as_ref()[i]) / *length;
             rates.as_mut()[i] = rate;
             let time = first_zero(mode.sign() * speeds.as_ref()[i], rate, bend);

@@ -21,8 +21,11 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let speeds = self.flow.system.speeds(&state);
         let scales = self.flow.speed_scales(&state);
         let mut resting: M::PerContact<bool> = Inline::from_fn(|_| false);
-        for (i, mode) in before.as_slice().iter().enumerate() {
-            let (speed, scale) = (speeds.as_ref()[i], scales.as_ref()[i]);
+        let modes = before.as_slice().iter().enumerate();
+        for (i, mode) in modes.filter(|(i, _)| !self.flow.system.is_idle(*i)) {
+            let speed = speeds.as_ref()[i];
+            // Against fixed ground a speed is its own only term: what is usual then tells rounding errors.
+            let scale = scales.as_ref()[i].max(self.flow.system.usual_speed(i));
             if *mode != Mode::Stick && mode.sign() * speed < -WRONG_SIDE * scale {
                 return Err(FlowError::InconsistentMode {
                     contact: i,

@@ -1,14 +1,12 @@
 //! Local extrema of every state: located like events, not read off stored samples.
 
 use crate::field::Field;
-use crate::flow::extrema::in_time;
+use crate::flow::extrema::{FLAT, in_time};
 use crate::flow::{Extremum, strobes};
 use crate::integrate::event::Bernstein;
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Carried, Dense};
 
-/// Relative change over a step below which a state is at rest.
-const FLAT: f64 = 1e-13;
 /// Relative length of a Newton step after which the extremum is sharp.
 const SHARP: f64 = 1e-9;
 

@@ -100,17 +100,20 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
     pub(super) fn run(&mut self) -> Result<(), ContactError> {
         let gradients = self.system.gradients();
         let mut sampled = false;
-        for (i, mode) in self.modes.as_slice().iter().enumerate() {
+        let modes = self.modes.as_slice().iter().enumerate();
+        for (i, mode) in modes.filter(|(i, _)| !self.system.is_idle(*i)) {
             match gradients {
                 Some(gradients) if *mode != Mode::Stick => {
                     let sign = mode.sign();
-                    let along = self.dense.along(self.speeds.as_ref()[i], &gradients[i]);
+                    let along = self
+                        .dense
+                        .along(self.speeds.as_ref()[i], |term| gradients[i].dot(term));
                     let oriented = if sign > 0.0 { along } else { along.negated() };
                     let guard = Guard {
                         contact: i,
                         side: 0.0,
                     };
-                    let noise = NOISE * self.scales.as_ref()[i];
+                    let noise = NOISE * self.scales.as_ref()[i].max(oriented.magnitude());
                     self.judge(guard, &oriented.without_noise(noise), 0.0, 1.0);
                 }
                 _ => sampled = true,
@@ -180,7 +183,7 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             return Ok(());
         }
         for (contact, mode) in self.modes.as_slice().iter().enumerate() {
-            if self.is_sampled(*mode) {
+            if self.is_sampled(contact, *mode) {
                 let pair = &models.as_ref()[contact];
                 let terms =
                     pair[0].magnitude() + pair[1].magnitude() + self.scales.as_ref()[contact];
@@ -211,13 +214,14 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
     }
 
     /// Whether the guards of a contact in this mode are not known to be affine.
-    fn is_sampled(&self, mode: Mode) -> bool {
-        mode == Mode::Stick || self.system.gradients().is_none()
+    fn is_sampled(&self, contact: usize, mode: Mode) -> bool {
+        let affine = mode != Mode::Stick && self.system.gradients().is_some();
+        !affine && !self.system.is_idle(contact)
     }
 
     fn each_sampled(&self, mut visit: impl FnMut(usize, Guard)) {
         for (i, mode) in self.modes.as_slice().iter().enumerate() {
-            if self.is_sampled(*mode) {
+            if self.is_sampled(i, *mode) {
                 for (place, guard) in Guard::of(i, *mode).enumerate() {
                     visit(place, guard);
                 }

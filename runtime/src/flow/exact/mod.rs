@@ -16,7 +16,7 @@ mod run;
 mod settle;
 mod switch;
 
-use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
+use crate::field::exact::{ExactSystem, Mode, Modes, Strip, linear_of};
 use crate::flow::reach::beyond;
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::integrate::explicit::Settings;
@@ -110,8 +110,9 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let speeds = self.system.speeds(&state);
         let scales = self.speed_scales(&state);
         let speed = |i: usize| speeds.as_ref()[i];
-        let resting: M::PerContact<bool> =
-            Inline::from_fn(|i| speed(i).abs() <= NO_SPEED * scales.as_ref()[i]);
+        let resting: M::PerContact<bool> = Inline::from_fn(|i| {
+            !self.system.is_idle(i) && speed(i).abs() <= NO_SPEED * scales.as_ref()[i]
+        });
         let before = Modes::from_fn(|i| {
             if resting.as_ref()[i] {
                 Mode::Stick
@@ -144,12 +145,19 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
 
     /// The magnitude of the terms of each relative speed: what its rounding error is measured against.
     fn speed_scales(&self, state: &[f64; N]) -> M::PerContact<f64> {
-        let (speeds, lanes) = (self.system.speeds(state), self.system.linear_speeds(state));
-        Inline::from_fn(|i| {
-            let (gradient, _): ([f64; N], f64) = lanes.as_ref()[i].slopes();
-            let terms = || gradient.iter().zip(state).map(|(g, y)| g * y);
+        let speeds = self.system.speeds(state);
+        let scale = |i: usize, gradient: &Strip<N>| {
+            let terms = || gradient.iter().map(|(j, slope)| slope * state[j]);
             let rest = speeds.as_ref()[i] - terms().sum::<f64>();
             terms().map(f64::abs).sum::<f64>() + rest.abs()
+        };
+        if let Some(gradients) = self.system.gradients() {
+            return Inline::from_fn(|i| scale(i, &gradients[i]));
+        }
+        let lanes = self.system.linear_speeds(state);
+        Inline::from_fn(|i| {
+            let (gradient, _): ([f64; N], f64) = lanes.as_ref()[i].slopes();
+            scale(i, &gradient.into())
         })
     }
 }

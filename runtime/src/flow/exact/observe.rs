@@ -3,7 +3,7 @@
 use super::guard::Sighting;
 use super::run::{Run, Steps};
 use crate::flow::saltation::Tracked;
-use crate::flow::{Event, EventKind, FlowError, Sample};
+use crate::flow::{Event, EventKind, FlowError, Sample, nodes};
 use crate::integrate::Dense;
 use crate::model::Model;
 
@@ -44,6 +44,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             self.extrema.look(stepper, dense);
             self.extrema.strobe(M::INFO.drive, stepper);
         }
+        let (from, length) = (self.time, stepper.length());
+        nodes(self.want, (from, length), &mut self.nodes, |theta| {
+            stepper.step_map(theta * length)
+        });
         for k in 1..=SAMPLES {
             let theta = f64::from(k) / f64::from(SAMPLES);
             self.sample(self.time + theta * dense.length(), dense.state(theta));

@@ -9,7 +9,7 @@ use crate::field::exact::{ExactField, Modes};
 use crate::flow::reach::leaves;
 use crate::flow::saltation::{Tracked, product};
 use crate::flow::{
-    Calm, Derivatives, Event, Factor, FlowError, Passage, Place, Sample, Segment, Want,
+    Calm, Derivatives, Event, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want,
 };
 use crate::integrate::event::polish;
 use crate::integrate::explicit::Stepper;
@@ -42,6 +42,7 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     segments: Vec<Segment<Modes<M, N>>>,
     pub(super) extrema: Extrema<N>,
     pub(super) path: Vec<Sample<N>>,
+    pub(super) nodes: Vec<Node<N>>,
     factors: Vec<[[f64; N]; N]>,
     calm: Calm<N, Modes<M, N>>,
     /// Number of events and time when the count of chatter began.
@@ -73,6 +74,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             segments: Vec::new(),
             extrema: Extrema::new(),
             path: Vec::new(),
+            nodes: Vec::new(),
             factors: Vec::new(),
             calm: Calm::at(*from),
             chatter: (0, 0.0),
@@ -106,6 +108,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             segments: self.segments,
             events: self.events,
             path: self.path,
+            nodes: self.nodes,
             calm: self.calm,
             work: self.work,
         })

@@ -42,11 +42,13 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
         let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
         let mut grazes = false;
-        for (i, mode) in self.modes.as_slice().iter().enumerate() {
+        let modes = self.modes.as_slice().iter().enumerate();
+        for (i, mode) in modes.filter(|(i, _)| !system.is_idle(*i)) {
             for guard in Guard::of(i, *mode) {
                 let value = guard.value(&self.modes, &at);
                 let scale = if guard.side == 0.0 {
-                    scales.as_ref()[i]
+                    // Against fixed ground w is its only term: what it has lost in the step is what was rounded.
+                    scales.as_ref()[i].max(stepper.length() * value.eps.abs())
                 } else {
                     at.stick.as_ref()[i].re + at.force.as_ref()[i].re.abs()
                 };

@@ -13,6 +13,7 @@ const ALL: Want = Want {
     extrema: true,
     path: true,
     factors: true,
+    panel: 0.0,
 };
 
 fn flow<M: Model<N>, const N: usize>(model: &M) -> ExactFlow<M, N> {

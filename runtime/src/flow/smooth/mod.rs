@@ -2,6 +2,7 @@
 //!
 //! Where internal states of laws have stops, it is smooth between the instants at which they meet or leave one.
 
+mod inside;
 mod laws;
 mod record;
 mod rest;
@@ -197,10 +198,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                     record.implicit_step(&mut radau, &step, offset + since);
                     switched = record.switch(field, radau.fallen());
                     let span = (offset + since + step.time, step.step);
-                    let kept = self.keep_laws(span, |theta| {
-                        let increment = step.collocation.at(theta);
-                        std::array::from_fn(|j| step.start[j] + increment[j])
-                    });
+                    let kept = self.keep_laws(span, |theta| step.inside(theta));
                     kept.and_then(|()| self.check_direction(record))
                 }
                 Err(error) => Err(error.into()),
@@ -216,11 +214,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
 
     /// Whether a step has gone through a friction layer and back without feeling it: friction would add energy.
     fn jumps<const S: usize>(&self, step: &Accepted<N, S>) -> bool {
-        !M::INFO.contacts.is_empty()
-            && self.field.dips(|theta| {
-                let increment = step.collocation.at(theta);
-                std::array::from_fn(|j| step.start[j] + increment[j])
-            })
+        !M::INFO.contacts.is_empty() && self.field.dips(|theta| step.inside(theta))
     }
 
     fn check_direction(&self, record: &Record<N>) -> Result<(), FlowError> {

@@ -1,9 +1,10 @@
 //! What a passage gathers on its way.
 
+use super::inside::{Explicit, Implicit};
 use crate::field::{Field, Stops, Work};
-use crate::flow::extrema::extrema;
+use crate::flow::extrema::Turning;
 use crate::flow::{
-    Calm, Derivatives, Extremum, Factor, FlowError, Passage, Place, Sample, Segment, Want, strobes,
+    Calm, Derivatives, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want, nodes,
 };
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Accepted, Carried, IntegrationError, Look, Motion, Radau};
@@ -24,9 +25,10 @@ pub(super) struct Record<const N: usize> {
     pub(super) stops: Stops<N>,
     /// The most states that rested at once.
     pub(super) lost: usize,
-    pub(super) extrema: Vec<Extremum<N>>,
+    pub(super) extrema: Turning<N>,
     pub(super) factors: Vec<Factor<N>>,
     pub(super) path: Vec<Sample<N>>,
+    pub(super) nodes: Vec<Node<N>>,
     pub(super) calm: Calm<N, ()>,
     pub(super) work: Work,
 }
@@ -47,9 +49,10 @@ impl<const N: usize> Record<N> {
             motion: Motion::from(state),
             stops: Stops::NONE,
             lost: 0,
-            extrema: Vec::new(),
+            extrema: Turning::new(),
             factors: Vec::new(),
             path,
+            nodes: Vec::new(),
             calm: Calm::at(Place { state, mode: () }),
             work: Work::default(),
         }
@@ -65,6 +68,9 @@ impl<const N: usize> Record<N> {
         let (time, length) = (self.since + step.time(), step.length());
         self.time = time + length;
         self.stay(length);
+        nodes(self.want, (time, length), &mut self.nodes, |theta| {
+            step.step_map(theta * length)
+        });
         if !(self.want.extrema || self.want.path) {
             return;
         }
@@ -75,24 +81,16 @@ impl<const N: usize> Record<N> {
                 linear: field.linearise(&dense.state(theta)),
                 state: dense.state(theta),
             });
-            extrema(
-                looks.into_iter(),
-                time,
-                length,
-                &mut self.extrema,
-                |theta| {
-                    let state = step.step_map(theta * length);
-                    Some((state, field.linearise(&state)))
-                },
-            );
             let ends = (*step.from().state(), *step.end().state());
-            strobes(
-                self.phase,
-                (&ends.0, &ends.1),
-                (time, length),
-                &mut self.extrema,
-                |theta| Some(step.step_map(theta * length)),
-            );
+            let mut inside = Explicit {
+                field,
+                step,
+                dense,
+                time,
+            };
+            self.extrema.step(looks.into_iter(), &mut inside);
+            self.extrema
+                .strobes(self.phase, (&ends.0, &ends.1), &mut inside);
         }
         self.draw(time, length, |theta| dense.state(theta));
     }
@@ -117,27 +115,19 @@ impl<const N: usize> Record<N> {
                 });
             }
         }
+        let (time, length) = (offset + step.time, step.step);
         if self.want.extrema {
             let looks = radau.looks(step);
-            extrema(
-                looks,
-                offset + step.time,
-                step.step,
-                &mut self.extrema,
-                |theta| radau.probe(step, theta),
-            );
-            strobes(
-                self.phase,
-                (&step.start, &step.end),
-                (offset + step.time, step.step),
-                &mut self.extrema,
-                |theta| Some(radau.probe(step, theta)?.0),
-            );
+            let mut inside = Implicit::new(radau, step, time);
+            self.extrema.step(looks, &mut inside);
+            self.extrema
+                .strobes(self.phase, (&step.start, &step.end), &mut inside);
         }
-        self.draw(offset + step.time, step.step, |theta| {
-            let increment = step.collocation.at(theta);
-            std::array::from_fn(|j| step.start[j] + increment[j])
+        nodes(self.want, (time, length), &mut self.nodes, |theta| {
+            let probed = radau.probe(step, theta);
+            probed.map_or_else(|| step.inside(theta), |(state, _)| state)
         });
+        self.draw(time, length, |theta| step.inside(theta));
     }
 
     pub(super) fn stay(&mut self, length: f64) {
@@ -192,12 +182,13 @@ impl<const N: usize> Record<N> {
                 mode: (),
             },
             derivatives,
-            extrema: self.extrema,
+            extrema: self.extrema.finish(),
             segments: vec![Segment {
                 mode: (),
                 duration: time,
             }],
             path: self.path,
+            nodes: self.nodes,
             calm: self.calm,
             events: Vec::new(),
             work: self.work,

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::record::Record;
 use crate::field::{Caught, Settled, SmoothField};
 use crate::flow::saltation::catch;
-use crate::flow::{Extremum, Factor, FlowError};
+use crate::flow::{Factor, FlowError};
 use crate::integrate::Motion;
 use crate::model::Model;
 
@@ -84,7 +84,6 @@ impl<const N: usize> Record<N> {
         for caught in settled.caught() {
             catch(&mut self.motion, caught);
             self.forget(caught);
-            self.turn(caught);
         }
         self.take(&settled);
         self.work.events += 1;
@@ -104,18 +103,6 @@ impl<const N: usize> Record<N> {
             self.factors.push(Factor {
                 state: projection.tangent,
                 growth: None,
-            });
-        }
-    }
-
-    /// A state is greatest or least from where it meets a stop to where it leaves.
-    fn turn(&mut self, caught: Caught) {
-        if self.want.extrema {
-            self.extrema.push(Extremum {
-                index: caught.state,
-                maximum: caught.side > 0.0,
-                time: self.time,
-                state: self.motion.state,
             });
         }
     }

@@ -55,3 +55,11 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         std::iter::once(beginning).chain(stages)
     }
 }
+
+impl<const N: usize, const S: usize> Accepted<N, S> {
+    /// The state at the fraction `theta` of the step, on its polynomial.
+    #[must_use]
+    pub fn inside(&self, theta: f64) -> [f64; N] {
+        add(&self.start, &self.collocation.at(theta))
+    }
+}

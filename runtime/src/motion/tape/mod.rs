@@ -8,7 +8,8 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use super::{Contacts, Derivatives, Family, Flow, Flows, Passage, Place, Reading, Velocity};
 use crate::field::Design;
@@ -63,25 +64,25 @@ impl Tape {
     /// What is asked by `key`: as it is known, or computed and noted.
     ///
     /// A failure is noted without its reason: it is found again where the computation is gone through again.
-    fn recall<T: BorshSerialize + BorshDeserialize, E>(
+    fn recall<T: Serialize + DeserializeOwned, E>(
         &self,
-        key: &impl BorshSerialize,
+        key: &impl Serialize,
         compute: impl FnOnce() -> Result<T, E>,
     ) -> Result<T, E> {
-        let mut record = borsh::to_vec(key).unwrap_or_default();
+        let mut record = postcard::to_allocvec(key).unwrap_or_default();
         let known = self.known().records.pop_front();
         if let Some(known) = known {
             let found = known.strip_prefix(record.as_slice());
-            match found.map(|found| (found, T::try_from_slice(found))) {
+            match found.map(|found| (found, postcard::take_from_bytes(found))) {
                 Some(([], _)) => return compute(),
-                Some((_, Ok(found))) => return Ok(found),
+                Some((_, Ok((found, [])))) => return Ok(found),
                 _ => self.stray(),
             }
         }
         let found = compute();
         if let Ok(found) = &found {
             // What cannot be written is computed again.
-            record.extend(borsh::to_vec(found).unwrap_or_default());
+            record.extend(postcard::to_allocvec(found).unwrap_or_default());
         }
         if !self.known().strayed {
             (self.note)(&record);
@@ -99,14 +100,8 @@ impl Tape {
 
 /// A family whose passages are kept on a [`Tape`].
 pub(super) struct Taped {
-    family: Family,
-    tape: Arc<Tape>,
-}
-
-impl Taped {
-    pub(super) fn new(family: Family, tape: Arc<Tape>) -> Self {
-        Self { family, tape }
-    }
+    pub(super) family: Family,
+    pub(super) tape: Arc<Tape>,
 }
 
 /// A flow whose passages are kept on a [`Tape`].
@@ -148,21 +143,28 @@ impl Flows for Taped {
     }
 }
 
+/// What a taped flow answers as the flow itself does.
+macro_rules! as_it_is {
+    ($($name:ident($($told:ident: $type:ty),*) -> $answer:ty;)*) => {$(
+        fn $name(&self, $($told: $type),*) -> $answer {
+            self.flow.$name($($told),*)
+        }
+    )*};
+}
+
 impl Flow for TapedFlow {
-    fn order(&self) -> usize {
-        self.flow.order()
-    }
-
-    fn phase(&self) -> Option<usize> {
-        self.flow.phase()
-    }
-
-    fn values(&self, state: &[f64]) -> Values {
-        self.flow.values(state)
-    }
-
-    fn place(&self, state: &[f64]) -> Result<Place, FlowError> {
-        self.flow.place(state)
+    as_it_is! {
+        order() -> usize;
+        phase() -> Option<usize>;
+        values(state: &[f64]) -> Values;
+        place(state: &[f64]) -> Result<Place, FlowError>;
+        velocity(at: &Place) -> Result<Velocity, FlowError>;
+        touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+        margins(at: &Place) -> Vec<(usize, f64)>;
+        speeds(state: &[f64]) -> Vec<f64>;
+        check(at: &Place) -> Result<(), FlowError>;
+        read(at: &Place) -> Result<Reading, FlowError>;
+        contacts(at: &Place) -> Result<Contacts, FlowError>;
     }
 
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
@@ -170,37 +172,9 @@ impl Flow for TapedFlow {
         self.tape.recall(&(self.r, from, time, want), advance)
     }
 
-    fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
-        self.flow.velocity(at)
-    }
-
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
         let glide = || self.flow.glide(from, time);
         self.tape.recall(&(self.r, from, time), glide)
-    }
-
-    fn touch(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
-        self.flow.touch(at, contact)
-    }
-
-    fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
-        self.flow.margins(at)
-    }
-
-    fn speeds(&self, state: &[f64]) -> Vec<f64> {
-        self.flow.speeds(state)
-    }
-
-    fn check(&self, at: &Place) -> Result<(), FlowError> {
-        self.flow.check(at)
-    }
-
-    fn read(&self, at: &Place) -> Result<Reading, FlowError> {
-        self.flow.read(at)
-    }
-
-    fn contacts(&self, at: &Place) -> Result<Contacts, FlowError> {
-        self.flow.contacts(at)
     }
 }
 

@@ -8,6 +8,7 @@ const ALL: Want = Want {
     extrema: true,
     path: true,
     factors: true,
+    panel: 0.0,
 };
 
 fn family() -> Family {

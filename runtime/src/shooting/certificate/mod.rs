@@ -3,6 +3,7 @@
 mod equations;
 
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 use super::converge::{CHANCE, DOUBT, TIGHTER};
 use super::guess::Guess;
@@ -20,37 +21,35 @@ const BALL: f64 = 4.0;
 /// With F the shooting equations, in units of the states' half extents and of the period, and ∞-norms:
 /// h = |DF⁻¹| · |DF⁻¹F| · Lip(DF) ≤ ½ gives a zero of F within (1 − √(1 − 2h)) / (|DF⁻¹| Lip(DF)). Not rigorous, because
 /// Lip(DF) is sampled and the errors of the integration are those that a tighter tolerance shows.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Certificate {
     /// The computed start, to which the radii belong.
     pub start: Vec<f64>,
     /// The computed period.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub period: f64,
     /// How far each state of the true start is from it at most, in the units of the state.
     pub state_radius: Vec<f64>,
     /// How far the true period is from it at most.
     pub period_radius: f64,
     /// The constants of the theorem.
-    #[cfg_attr(feature = "app", serde(flatten))]
+    #[serde(flatten)]
     pub constants: Constants,
 }
 
 /// What the theorem asks for, all of it in scaled units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Constants {
     /// |F|, the error of the integration included.
     pub residual: f64,
     /// The error of the integration alone.
-    #[cfg_attr(feature = "app", serde(rename = "integration_error"))]
+    #[serde(rename = "integration_error")]
     pub integration: f64,
     /// |DF⁻¹|, the error of DF included.
-    #[cfg_attr(feature = "app", serde(rename = "inverse_norm"))]
+    #[serde(rename = "inverse_norm")]
     pub inverse: f64,
     /// |DF⁻¹F|, the length of Newton's step, the error of the integration included.
-    #[cfg_attr(feature = "app", serde(rename = "newton_step"))]
+    #[serde(rename = "newton_step")]
     pub step: f64,
     /// Lip(DF), from samples.
     pub lipschitz: f64,
@@ -112,6 +111,11 @@ pub fn certify(
     orbit: &Guess,
     accuracy: f64,
 ) -> Result<Certificate, Uncertified> {
+    // What is singled out by a condition only is no isolated orbit.
+    let orbit = &Guess {
+        pins: Vec::new(),
+        ..orbit.clone()
+    };
     let tolerance = Tolerance::for_accuracy(accuracy).times(TIGHTER);
     let mut loose = Equations::new(family, r, orbit, tolerance)?;
     let tolerance = tolerance.times(TIGHTER);

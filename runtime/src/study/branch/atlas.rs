@@ -127,13 +127,7 @@ impl Atlas<'_> {
         let (at, period) = ((hopf.r, hopf.state.as_slice()), hopf.period);
         let branch = OrbitBranch::from_hopf(family, at, period, search, self.settings)
             .map_err(StudyError::Hopf)?;
-        Ok(follow(
-            self.sought,
-            self.along,
-            branch,
-            Work::default(),
-            self.watch,
-        ))
+        Ok(self.follow(branch, Work::default()))
     }
 
     fn orbit(
@@ -145,12 +139,16 @@ impl Atlas<'_> {
         let Sought { family, search, .. } = self.sought;
         let branch = OrbitBranch::start_at(family, orbit, search, self.settings, at)
             .map_err(OrbitError::Newton)?;
-        Ok(follow(self.sought, self.along, branch, before, self.watch))
+        Ok(self.follow(branch, before))
+    }
+
+    fn follow(&mut self, branch: OrbitBranch, before: Work) -> Stretch {
+        follow(self.sought, self.along, branch, before, self.watch)
     }
 
     /// A branch with those that leave it, `depth` switches deep.
     fn record(&mut self, stretch: Stretch, from: Option<String>, depth: usize) -> BranchRecord {
-        let mut special = numbered(&self.along, &stretch.located, &stretch.after);
+        let mut special = numbered(&self.along, &stretch.located);
         let met = stretch.located.iter().filter(|event| event.last);
         self.known.extend(met.cloned());
         let mut branches = Vec::new();
@@ -208,13 +206,7 @@ impl Atlas<'_> {
 
     fn one_way(&mut self, event: &Here, forwards: bool) -> Result<Stretch, SwitchError> {
         let branch = self.switched(event, forwards)?;
-        Ok(follow(
-            self.sought,
-            self.along,
-            branch,
-            Work::default(),
-            self.watch,
-        ))
+        Ok(self.follow(branch, Work::default()))
     }
 
     fn switched(&self, event: &Here, forwards: bool) -> Result<OrbitBranch, SwitchError> {

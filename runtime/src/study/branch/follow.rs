@@ -13,8 +13,6 @@ use crate::study::question::Along;
 pub(in crate::study) struct Stretch {
     pub(in crate::study) points: Vec<OrbitRecord>,
     pub(in crate::study) located: Vec<Located<Orbit>>,
-    /// How many of the points precede each of the located ones.
-    pub(in crate::study) after: Vec<usize>,
     pub(in crate::study) ended: Ended,
     pub(in crate::study) began: Option<Ended>,
 }
@@ -28,22 +26,23 @@ impl Stretch {
 
     /// The same branch with what lies behind its beginning; `shared` tells whether both begin with one orbit.
     pub(in crate::study) fn behind(self, back: Self, shared: bool) -> Self {
-        let (mut points, count) = (back.points, back.after.iter().rev());
-        let turned = points.len();
-        let mut after: Vec<usize> = count.map(|after| turned.saturating_sub(*after)).collect();
+        let (mut points, mut located) = (back.points, back.located);
+        located.reverse();
+        for found in &mut located {
+            found.after = points.len().saturating_sub(found.after);
+        }
         if shared && !points.is_empty() {
             points.remove(0);
         }
         points.reverse();
-        after.extend(self.after.iter().map(|after| after + points.len()));
+        located.extend(self.located.into_iter().map(|mut found| {
+            found.after += points.len();
+            found
+        }));
         points.extend(self.points);
-        let mut located = back.located;
-        located.reverse();
-        located.extend(self.located);
         Self {
             points,
             located,
-            after,
             ended: self.ended,
             began: Some(back.ended),
         }
@@ -72,7 +71,6 @@ pub(in crate::study) fn follow(
     Stretch {
         points,
         located: walked.located,
-        after: walked.after,
         ended: Ended::of(&walked.ending, along),
         began: None,
     }

@@ -1,6 +1,7 @@
 //! Special points of a branch, numbered in their order.
 
 use nalgebra::Complex;
+use serde::Serialize;
 
 use crate::continuation::{Kind, Located};
 use crate::shooting::Orbit;
@@ -8,48 +9,42 @@ use crate::study::label::labels;
 use crate::study::question::Along;
 
 /// A point of a branch where something changes.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Special {
     /// What changes: `fold`, `flip`, `torus`, `grazing-sliding`, ...
     pub kind: Kind,
     /// Kind and number, for instance `PD1`.
     pub label: String,
     /// How many points of its branch precede it.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
     /// The period there.
     pub period: f64,
     /// The multipliers there.
-    #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::pairs"))]
     pub multipliers: Vec<Complex<f64>>,
     /// Where the orbit there begins.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub state: Vec<f64>,
     /// Its largest magnitude of each state.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub max_abs: Vec<f64>,
     /// `supercritical` or `subcritical`, where that was looked at.
-    #[cfg_attr(feature = "app", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub criticality: Option<&'static str>,
     /// What is to be said of the branch that leaves it, if it was not followed from here.
-    #[cfg_attr(feature = "app", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }
 
 /// The special points as they are reported.
-pub(in crate::study) fn numbered(
-    along: &Along,
-    located: &[Located<Orbit>],
-    after: &[usize],
-) -> Vec<Special> {
+pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> Vec<Special> {
     let labels = labels(located.iter().map(|found| found.kind));
-    let special = |((found, after), label): ((&Located<Orbit>, &usize), String)| Special {
+    let special = |(found, label): (&Located<Orbit>, String)| Special {
         kind: found.kind,
         label,
-        after: *after,
+        after: found.after,
         r: along.value(found.r),
         period: found.point.period,
         multipliers: found.point.floquet.multipliers.clone(),
@@ -58,5 +53,5 @@ pub(in crate::study) fn numbered(
         criticality: None,
         note: None,
     };
-    located.iter().zip(after).zip(labels).map(special).collect()
+    located.iter().zip(labels).map(special).collect()
 }

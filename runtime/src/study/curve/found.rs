@@ -73,7 +73,7 @@ impl Sought<'_> {
             along,
             from: None,
             points: stretch.points,
-            special: numbered(&along, &located, &stretch.after),
+            special: numbered(&along, &located),
             ended: stretch.ended,
             began: stretch.began,
             branches: Vec::new(),

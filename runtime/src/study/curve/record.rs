@@ -1,6 +1,7 @@
 //! What is asked and reported of a curve.
 
 use nalgebra::Complex;
+use serde::Serialize;
 
 use crate::continuation::Kind;
 use crate::field::Work;
@@ -62,21 +63,19 @@ pub struct CurveRecord {
 }
 
 /// A special orbit.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CurvePointRecord {
     /// The first design variable, in the user's own values.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub p: f64,
     /// The second.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub q: f64,
     /// Its period.
     pub period: f64,
     /// A state of the orbit: where the first state is least, or where the orbit grazes.
     pub state: Vec<f64>,
     /// Its multipliers; none where it grazes.
-    #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::pairs"))]
     pub multipliers: Vec<Complex<f64>>,
     /// Norm of the residual of its equations.
     pub residual: f64,

@@ -6,15 +6,18 @@
 //! start afresh run on all cores; nothing depends on how many there are.
 
 mod draw;
+mod kind;
 mod known;
 mod parallel;
 mod record;
 mod setting;
 mod slice;
 mod sweep;
+mod watched;
 
+pub use kind::Motion;
 pub use known::Known;
 pub use parallel::{parallel, parallel_on};
 pub use record::{DiagramRecord, Seen, SweepRecord, Watcher};
 pub use setting::{Diagram, Sweep};
-pub use slice::{Motion, Slice};
+pub use slice::Slice;

@@ -1,6 +1,7 @@
 //! What is asked of a diagram.
 
 use crate::poincare::Section;
+use crate::words::words;
 
 /// What is to be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,31 +22,16 @@ pub struct Diagram {
     pub threads: Option<usize>,
 }
 
-/// How the values of a diagram follow each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sweep {
-    /// From the smallest to the largest, each from the end of the one before.
-    Up,
-    /// From the largest to the smallest, each from the end of the one before.
-    Down,
-    /// Up, and down: where they differ, there are two attractors.
-    Both,
-    /// Each value from the start of the case.
-    Fresh,
-}
-
-impl Sweep {
-    /// All there are.
-    pub const ALL: [Self; 4] = [Self::Up, Self::Down, Self::Both, Self::Fresh];
-
-    /// Its word on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Up => "up",
-            Self::Down => "down",
-            Self::Both => "both",
-            Self::Fresh => "fresh",
-        }
+words! {
+    /// How the values of a diagram follow each other.
+    pub enum Sweep {
+        /// From the smallest to the largest, each from the end of the one before.
+        Up = "up",
+        /// From the largest to the smallest, each from the end of the one before.
+        Down = "down",
+        /// Up, and down: where they differ, there are two attractors.
+        Both = "both",
+        /// Each value from the start of the case.
+        Fresh = "fresh",
     }
 }

@@ -1,23 +1,23 @@
 //! One value of a diagram: the motion to which the system settles there.
 
-use borsh::{BorshDeserialize, BorshSerialize};
+use serde::{Deserialize, Serialize};
 
+use super::kind::Motion;
 use super::setting::Diagram;
+use super::watched::Watched;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::lyapunov::{Lyapunov, lyapunov};
 use crate::motion::{Family, Flow, Place, Velocity, sticking};
-use crate::poincare::{Crossings, recurrence};
+use crate::poincare::Silence;
 use crate::study::Along;
 
-/// Points of a section that agree to this share of the motion's extent are one.
-const SAME_POINT: f64 = 1e-5;
-/// A motion whose extent is this share of its usual size is at rest.
-const REST: f64 = 1e-6;
+/// Of magnitudes that nothing has shown, what the integrator resolves.
+const UNKNOWN: f64 = 1e-3;
 
 /// What is seen at one value of the design variable.
-#[derive(Debug, Clone, PartialEq, BorshSerialize, BorshDeserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Slice {
     /// The design variable, in the user's own values.
     pub r: f64,
@@ -25,6 +25,10 @@ pub struct Slice {
     pub motion: Motion,
     /// Where it meets the section, in the order of time; where it rests, that one state.
     pub points: Vec<Vec<f64>>,
+    /// How many of them are different ones.
+    pub different: usize,
+    /// What was seen of a motion that is elsewhere.
+    pub silence: Option<Silence>,
     /// Smallest value of each state while points were taken.
     pub min: Vec<f64>,
     /// Largest value of each state.
@@ -37,53 +41,12 @@ pub struct Slice {
     pub work: Work,
 }
 
-/// The kind of a motion, as far as its points on a section tell.
-#[derive(Debug, Clone, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
-pub enum Motion {
-    /// It comes back after this many points.
-    Periodic(usize),
-    /// It has not come back within half of the points taken.
-    Aperiodic,
-    /// It rests.
-    Rest,
-    /// It moves, but does not meet the section.
-    Elsewhere,
-    /// It could not be followed; why.
-    Failed(String),
-}
-
-impl Motion {
-    /// In a word or two: `period-3`, `aperiodic`, `rest`, `elsewhere`, `failed`.
-    #[must_use]
-    pub fn name(&self) -> String {
-        match self {
-            Self::Periodic(count) => format!("period-{count}"),
-            Self::Aperiodic => "aperiodic".to_owned(),
-            Self::Rest => "rest".to_owned(),
-            Self::Elsewhere => "elsewhere".to_owned(),
-            Self::Failed(_) => "failed".to_owned(),
-        }
-    }
-}
-
 /// Makes slices of a family.
 pub(super) struct Cut<'a> {
     pub(super) family: &'a Family,
     pub(super) diagram: &'a Diagram,
     pub(super) along: Along,
     pub(super) start: &'a [f64],
-}
-
-/// A slice under way.
-struct Seen {
-    motion: Motion,
-    points: Vec<Vec<f64>>,
-    place: Place,
-    min: Vec<f64>,
-    max: Vec<f64>,
-    /// Mean time from point to point.
-    lap: f64,
-    work: Work,
 }
 
 impl Cut<'_> {
@@ -96,6 +59,8 @@ impl Cut<'_> {
     pub(super) fn slice(&self, r: f64, start: &[f64], scale: &[f64]) -> Slice {
         match self.seen(r, start, scale) {
             Ok((seen, lyapunov)) => Slice {
+                different: seen.different,
+                silence: seen.silence,
                 r: self.along.value(r),
                 motion: seen.motion,
                 points: seen.points,
@@ -114,6 +79,8 @@ impl Cut<'_> {
             r: self.along.value(r),
             motion: Motion::Failed(error.to_string()),
             points: Vec::new(),
+            different: 0,
+            silence: None,
             min: Vec::new(),
             max: Vec::new(),
             end: Vec::new(),
@@ -127,9 +94,10 @@ impl Cut<'_> {
         r: f64,
         start: &[f64],
         scale: &[f64],
-    ) -> Result<(Seen, Option<Result<Lyapunov, String>>), FlowError> {
+    ) -> Result<(Watched, Option<Result<Lyapunov, String>>), FlowError> {
         let flow = self.family.with_magnitude(scale).at(r)?;
-        let seen = self.watch(&*flow, flow.place(start)?, scale)?;
+        let usual = usual(start, scale);
+        let seen = Watched::from(&*flow, flow.place(start)?, self.diagram, &usual)?;
         let exponent = match self.diagram.lyapunov {
             Some(laps) => self.exponent(&*flow, &seen, laps)?,
             None => None,
@@ -140,7 +108,7 @@ impl Cut<'_> {
     fn exponent(
         &self,
         flow: &dyn Flow,
-        seen: &Seen,
+        seen: &Watched,
         laps: usize,
     ) -> Result<Option<Result<Lyapunov, String>>, FlowError> {
         let place = &seen.place;
@@ -149,76 +117,12 @@ impl Cut<'_> {
             Motion::Rest => Ok(at_rest(flow, place)?),
             Motion::Aperiodic => lyapunov(flow, place.clone(), seen.lap, laps),
             // Over whole periods the rate of a periodic motion does not fluctuate.
-            Motion::Periodic(count) => {
-                let period = seen.lap * count as f64;
-                lyapunov(flow, place.clone(), period, laps.div_ceil(count))
+            Motion::Periodic(_) => {
+                let period = seen.lap * seen.different as f64;
+                lyapunov(flow, place.clone(), period, laps.div_ceil(seen.different))
             }
         };
         Ok(Some(found.map_err(|error| error.to_string())))
-    }
-
-    /// Lets the motion settle and notes its points.
-    fn watch(&self, flow: &dyn Flow, start: Place, scale: &[f64]) -> Result<Seen, FlowError> {
-        let Diagram {
-            section,
-            settle,
-            points: wanted,
-            ..
-        } = *self.diagram;
-        let mut crossings = Crossings::new(flow, start, section)?;
-        let (mut points, mut times) = (Vec::new(), Vec::new());
-        for k in 0..settle + wanted {
-            if k == settle {
-                crossings.forget();
-            }
-            let Some(crossing) = crossings.next() else {
-                break;
-            };
-            let crossing = crossing?;
-            times.push(crossing.time);
-            if k >= settle {
-                points.push(crossing.state);
-            }
-        }
-        let (time, place) = crossings.place();
-        let (mut min, mut max) = crossings.range();
-        let mut work = crossings.work;
-        if points.len() < wanted {
-            // What goes on without crossing: its range since it last crossed.
-            crossings.forget();
-            crossings.watch_on()?;
-            (min, max) = crossings.range();
-            work = crossings.work;
-        }
-        let extent: Vec<f64> = max.iter().zip(&min).map(|(max, min)| max - min).collect();
-        let size = |j: usize| min[j].abs().max(max[j].abs()).max(scale[j]);
-        let motion = if (0..extent.len()).all(|j| extent[j] <= REST * size(j)) {
-            points = vec![place.state.clone()];
-            Motion::Rest
-        } else if points.len() < wanted {
-            points.clear();
-            Motion::Elsewhere
-        } else {
-            recurrence(&points, &extent, SAME_POINT).map_or(Motion::Aperiodic, Motion::Periodic)
-        };
-        let turns = match motion {
-            Motion::Periodic(count) => count,
-            _ => points.len().saturating_sub(1).max(1),
-        };
-        let last = times.len().checked_sub(turns + 1).map(|i| &times[i..]);
-        let lap = match last {
-            Some([first, .., last]) => (last - first) / turns as f64,
-            _ => time,
-        };
-        Ok(Seen {
-            motion,
-            points,
-            place,
-            min,
-            max,
-            lap,
-            work,
-        })
     }
 }
 
@@ -239,4 +143,11 @@ pub(super) fn magnitude(start: &[f64]) -> Vec<f64> {
     let other = if largest > 0.0 { largest } else { 1.0 };
     let size = |&x: &f64| if x == 0.0 { other } else { x.abs() };
     start.iter().map(size).collect()
+}
+
+/// Sizes against which a motion is judged to rest: a start at the origin shows none.
+fn usual(start: &[f64], scale: &[f64]) -> Vec<f64> {
+    let shown = start.iter().any(|x| *x != 0.0);
+    let share = if shown { 1.0 } else { UNKNOWN };
+    scale.iter().map(|size| share * size).collect()
 }

@@ -82,7 +82,7 @@ impl System {
         let (from, to) = along.span();
         let (walked, work) = follow(&family, &first, settings(from, to), &mut take)
             .map_err(StudyError::Equilibrium)?;
-        let mut special = numbered(along, &walked.located);
+        let mut special = numbered(along, &walked);
         if let Some(exact) = self.counterpart(case) {
             for point in &mut special {
                 point.artefact = exact.lacks(along, point);
@@ -190,13 +190,15 @@ impl System {
     }
 }
 
-fn numbered(along: Along, located: &[Located<EquilibriumPoint>]) -> Vec<SpecialEquilibrium> {
+fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<SpecialEquilibrium> {
+    let located = &walked.located;
     let labels = labels(located.iter().map(|found| found.kind));
     let special = |(found, label): (&Located<EquilibriumPoint>, String)| {
         let (kind, point) = (found.kind, &found.point);
         SpecialEquilibrium {
             kind,
             label,
+            after: found.after,
             r: along.value(point.r),
             state: point.state.clone(),
             eigenvalues: point.spectrum.eigenvalues.clone(),

@@ -1,6 +1,7 @@
 //! Equilibria, and all that is reported of them.
 
 use nalgebra::Complex;
+use serde::Serialize;
 
 use crate::bifurcation::Stability;
 use crate::continuation::Kind;
@@ -9,61 +10,59 @@ use crate::study::ended::Ended;
 use crate::study::question::{Along, Dynamics};
 
 /// An equilibrium, or a set of sticking ones, as it is reported, whatever model it belongs to.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EquilibriumRecord {
     /// The design variable, if one is followed, in the user's own values.
-    #[cfg_attr(feature = "app", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub r: Option<f64>,
     /// Values of all parameters.
     pub parameters: Vec<f64>,
     /// How friction acts.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub dynamics: Dynamics,
     /// Where; for a set, a state in it.
     pub state: Vec<f64>,
     /// Eigenvalues, largest real part first; of a set, those that lead away from it while its contacts stick.
-    #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::pairs"))]
     pub eigenvalues: Vec<Complex<f64>>,
     /// What they say.
     pub stability: Stability,
     /// The mode of each contact, for exact dynamics.
     pub mode: Option<String>,
     /// How far a set reaches; `None` for a single state.
-    #[cfg_attr(feature = "app", serde(skip_serializing_if = "Option::is_none"))]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub set: Option<Extent>,
     /// Whether only the smooth copy has it like this: the exact system has none there, or one of other stability.
     pub artefact: bool,
 }
 
 /// How far a set of sticking equilibria reaches.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Extent {
     /// How many directions it has: 1 for an interval.
     pub dimension: usize,
     /// Smallest value of each state.
-    #[cfg_attr(feature = "app", serde(rename = "min"))]
+    #[serde(rename = "min")]
     pub low: Vec<f64>,
     /// Largest value of each state.
-    #[cfg_attr(feature = "app", serde(rename = "max"))]
+    #[serde(rename = "max")]
     pub high: Vec<f64>,
 }
 
 /// A point of a branch of equilibria where something changes.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SpecialEquilibrium {
     /// What changes: `fold`, `hopf`, `flutter`, `branch-point` or `boundary-equilibrium`.
     pub kind: Kind,
     /// Kind and number, for instance `HB1`.
     pub label: String,
+    /// How many points of its branch precede it.
+    #[cfg_attr(feature = "app", serde(skip))]
+    pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
     /// Where.
     pub state: Vec<f64>,
     /// Eigenvalues there.
-    #[cfg_attr(feature = "app", serde(serialize_with = "crate::serial::pairs"))]
     pub eigenvalues: Vec<Complex<f64>>,
     /// Period of the small orbits that begin at a Hopf point, or of the vibration that grows from flutter.
     pub period: Option<f64>,

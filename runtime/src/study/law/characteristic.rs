@@ -76,7 +76,7 @@ impl ContactRule<f64> for Laws<'_> {
         memory: [f64; S],
         speed: f64,
     ) -> Answer<f64, S> {
-        let shaken = Shaken::<&L, L, S>::new(law);
+        let shaken = Shaken::<&L, L, S>::new(law, None);
         (self.0)(Acting::Remembering(element, &shaken));
         law.answer(memory, speed)
     }

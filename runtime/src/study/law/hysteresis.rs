@@ -27,6 +27,9 @@ pub trait Hysteresis {
     /// The law as data.
     fn law(&self) -> &'static MemoryLawInfo;
 
+    /// Amplitude and speed of a swing that shows what it remembers, where they are given.
+    fn usual(&self) -> Option<[f64; 2]>;
+
     /// Displacement and force against it, from a contact without memory at 0 to `amplitude`, then to and fro
     /// between that and its negative, at constant `speed` > 0.
     ///
@@ -55,11 +58,20 @@ impl dyn Hysteresis + '_ {
 }
 
 /// A law with `S` internal states, whatever its type.
-pub(in crate::study) struct Shaken<B, L, const S: usize>(B, PhantomData<fn() -> L>);
+pub(in crate::study) struct Shaken<B, L, const S: usize> {
+    law: B,
+    /// Amplitude and speed.
+    swing: Option<[f64; 2]>,
+    kind: PhantomData<fn() -> L>,
+}
 
 impl<B: Borrow<L>, L, const S: usize> Shaken<B, L, S> {
-    pub(in crate::study) const fn new(law: B) -> Self {
-        Self(law, PhantomData)
+    pub(in crate::study) const fn new(law: B, swing: Option<[f64; 2]>) -> Self {
+        Self {
+            law,
+            swing,
+            kind: PhantomData,
+        }
     }
 }
 
@@ -68,9 +80,13 @@ impl<B: Borrow<L>, L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<B
         L::INFO
     }
 
+    fn usual(&self) -> Option<[f64; 2]> {
+        self.swing
+    }
+
     fn swing(&self, amplitude: f64, speed: f64) -> Result<Vec<[f64; 2]>, IntegrationError> {
         let (mut memory, mut place, mut points) = ([0.0; S], 0.0, Vec::new());
-        let law = self.0.borrow();
+        let law = self.law.borrow();
         let elastic = law.answer(memory, speed).rates;
         let ends = std::iter::once(amplitude)
             .chain((0..STROKES).map(|i| if i % 2 == 0 { -amplitude } else { amplitude }));
@@ -135,10 +151,7 @@ impl<L: MemoryLaw<f64, S>, const S: usize> Stroke<'_, L, S> {
     ) -> Result<(f64, [f64; S], Stops<S>), IntegrationError> {
         let settings = Settings {
             stiff_steps: u32::MAX,
-            ..Settings::new(Tolerance {
-                relative: TOLERANCE,
-                absolute: TOLERANCE,
-            })
+            ..Settings::new(Tolerance::both(TOLERANCE))
         };
         let (mut work, mut switched) = (Work::default(), None);
         let end = integrate(self, settings, from, until - since, &mut work, |step| {
@@ -213,7 +226,7 @@ mod tests {
     #[test]
     fn the_loop_of_dahl_is_the_one_in_closed_form() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken::<_, Dahl<f64>, 1>::new(Dahl { stiffness, level });
+        let law = Shaken::<_, Dahl<f64>, 1>::new(Dahl { stiffness, level }, None);
         let points = law.swing(amplitude, 1e-3).unwrap();
         // From rest, F = F_c (1 − e^{−σ₀ x/F_c}).
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
@@ -230,7 +243,7 @@ mod tests {
     #[test]
     fn the_loop_of_jenkins_is_a_parallelogram() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken::<_, Jenkins<f64>, 1>::new(Jenkins { stiffness, level });
+        let law = Shaken::<_, Jenkins<f64>, 1>::new(Jenkins { stiffness, level }, None);
         let points = law.swing(amplitude, 1e-3).unwrap();
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
         for [x, force] in virgin.copied() {

@@ -7,4 +7,4 @@ mod specimen;
 pub(in crate::study) use characteristic::Laws;
 pub use characteristic::{Acting, Characteristic};
 pub use hysteresis::Hysteresis;
-pub use specimen::{Remembering, Shown, Specimen};
+pub use specimen::{Shown, Specimen};

@@ -19,22 +19,12 @@ pub struct Specimen<L: ?Sized = dyn Characteristic> {
 
 type Build<L> = dyn Fn(&[f64]) -> Box<L> + Send + Sync;
 
-/// A law with internal state, and a swing that shows what it remembers.
-pub struct Remembering {
-    /// The law.
-    pub specimen: Specimen<dyn Hysteresis>,
-    /// Amplitude of the swing.
-    pub amplitude: f64,
-    /// Speed of the swing.
-    pub speed: f64,
-}
-
 /// A law of either kind, as a program lists it.
 pub enum Shown {
     /// A law without internal state.
     Static(Specimen),
     /// A law with internal state.
-    Remembering(Remembering),
+    Remembering(Specimen<dyn Hysteresis>),
 }
 
 impl From<Specimen> for Shown {
@@ -43,9 +33,9 @@ impl From<Specimen> for Shown {
     }
 }
 
-impl From<Remembering> for Shown {
-    fn from(remembering: Remembering) -> Self {
-        Self::Remembering(remembering)
+impl From<Specimen<dyn Hysteresis>> for Shown {
+    fn from(specimen: Specimen<dyn Hysteresis>) -> Self {
+        Self::Remembering(specimen)
     }
 }
 
@@ -70,27 +60,18 @@ impl Specimen {
 }
 
 impl Specimen<dyn Hysteresis> {
-    /// The same of a law with `S` internal states.
+    /// The same of a law with `S` internal states, shown by a swing of this amplitude and speed.
     #[must_use]
     pub fn with_memory<L: MemoryLaw<f64, S> + 'static, const S: usize, const N: usize>(
         fields: [&'static str; N],
         values: [f64; N],
         build: fn([f64; N]) -> L,
+        swing: [f64; 2],
     ) -> Self {
         let build = move |values: &[f64]| -> Box<dyn Hysteresis> {
-            Box::new(Shaken::<L, L, S>::new(build(taken(values))))
+            Box::new(Shaken::<L, L, S>::new(build(taken(values)), Some(swing)))
         };
         Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
-    }
-
-    /// The same law with a swing.
-    #[must_use]
-    pub fn swinging(self, amplitude: f64, speed: f64) -> Remembering {
-        Remembering {
-            specimen: self,
-            amplitude,
-            speed,
-        }
     }
 
     /// The law as data.
@@ -102,6 +83,17 @@ impl Specimen<dyn Hysteresis> {
 
 fn taken<const N: usize>(values: &[f64]) -> [f64; N] {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(f64::NAN))
+}
+
+/// The values of these names; NaN for one that has none.
+fn picked<'a>(
+    names: impl Iterator<Item = &'a str>,
+    values: impl Iterator<Item = (&'a str, f64)> + Clone,
+) -> Vec<f64> {
+    let value = |name| values.clone().find(|(known, _)| *known == name);
+    names
+        .map(|name| value(name).map_or(f64::NAN, |(_, value)| value))
+        .collect()
 }
 
 impl<L: ?Sized> Specimen<L> {
@@ -128,12 +120,9 @@ impl<L: ?Sized> Specimen<L> {
     /// The values of the law's parameters, in the order of their declaration.
     #[must_use]
     pub fn values(&self) -> Vec<f64> {
-        let place = |name| self.fields.iter().position(|field| *field == name);
-        let values = self
-            .parameters
-            .iter()
-            .map(|declared| place(declared.name).map_or(f64::NAN, |place| self.values[place]));
-        values.collect()
+        let declared = self.parameters.iter().map(|declared| declared.name);
+        let values = self.fields.iter().copied().zip(self.values.iter().copied());
+        picked(declared, values)
     }
 
     /// The law at other values of its parameters, in the order of their declaration.
@@ -144,17 +133,9 @@ impl<L: ?Sized> Specimen<L> {
         for (declared, &value) in self.parameters.iter().zip(values) {
             declared.check(value)?;
         }
-        let place = |name: &str| {
-            self.parameters
-                .iter()
-                .position(|declared| declared.name == name)
-        };
-        let taken = self.fields.iter().map(|field| {
-            place(field)
-                .and_then(|place| values.get(place).copied())
-                .unwrap_or(f64::NAN)
-        });
-        Ok((self.build)(&taken.collect::<Vec<_>>()))
+        let declared = self.parameters.iter().map(|declared| declared.name);
+        let values = declared.zip(values.iter().copied());
+        Ok((self.build)(&picked(self.fields.iter().copied(), values)))
     }
 }
 
@@ -194,8 +175,8 @@ macro_rules! specimen {
             [$(::core::stringify!($field)),*],
             [$($value),*],
             |[$($field),*]| $law { $($field),* },
+            [$amplitude, $speed],
         )
-        .swinging($amplitude, $speed)
     };
 }
 

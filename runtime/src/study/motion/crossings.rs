@@ -1,21 +1,16 @@
 //! Points of a motion on a section.
 
-use crate::poincare::{Crossing, Section, once_around, until};
+use crate::poincare::{Met, Section, once_around, until};
 use crate::study::error::StudyError;
 use crate::study::question::{Case, Span};
 use crate::study::system::System;
 
 impl System {
-    /// The points at which the motion from the start of the case meets a section.
+    /// The points at which the motion from the start of the case meets a section, and how far it went meanwhile.
     ///
     /// # Errors
     /// The motion cannot be followed.
-    pub fn crossings(
-        &self,
-        case: &Case,
-        section: Section,
-        span: Span,
-    ) -> Result<Vec<Crossing>, StudyError> {
+    pub fn crossings(&self, case: &Case, section: Section, span: Span) -> Result<Met, StudyError> {
         let flow = self.at(case)?;
         let place = flow.place(&self.start(case))?;
         Ok(match span {

@@ -1,7 +1,11 @@
 //! The periodic orbit of a case.
 
+use super::held::Held;
 use super::record::{CertifiedOrbit, OrbitRecord};
 use super::sought::Sought;
+use crate::flow::FlowError;
+use crate::harmonics::{Harmonic, harmonics};
+use crate::integrate::Tolerance;
 use crate::motion::word;
 use crate::shooting::{Guess, Orbit, certify};
 use crate::study::error::StudyError;
@@ -14,10 +18,15 @@ impl System {
     /// # Errors
     /// None was found.
     pub fn orbit(&self, case: &Case) -> Result<OrbitRecord, StudyError> {
+        let (sought, orbit) = self.found(case)?;
+        Ok(sought.record(&orbit))
+    }
+
+    fn found<'a>(&'a self, case: &'a Case) -> Result<(Sought<'a>, Orbit), StudyError> {
         let sought = self.sought(case)?;
         let orbit = sought.orbit(self.beginning(case));
         let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
-        Ok(sought.record(&orbit))
+        Ok((sought, orbit))
     }
 
     /// The same orbit with its certificate: how near to it a true orbit is, and only one.
@@ -25,21 +34,39 @@ impl System {
     /// # Errors
     /// None was found. An orbit that cannot be certified is no error: it comes with the reason.
     pub fn certified_orbit(&self, case: &Case) -> Result<CertifiedOrbit, StudyError> {
-        let (sought, r) = (self.sought(case)?, self.beginning(case));
-        let orbit = sought.orbit(r);
-        let orbit = orbit.map_err(|error| self.sharpened(case, error))?;
+        let (sought, orbit) = self.found(case)?;
         let found = Guess {
             place: orbit.heading.start.clone(),
             ..orbit.guess()
         };
         Ok(CertifiedOrbit {
-            certificate: certify(&sought.family, r, &found, case.accuracy),
+            certificate: certify(&sought.family, orbit.r, &found, case.accuracy),
             orbit: sought.record(&orbit),
         })
     }
 }
 
 impl Sought<'_> {
+    /// The harmonics of an orbit that the case asks for; their errors are also those of the orbit.
+    fn harmonics(&self, orbit: &Orbit) -> Result<Vec<Harmonic>, FlowError> {
+        let orders = &self.case.harmonics;
+        if orders.is_empty() {
+            return Ok(Vec::new());
+        }
+        let family = self.family.with_magnitude(&orbit.magnitude());
+        let around = (&orbit.place, orbit.period);
+        let tolerance = Tolerance::for_accuracy(self.case.accuracy);
+        let mut found = harmonics(&family, orbit.r, around, orders, tolerance)?;
+        // The period of a driven orbit is certain, and its start has been corrected.
+        let doubt = self.family.phase().map_or(orbit.error_estimate, |_| 0.0);
+        for harmonic in &mut found {
+            for (error, size) in harmonic.error.iter_mut().zip(orbit.magnitude()) {
+                *error += doubt * size;
+            }
+        }
+        Ok(found)
+    }
+
     /// The orbit as it is reported.
     pub(in crate::study) fn record(&self, orbit: &Orbit) -> OrbitRecord {
         let r = self.case.along.map(|along| along.value(orbit.r));
@@ -57,6 +84,12 @@ impl Sought<'_> {
             period_count: orbit.period_count,
             section: orbit.section.clone(),
             floquet: orbit.floquet.clone(),
+            held: orbit
+                .pins
+                .iter()
+                .map(|pin| Held::new(pin, self.system.info()))
+                .collect(),
+            harmonics: self.harmonics(orbit),
             word: rubs.then(|| word(self.system.info(), &orbit.segments)),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,

@@ -1,7 +1,10 @@
 //! What is reported of a periodic orbit.
 
+use super::held::Held;
 use crate::bifurcation::Floquet;
 use crate::field::Work;
+use crate::flow::FlowError;
+use crate::harmonics::Harmonic;
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::question::Dynamics;
 
@@ -30,6 +33,10 @@ pub struct OrbitRecord {
     pub section: Vec<Vec<f64>>,
     /// Multipliers and what they say.
     pub floquet: Floquet,
+    /// What is held in neutral directions, in which orbits beside it are orbits too.
+    pub held: Vec<Held>,
+    /// Its harmonics, those that the case asks for.
+    pub harmonics: Result<Vec<Harmonic>, FlowError>,
     /// The modes that it runs through, for exact dynamics.
     pub word: Option<String>,
     /// Norm of the shooting residual, relative to the extents of the states.

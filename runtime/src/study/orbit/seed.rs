@@ -11,6 +11,8 @@ const SWEEPS: usize = 50;
 pub(in crate::study) struct Seed {
     pub(in crate::study) start: Vec<f64>,
     pub(in crate::study) period: Option<f64>,
+    /// Whether the motion is meant on which it settles.
+    pub(in crate::study) settles: bool,
 }
 
 impl Seed {
@@ -18,6 +20,7 @@ impl Seed {
         Self {
             start,
             period: None,
+            settles: false,
         }
     }
 }

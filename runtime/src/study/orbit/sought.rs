@@ -4,7 +4,7 @@ use super::seed::{Seed, on_the_belt};
 use crate::equilibrium::find;
 use crate::flow::FlowError;
 use crate::motion::Family;
-use crate::shooting::{Orbit, OrbitError, Search, closest};
+use crate::shooting::{Orbit, OrbitError, Search, closest, settled};
 use crate::study::equilibria::sliding_modes;
 use crate::study::question::{Case, Dynamics};
 use crate::study::system::System;
@@ -18,7 +18,7 @@ fn tells(error: &OrbitError) -> u8 {
         OrbitError::NotIsolated { .. } => 3,
         OrbitError::Equilibrium { .. } => 2,
         OrbitError::NotSettled { .. } => 1,
-        OrbitError::Newton(_) | OrbitError::Flow(_) => 0,
+        OrbitError::Passed { .. } | OrbitError::Newton(_) | OrbitError::Flow(_) => 0,
     }
 }
 
@@ -58,8 +58,21 @@ impl System {
         let declared = Seed::at(start.clone());
         let period = case.period;
         let mut seeds = match (&case.start, period) {
-            (Some(_), _) => return Ok(vec![Seed { start, period }]),
-            (None, Some(_)) => return Ok(vec![Seed { start, period }, declared]),
+            (Some(_), None) => {
+                let settles = true;
+                return Ok(vec![Seed {
+                    settles,
+                    ..declared
+                }]);
+            }
+            (Some(_), Some(_)) => return Ok(vec![Seed { period, ..declared }]),
+            (None, Some(_)) => {
+                let near = Seed {
+                    period,
+                    ..declared.clone()
+                };
+                return Ok(vec![near, declared]);
+            }
             _ if self.rubs(case) => on_the_belt(self.at(case)?.as_ref(), &start),
             _ if self.info().contacts.is_empty() => Vec::new(),
             _ => self.exact_orbit(case).map_or_else(Vec::new, |seed| {
@@ -86,6 +99,7 @@ impl System {
         Some(Seed {
             start: orbit.place.state,
             period: Some(orbit.period),
+            settles: false,
         })
     }
 
@@ -121,7 +135,8 @@ impl Sought<'_> {
                 period: seed.period,
                 ..self.search.clone()
             };
-            match closest(&self.family, r, &search) {
+            let find = if seed.settles { settled } else { closest };
+            match find(&self.family, r, &search) {
                 Ok(orbit) => return Ok(orbit),
                 Err(error) if telling.as_ref().is_none_or(|t| tells(t) <= tells(&error)) => {
                     telling = Some(error);

@@ -23,21 +23,21 @@ pub(in super::super) fn predict(
     orbit: &Orbit,
     smoothing: Smoothing,
 ) -> Result<Prediction, PredictError> {
-    let mut history = History::of(model, orbit)?;
+    let mut history = History::of(model, orbit, smoothing)?;
     if history.switches.iter().all(|s| s.release.is_none()) {
         return Err(PredictError::NeverSticks);
     }
     let peaks = peaks(&history, orbit);
-    let times: Vec<f64> = times(&history, &peaks);
-    let leading = match history.lose(model, &smoothing, true) {
+    let times = times(&history, &peaks);
+    let leading = match history.lose(model, true) {
         Ok(()) => {
-            let readings = model.response(&history, smoothing, &times, true)?;
+            let readings = model.response(&history, &times)?;
             Some(-Shift::of(&history, &readings)?.period / history.period)
         }
         Err(_) => None,
     };
-    history.lose(model, &smoothing, false)?;
-    let readings = model.response(&history, smoothing, &times, false)?;
+    history.lose(model, false)?;
+    let readings = model.response(&history, &times)?;
     let shift = Shift::of(&history, &readings)?;
     let frequency = -shift.period / history.period;
     let max_abs = peaks

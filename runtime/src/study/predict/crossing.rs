@@ -3,16 +3,10 @@
 use std::ops::ControlFlow;
 
 use super::layer::edge;
-use super::scalar::{Local, Scalar};
+use super::scalar::{Local, Scalar, TIGHT};
 use crate::field::{Field, Linear, Work};
+use crate::integrate::IntegrationError;
 use crate::integrate::explicit::{Settings, integrate};
-use crate::integrate::{IntegrationError, Tolerance};
-
-/// Local tolerance of the integral over the layer, in units of the time that it takes.
-const TIGHT: Tolerance = Tolerance {
-    relative: 1e-9,
-    absolute: 1e-9,
-};
 
 /// A crossing of the exact orbit: a contact that slides the other way at once.
 #[derive(Debug, Clone, Copy, PartialEq)]

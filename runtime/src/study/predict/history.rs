@@ -13,10 +13,7 @@ use crate::motion::{Event, Modes, Passage, Place};
 use crate::shooting::Orbit;
 
 /// Tolerance of the exact motion.
-pub(super) const TIGHT: Tolerance = Tolerance {
-    relative: 1e-12,
-    absolute: 1e-12,
-};
+pub(super) const TIGHT: Tolerance = Tolerance::both(1e-12);
 
 /// One period of an exact orbit.
 pub(crate) struct History {
@@ -24,6 +21,10 @@ pub(crate) struct History {
     pub(super) start: Place,
     pub(super) period: f64,
     pub(super) switches: Vec<Switch>,
+    /// What a copy loses is that of this one.
+    pub(super) smoothing: Smoothing,
+    /// Only the releases count, by their leading terms: neither creep nor tails.
+    pub(super) leading: bool,
 }
 
 /// A switch of one contact, with the modes around it.
@@ -39,19 +40,21 @@ pub(super) struct Switch {
 
 impl History {
     /// Follows the orbit once around.
-    pub(super) fn of(model: &dyn Rubbing, orbit: &Orbit) -> Result<Self, PredictError> {
-        let want = Want {
-            extrema: true,
-            ..Want::default()
-        };
+    pub(super) fn of(
+        model: &dyn Rubbing,
+        orbit: &Orbit,
+        smoothing: Smoothing,
+    ) -> Result<Self, PredictError> {
         let mut start = orbit.place.clone();
-        let passage = model.flow()?.advance(&start, orbit.period, want)?;
+        let passage = model.flow()?.advance(&start, orbit.period, Want::EXTREMA)?;
         start.modes.resize(passage.end.modes.len(), Mode::Stick);
         let mut history = Self {
             passage,
             start,
             period: orbit.period,
             switches: Vec::new(),
+            smoothing,
+            leading: false,
         };
         history.find_switches(model)?;
         Ok(history)
@@ -98,12 +101,9 @@ impl History {
     }
 
     /// Finds what each release costs a copy, numerically or by its leading term, and what each crossing does in the end.
-    pub(super) fn lose(
-        &mut self,
-        model: &dyn Rubbing,
-        smoothing: &Smoothing,
-        leading: bool,
-    ) -> Result<(), PredictError> {
+    pub(super) fn lose(&mut self, model: &dyn Rubbing, leading: bool) -> Result<(), PredictError> {
+        self.leading = leading;
+        let smoothing = &self.smoothing;
         for switch in &mut self.switches {
             let exact = |local: Local| Scalar {
                 model,

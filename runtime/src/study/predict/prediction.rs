@@ -1,5 +1,7 @@
 //! What is predicted of a copy.
 
+use serde::Serialize;
+
 use crate::field::Smoothing;
 
 /// The errors that a smoothing would make, relative and signed: copy/exact − 1.
@@ -22,8 +24,7 @@ pub struct Prediction {
 }
 
 /// What one release costs the copy (7.1).
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ReleaseLoss {
     /// Number of the contact.
     pub contact: usize,
@@ -40,6 +41,6 @@ pub struct ReleaseLoss {
     /// The time that the layer takes.
     pub layer: f64,
     /// The shorter of the stick before it and the slip after it.
-    #[cfg_attr(feature = "app", serde(skip))]
+    #[serde(skip)]
     pub room: f64,
 }

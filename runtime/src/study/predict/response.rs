@@ -6,8 +6,8 @@ use super::PredictError;
 use super::history::{History, Switch, TIGHT};
 use super::rubbing::Rubbed;
 use super::virtual_field::VirtualField;
+use crate::field::Work;
 use crate::field::exact::{Mode, Modes};
-use crate::field::{Smoothing, Work};
 use crate::flow::saltation::Saltation;
 use crate::integrate::Motion;
 use crate::integrate::explicit::{Settings, integrate};
@@ -34,9 +34,6 @@ pub(crate) struct Response {
 struct Walk<'a, M: Model<N>, const N: usize> {
     rubbed: &'a Rubbed<M, N>,
     history: &'a History,
-    smoothing: Smoothing,
-    /// Only the releases count: neither creep nor tails.
-    leading: bool,
     time: f64,
     modes: Modes<M, N>,
     motion: Motion<N>,
@@ -46,16 +43,12 @@ struct Walk<'a, M: Model<N>, const N: usize> {
 pub(super) fn response<M: Model<N>, const N: usize>(
     rubbed: &Rubbed<M, N>,
     history: &History,
-    smoothing: Smoothing,
     times: &[f64],
-    leading: bool,
 ) -> Result<Vec<Response>, PredictError> {
     let start = place(&history.start);
     let mut walk = Walk {
         rubbed,
         history,
-        smoothing,
-        leading,
         time: 0.0,
         modes: start.mode,
         motion: Motion::from(start.state),
@@ -80,18 +73,18 @@ pub(super) fn response<M: Model<N>, const N: usize>(
 
 impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
     fn field(&self) -> Result<VirtualField<'a, M, N>, PredictError> {
-        let (system, state) = (&self.rubbed.system, &self.motion.state);
-        let field = VirtualField::new(system, self.smoothing, self.modes, state)?;
-        Ok(if self.leading {
-            field
-        } else {
-            // Asked for in the middle of a stretch, so that no end of one decides by rounding.
-            let inside = self.time + 1e-9 * self.history.period;
-            field.with(
-                Inline::from_fn(|i| self.history.cap(i, inside)),
-                Inline::from_fn(|i| self.history.has_tail(i, inside)),
-            )
-        })
+        // Asked for in the middle of a stretch, so that no end of one decides by rounding.
+        let history = self.history;
+        let inside = self.time + 1e-9 * history.period;
+        let cap = |i: usize| history.cap(i, inside);
+        Ok(VirtualField::new(
+            &self.rubbed.system,
+            history.smoothing,
+            self.modes,
+            &self.motion.state,
+            |i| if history.leading { 0.0 } else { cap(i) },
+            |i| !history.leading && history.has_tail(i, inside),
+        )?)
     }
 
     fn advance(&mut self, until: f64) -> Result<(), PredictError> {

@@ -36,13 +36,7 @@ pub(crate) trait Rubbing {
     ) -> Dual64;
 
     /// The response at `times` (in order, the last is the period) to the losses in `history`.
-    fn response(
-        &self,
-        history: &History,
-        smoothing: Smoothing,
-        times: &[f64],
-        leading: bool,
-    ) -> Result<Vec<Response>, PredictError>;
+    fn response(&self, history: &History, times: &[f64]) -> Result<Vec<Response>, PredictError>;
 }
 
 /// What acts on a contact that sticks.
@@ -123,14 +117,8 @@ impl<M: Model<N>, const N: usize> Rubbing for Rubbed<M, N> {
         asked.force
     }
 
-    fn response(
-        &self,
-        history: &History,
-        smoothing: Smoothing,
-        times: &[f64],
-        leading: bool,
-    ) -> Result<Vec<Response>, PredictError> {
-        response(self, history, smoothing, times, leading)
+    fn response(&self, history: &History, times: &[f64]) -> Result<Vec<Response>, PredictError> {
+        response(self, history, times)
     }
 }
 

@@ -12,10 +12,7 @@ use crate::integrate::{IntegrationError, Motion, RADAU_5, Radau, Tolerance};
 /// Steps of one scalar problem.
 const BUDGET: u64 = 20_000;
 /// Local tolerance of the scalar problems.
-const TIGHT: Tolerance = Tolerance {
-    relative: 1e-9,
-    absolute: 1e-9,
-};
+pub(super) const TIGHT: Tolerance = Tolerance::both(1e-9);
 
 /// ż = κ (A s + G (stick − F(z/κ))) with z = κ w: the unknowns are s, the time from the exact release, and z.
 ///
@@ -117,13 +114,13 @@ impl Field<2> for Scalar<'_> {
 
     fn kinks(&self) -> usize {
         if self.copied {
-            self.smoothing.kinks().len()
+            self.smoothing.kernel.kinks().len()
         } else {
             0
         }
     }
 
     fn kink(&self, index: usize, y: &[f64; 2]) -> f64 {
-        y[1] - self.smoothing.kinks()[index]
+        y[1] - self.smoothing.kernel.kinks()[index]
     }
 }

@@ -29,20 +29,17 @@ impl<'s, M: Model<N>, const N: usize> VirtualField<'s, M, N> {
         smoothing: Smoothing,
         modes: Modes<M, N>,
         state: &[f64; N],
+        caps: impl Fn(usize) -> f64,
+        tails: impl Fn(usize) -> bool,
     ) -> Result<Self, ContactError> {
         Ok(Self {
             system,
             field: ExactField::new(system, modes, state)?,
             modes,
             smoothing,
-            caps: Inline::from_fn(|_| 0.0),
-            tails: Inline::from_fn(|_| false),
+            caps: Inline::from_fn(caps),
+            tails: Inline::from_fn(tails),
         })
-    }
-
-    pub(super) fn with(mut self, caps: M::PerContact<f64>, tails: M::PerContact<bool>) -> Self {
-        (self.caps, self.tails) = (caps, tails);
-        self
     }
 
     /// The speeds with which the copy creeps where the exact contacts stick.

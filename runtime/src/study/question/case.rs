@@ -25,6 +25,8 @@ pub struct Case {
     pub beginning: Beginning,
     /// Which branches that leave it are followed too.
     pub switch: Switch,
+    /// Which harmonics of orbits are wanted: multiples of the drive's frequency, or, without a drive, of the orbit's.
+    pub harmonics: Vec<usize>,
 }
 
 /// Where on the way of its design variable a branch begins.
@@ -96,6 +98,7 @@ impl Case {
             accuracy: 1e-9,
             beginning: Beginning::End,
             switch: Switch::default(),
+            harmonics: Vec::new(),
         }
     }
 
@@ -103,16 +106,21 @@ impl Case {
     #[must_use]
     pub fn at(&self, value: f64) -> Self {
         let mut case = self.clone();
-        match (self.along.map(|along| along.design), &mut case.dynamics) {
-            (Some(Design::Parameter(index)), _) => {
+        match (self.design(), &mut case.dynamics) {
+            (Design::Parameter(index), _) => {
                 if let Some(place) = case.parameters.get_mut(index) {
                     *place = value;
                 }
             }
-            (Some(Design::Smoothing), Dynamics::Smoothed(smoothing)) => smoothing.size = value,
+            (Design::Smoothing, Dynamics::Smoothed(smoothing)) => smoothing.size = value,
             _ => {}
         }
         case
+    }
+
+    /// What is followed.
+    pub(in crate::study) fn design(&self) -> Design {
+        self.along.map_or(Design::None, |along| along.design)
     }
 
     /// The smoothing of the contacts, if there is one.

@@ -4,7 +4,7 @@ use super::copy::{Copies, Found};
 use super::lost::Lost;
 use super::precision::at;
 use super::record::{Curve, Need, Point, Setting};
-use super::shoot::{Effort, Shooting};
+use super::shoot::{self, Effort, Shooting};
 use crate::motion::Family;
 
 /// Share of the accuracy that the smoothing alone may use.
@@ -48,8 +48,7 @@ fn size(points: &[Point], error: f64, of: impl Fn(&Point) -> f64) -> Option<f64>
 }
 
 fn largest(point: &Point) -> f64 {
-    let all = point.max_abs.iter().map(|e| e.abs());
-    all.fold(point.frequency.abs(), f64::max)
+    shoot::largest(point.frequency, &point.max_abs)
 }
 
 impl Copies<'_> {

@@ -10,7 +10,7 @@ use super::shoot::{Effort, Shooting, cost, follow, shoot};
 use crate::field::{Design, Kernel, Smoothing, SmoothingError, Work};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Place};
+use crate::motion::Family;
 use crate::shooting::{Guess, Orbit};
 use crate::study::predict::Prediction;
 use crate::study::question::{Along, Case, Dynamics};
@@ -161,7 +161,7 @@ impl Copies<'_> {
         predicted: Option<&Prediction>,
         finer: Option<&Found>,
     ) -> Result<(Shooting, Effort), Lost> {
-        let exact = self.guess(self.truth);
+        let exact = self.truth.guess();
         let shifted = predicted.map(|prediction| {
             let mut guess = exact.clone();
             let state = guess.place.state.iter_mut();
@@ -169,7 +169,7 @@ impl Copies<'_> {
             guess.period *= 1.0 - prediction.frequency;
             guess
         });
-        let beside = finer.map(|(_, copy)| self.guess(copy));
+        let beside = finer.map(|(_, copy)| copy.guess());
         let mut last = Lost::NoCopy;
         for guess in shifted.into_iter().chain([exact]).chain(beside) {
             match self.converge(smoothing, &guess) {
@@ -184,17 +184,6 @@ impl Copies<'_> {
         let (mut shooting, effort) = self.converge(smoothing, &guess)?;
         shooting.work += work;
         Ok((shooting, effort))
-    }
-
-    fn guess(&self, shooting: &Shooting) -> Guess {
-        Guess {
-            place: Place {
-                state: shooting.state.clone(),
-                modes: Vec::new(),
-            },
-            period: shooting.period,
-            magnitude: shooting.magnitude(),
-        }
     }
 
     fn follow(
@@ -216,7 +205,7 @@ impl Copies<'_> {
         follow(
             &self.system.family(&case),
             along.span(),
-            &self.guess(copy),
+            &copy.guess(),
             Effort::TIGHT,
         )
     }

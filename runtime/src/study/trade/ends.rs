@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use super::lost::Lost;
 use super::measure::trade;
-use super::record::{Finding, Need, Scope, Trade, worst};
-use crate::field::{Design, Kernel};
+use super::record::{Finding, Need, Scope, Trade};
+use crate::field::Kernel;
 use crate::model::ModelInfo;
 use crate::study::error::{StudyError, TradeError};
 use crate::study::question::{Along, Case, Dynamics};
@@ -33,34 +33,6 @@ pub struct End {
 }
 
 impl TradeRecord {
-    /// Asks `at` at both ends of the range of a case, or once; it is told the number of the end.
-    pub(super) fn gather(
-        case: &Case,
-        mut at: impl FnMut(Case, usize) -> Result<End, StudyError>,
-    ) -> Result<Self, StudyError> {
-        let along = case
-            .along
-            .filter(|along| matches!(along.design, Design::Parameter(_)));
-        let exact = |value: Option<f64>| Case {
-            dynamics: Dynamics::Exact,
-            along: None,
-            accuracy: ACCURACY,
-            ..value.map_or_else(|| case.clone(), |value| case.at(value))
-        };
-        let values = along.map_or(vec![None], |along| vec![Some(along.from), Some(along.to)]);
-        let mut record = Self {
-            along,
-            ends: Vec::new(),
-        };
-        for value in values {
-            if !record.is_interrupted() {
-                let end = at(exact(value), record.ends.len())?;
-                record.ends.push(end);
-            }
-        }
-        Ok(record)
-    }
-
     /// Whether it was ended before all of it was there.
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
@@ -70,8 +42,16 @@ impl TradeRecord {
     /// The cheapest setting of a kernel where it is most demanding: the number of that end, and the setting.
     #[must_use]
     pub fn need(&self, kernel: Kernel) -> Option<(usize, Result<Need, Lost>)> {
-        let trades: Vec<Trade> = self.ends.iter().map(|end| end.trade.clone()).collect();
-        worst(&trades, kernel).map(|(end, need)| (end, need.clone()))
+        let needs = self.ends.iter().enumerate().filter_map(|(end, here)| {
+            let mut curves = here.trade.curves.iter();
+            let curve = curves.find(|curve| curve.kernel == kernel)?;
+            Some((end, curve.need.clone()?))
+        });
+        let demand = |need: &Result<Need, Lost>| match need {
+            Ok(need) => need.smoothing.sharpness(),
+            Err(_) => f64::INFINITY,
+        };
+        needs.reduce(|a, b| if demand(&b.1) > demand(&a.1) { b } else { a })
     }
 }
 
@@ -88,15 +68,28 @@ impl System {
         watch: &mut dyn FnMut(usize, Finding<'_>) -> ControlFlow<()>,
     ) -> Result<TradeRecord, StudyError> {
         tradable(self.info())?;
-        TradeRecord::gather(case, |case: Case, end: usize| {
+        let parameter = |along: &Along| along.design.parameter().is_some();
+        let along = case.along.filter(parameter);
+        let values = along.map_or(vec![None], |along| vec![Some(along.from), Some(along.to)]);
+        let ends = Vec::new();
+        let mut record = TradeRecord { along, ends };
+        for (end, value) in values.into_iter().enumerate() {
+            if record.is_interrupted() {
+                break;
+            }
+            let case = Case {
+                dynamics: Dynamics::Exact,
+                along: None,
+                accuracy: ACCURACY,
+                ..value.map_or_else(|| case.clone(), |value| case.at(value))
+            };
             let exact = self.sought(&case)?.orbit(0.0)?;
             let mut here = |finding: Finding<'_>| watch(end, finding);
             let trade = trade(self, &case, &exact, scope, &mut here)?;
-            Ok(End {
-                parameters: case.parameters,
-                trade,
-            })
-        })
+            let parameters = case.parameters;
+            record.ends.push(End { parameters, trade });
+        }
+        Ok(record)
     }
 }
 

@@ -1,8 +1,9 @@
 //! Straight lines in double logarithmic scales.
 
+use serde::Serialize;
+
 /// e = b ε^a.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Fit {
     /// The exponent.
     pub a: f64,

@@ -19,5 +19,5 @@ pub use fit::Fit;
 pub use lost::Lost;
 pub use record::{
     Cost, Curve, Finding, Need, Point, Precision, PrecisionPoint, Scope, Setting, Trade, Truth,
-    Watch, worst,
+    Watch,
 };

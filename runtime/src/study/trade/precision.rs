@@ -2,9 +2,10 @@
 
 use super::lost::Lost;
 use super::record::{Precision, PrecisionPoint, Scope};
-use super::shoot::{Effort, Shooting, cost, near, shoot};
+use super::shoot::{Effort, Shooting, cost, shoot};
 use crate::field::Smoothing;
 use crate::motion::Family;
+use crate::shooting::Guess;
 
 /// Newton converges to this share of the tolerance.
 const SHARE: f64 = 0.03;
@@ -42,7 +43,10 @@ pub(super) fn at(
 ) -> Result<PrecisionPoint, Lost> {
     let effort = Effort::at(tolerance, (SHARE * tolerance).max(1e-12));
     let family = family.with_tolerance(effort.tolerance);
-    let guess = near(&family, 0.0, tight)?;
+    let guess = Guess {
+        place: family.at(0.0)?.place(&tight.state)?,
+        ..tight.guess()
+    };
     let found = shoot(&family, 0.0, &guess, effort)?;
     let integration = found.error(tight);
     // Extrema are found no better than the tolerance, so that crossings of the section cannot be compared.

@@ -2,6 +2,8 @@
 
 use std::ops::ControlFlow;
 
+use serde::Serialize;
+
 use super::fit::Fit;
 use super::lost::Lost;
 use crate::field::{Kernel, Smoothing, SmoothingError, Work};
@@ -36,8 +38,7 @@ impl Default for Scope {
 }
 
 /// Work and time of one period with its derivatives and extrema: what one Newton iteration pays.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Cost {
     /// Seconds, the best of a few repetitions.
     pub seconds: f64,
@@ -127,8 +128,7 @@ pub struct Need {
 }
 
 /// How a system is integrated to meet an accuracy.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Setting {
     /// The loosest tolerance, by half decades, that does.
     pub tolerance: f64,
@@ -159,16 +159,15 @@ impl Precision {
 }
 
 /// One orbit at one tolerance.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "app", derive(serde::Serialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PrecisionPoint {
     /// The local tolerance.
     pub tolerance: f64,
     /// Largest relative error of period and extrema against the same system at a tight tolerance.
-    #[cfg_attr(feature = "app", serde(rename = "integration_error"))]
+    #[serde(rename = "integration_error")]
     pub integration: f64,
     /// The same against the exact system: smoothing and integration together.
-    #[cfg_attr(feature = "app", serde(rename = "total_error"))]
+    #[serde(rename = "total_error")]
     pub total: f64,
     /// What one period costs.
     pub cost: Cost,
@@ -195,18 +194,4 @@ impl Curve {
             size,
         }
     }
-}
-
-/// Of trades at several parameters, the one at whose parameters a kernel needs most: the worst end of a range.
-#[must_use]
-pub fn worst(trades: &[Trade], kernel: Kernel) -> Option<(usize, &Result<Need, Lost>)> {
-    let needs = trades.iter().enumerate().filter_map(|(end, trade)| {
-        let curve = trade.curves.iter().find(|curve| curve.kernel == kernel)?;
-        Some((end, curve.need.as_ref()?))
-    });
-    let demand = |need: &Result<Need, Lost>| match need {
-        Ok(need) => need.smoothing.sharpness(),
-        Err(_) => f64::INFINITY,
-    };
-    needs.reduce(|a, b| if demand(b.1) > demand(a.1) { b } else { a })
 }

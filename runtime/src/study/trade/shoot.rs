@@ -33,10 +33,7 @@ impl Effort {
 
     pub(super) const fn at(tolerance: f64, accuracy: f64) -> Self {
         Self {
-            tolerance: Tolerance {
-                relative: tolerance,
-                absolute: tolerance,
-            },
+            tolerance: Tolerance::both(tolerance),
             accuracy,
         }
     }
@@ -62,12 +59,19 @@ impl Shooting {
         pairs.map(|(max, min)| max.abs().max(min.abs())).collect()
     }
 
-    pub(super) fn magnitude(&self) -> Vec<f64> {
-        half_extents(&self.min, &self.max, &vec![1.0; self.min.len()])
+    /// As a guess for a smooth copy, which has no modes.
+    pub(super) fn guess(&self) -> Guess {
+        Guess {
+            place: Place {
+                state: self.state.clone(),
+                modes: Vec::new(),
+            },
+            period: self.period,
+            magnitude: half_extents(&self.min, &self.max, &vec![1.0; self.min.len()]),
+            pins: Vec::new(),
+        }
     }
-}
 
-impl Shooting {
     /// Relative, signed errors of frequency and largest magnitudes against `truth`.
     pub(super) fn errors(&self, truth: &Self) -> (f64, Vec<f64>) {
         let pairs = self.max_abs().into_iter().zip(truth.max_abs());
@@ -80,19 +84,14 @@ impl Shooting {
     /// The largest of them.
     pub(super) fn error(&self, truth: &Self) -> f64 {
         let (frequency, max_abs) = self.errors(truth);
-        max_abs
-            .iter()
-            .fold(frequency.abs(), |most, e| most.max(e.abs()))
+        largest(frequency, &max_abs)
     }
 }
 
-/// A shot orbit as a guess for another tolerance, or another family of the same states.
-pub(super) fn near(family: &Family, r: f64, shooting: &Shooting) -> Result<Guess, FlowError> {
-    Ok(Guess {
-        place: family.at(r)?.place(&shooting.state)?,
-        period: shooting.period,
-        magnitude: shooting.magnitude(),
-    })
+/// The largest magnitude of these errors.
+pub(super) fn largest<'a>(frequency: f64, others: impl IntoIterator<Item = &'a f64>) -> f64 {
+    let others = others.into_iter();
+    others.fold(frequency.abs(), |most, error| most.max(error.abs()))
 }
 
 /// Newton from a guess.
@@ -152,6 +151,7 @@ pub(super) fn follow(
                 },
                 period: last.extra.period,
                 magnitude: half_extents(&min, &max, &vec![1.0; min.len()]),
+                pins: Vec::new(),
             };
             Ok((guess, branch.problem.work))
         }
@@ -164,11 +164,6 @@ pub(super) fn follow(
 
 /// What one period with derivatives and extrema costs at the family's tolerance.
 pub(super) fn cost(family: &Family, shooting: &Shooting) -> Result<Cost, FlowError> {
-    let want = Want {
-        derivatives: true,
-        extrema: true,
-        ..Want::default()
-    };
     let mut cost = Cost {
         seconds: f64::INFINITY,
         ..Cost::default()
@@ -176,7 +171,7 @@ pub(super) fn cost(family: &Family, shooting: &Shooting) -> Result<Cost, FlowErr
     for _ in 0..REPEATS {
         let clock = Instant::now();
         let flow = family.at(0.0)?;
-        let passage = flow.advance(&flow.place(&shooting.state)?, shooting.period, want)?;
+        let passage = flow.advance(&flow.place(&shooting.state)?, shooting.period, Want::SHOT)?;
         cost.seconds = cost.seconds.min(clock.elapsed().as_secs_f64());
         cost.work = passage.work;
     }

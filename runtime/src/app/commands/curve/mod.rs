@@ -1,23 +1,19 @@
 //! `branch --and`: a special point followed in two parameters.
 
-mod document;
-mod picture;
-mod sheet;
-mod text;
+mod answer;
 
 use super::branch;
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
 use crate::app::passages::Passages;
-use crate::app::progress::Progress;
-use crate::app::request::{Request, agrees, along, kernel_missing, request};
+use crate::app::progress::{Progress, Trail};
+use crate::app::request::{agrees, along, kernel_missing, request};
 use crate::app::resume::Question;
-use crate::app::spreadsheet::{Row, Spreadsheet};
-use crate::app::trail::Trail;
 use crate::app::values::{Assignment, Range};
 use crate::field::Design;
 use crate::model::ModelInfo;
-use crate::study::{Case, CurveFinding, CurveRecord, CurveScope, Curved};
+use crate::study::{Case, CurveFinding, CurveScope, Curved};
+use answer::{answer, columns};
 
 /// The second range, if a curve is asked for; options that make sense only with one, or without, are refused.
 pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failure> {
@@ -29,7 +25,7 @@ pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>
             None => Ok(None),
         };
     };
-    let switch = asked.switch.map(|switch| ("switch", switch.name()));
+    let switch = asked.switch.map(|(name, _)| ("switch", name));
     let from = asked.from.as_ref().map(|from| ("from", from.word.as_str()));
     match switch.or(from) {
         Some((other, word)) => refuse!(
@@ -50,17 +46,19 @@ pub(in crate::app) fn perform(
     let info = asked.info;
     let (case, scope) = plane(info, and, arguments, asked.case)?;
     asked.case = case;
+    let shown = arguments.shown(info)?;
+    asked.case.harmonics = arguments.harmonics.of(info);
     let progress = Progress::along(&asked.output);
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &scope.and)
         .exactly("`--of`", &scope.of);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "curve", &question)?;
-    let head = sheet::head(info, [&asked.along()?, &scope.and]);
+    let columns = columns(info, [&asked.along()?, &scope.and]);
     let mut orbits = branch::trail(&asked, &progress)?;
-    let mut points = Trail::new(&asked, scope.and, "curve", head.clone(), &progress);
+    let mut points = Trail::new(&asked, scope.and, "curve", columns, &progress);
     let mut watch = |finding: CurveFinding<'_>| match finding {
-        CurveFinding::Orbit(orbit) => branch::found(&mut orbits, orbit),
-        CurveFinding::Point(point) => points.reach(point.q, sheet::row(point)),
+        CurveFinding::Orbit(orbit) => orbits.reach(orbit.r, orbit),
+        CurveFinding::Point(point) => points.reach(Some(point.q), point),
     };
     let curve = passages
         .recorded(asked.entry)
@@ -68,29 +66,19 @@ pub(in crate::app) fn perform(
     drop(progress);
     let curve = match curve {
         Ok(Curved::Followed(curve)) => curve,
-        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch),
+        Ok(Curved::Interrupted(branch)) => return branch::deliver(&asked, &branch, &shown),
         Err(error) => return Err(asked.failed(error)),
     };
-    deliver(&asked, &curve, head)?;
+    let kept = asked
+        .output
+        .keep(&branch::answer(&asked, &curve.branch, &shown));
+    asked.output.deliver(answer(info, &asked.case, &curve))?;
+    kept?;
     if !curve.ended.is_interrupted() {
         passages.discard();
     }
     let found = format!("{} points were found", curve.points.len());
     asked.output.close("curve", &curve.ended, &found)
-}
-
-fn deliver(asked: &Request<'_>, curve: &CurveRecord, head: Row) -> Result<(), Failure> {
-    let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let kept = branch::keep(asked, &curve.branch);
-    let drawn = output.draw([("curve", picture::picture(info, curve))]);
-    let rows = curve.points.iter().map(sheet::row);
-    output.deliver(
-        "curve",
-        &text::describe(info, case, curve),
-        &document::document(info, case, curve),
-        &[("curve", Spreadsheet::new(head, rows))],
-    )?;
-    drawn.and(kept)
 }
 
 /// The case where the curve begins, and what is followed.

@@ -1,30 +1,110 @@
 //! `diagram`: where motions meet a section, for many values of a design variable.
 
-mod arguments;
-mod document;
-mod picture;
-mod sheet;
-mod text;
+mod answer;
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::app::failure::Failure;
+use clap::Args;
+
+use crate::app::arguments::{Resume, Subject, Way};
+use crate::app::failure::{Failure, refuse};
 use crate::app::journal::Journal;
 use crate::app::offer::App;
 use crate::app::progress::Progress;
-use crate::app::request::{Request, request};
+use crate::app::request::{request, state};
 use crate::app::resume::{Notes, Question};
-use crate::app::spreadsheet::Spreadsheet;
-use crate::app::text::followed;
+use crate::app::section::Cut;
+use crate::app::values::{Reading, one_of};
+use crate::app::words::count;
 use crate::model::ModelInfo;
-use crate::report::Figure;
-use crate::study::{Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice};
-pub(in crate::app) use arguments::Arguments;
+use crate::poincare::{Section, Surface};
+use crate::study::{Along, Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep};
+
+/// Draw a Poincaré diagram: let the motion settle at many values of a parameter, and note where it meets a section
+#[derive(Debug, Clone, Args)]
+#[command(
+    after_help = "A sweep begins each value where the one before ended, and so stays with its attractor; `--sweep fresh` \
+                  begins each at the start. Nothing depends on the number of threads. A model with a drive is looked at \
+                  once in each turn of it, unless `--section` says otherwise; its period-n counts turns of the drive"
+)]
+pub(in crate::app) struct Arguments {
+    #[command(flatten)]
+    subject: Subject,
+    #[command(flatten)]
+    way: Way,
+    #[command(flatten)]
+    cut: Cut,
+    /// `up`, `down`, `both` or `fresh`
+    #[arg(long, value_name = "WAY", default_value = "both", value_parser = Reading(sweep))]
+    sweep: Sweep,
+    /// How many values of the parameter
+    #[arg(long, value_name = "N", default_value = "200", value_parser = counted::<2, 1_000_000>())]
+    values: usize,
+    /// Points left out while the motion settles
+    #[arg(long, value_name = "N", default_value = "300", value_parser = counted::<0, 100_000_000>())]
+    settle: usize,
+    /// Points noted at each value
+    #[arg(long, value_name = "N", default_value = "64", value_parser = counted::<1, 10_000_000>())]
+    points: usize,
+    /// The largest Lyapunov exponent too, averaged over N laps
+    #[arg(long, value_name = "N", value_parser = counted::<2, 100_000_000>())]
+    lyapunov: Option<usize>,
+    /// The state on the vertical axis of the drawing
+    #[arg(long, value_name = "NAME")]
+    show: Option<String>,
+    /// How many threads; all cores if nothing is said
+    #[arg(long, value_name = "N", value_parser = counted::<1, 4096>())]
+    threads: Option<usize>,
+    #[command(flatten)]
+    resume: Resume,
+}
+
+/// Reads a whole number between `LEAST` and `MOST`.
+const fn counted<const LEAST: usize, const MOST: usize>() -> Reading<usize> {
+    Reading(|option, word| count(option, word, [LEAST, MOST]))
+}
+
+fn sweep(option: &str, word: &str) -> Result<Sweep, Failure> {
+    one_of(
+        Sweep::ALL,
+        Sweep::name,
+        &format!("`{option}` knows no way"),
+        word,
+    )
+}
+
+impl Arguments {
+    /// What is to be drawn.
+    fn diagram(&self, info: &ModelInfo) -> Result<Diagram, Failure> {
+        Ok(Diagram {
+            section: self
+                .cut
+                .of(info)?
+                .unwrap_or_else(|| Section::usual(info.drive)),
+            sweep: self.sweep,
+            values: self.values,
+            settle: self.settle,
+            points: self.points,
+            lyapunov: self.lyapunov,
+            threads: self.threads,
+        })
+    }
+
+    /// The state that is drawn: the one asked for, else the first that the section leaves free.
+    fn shown(&self, info: &ModelInfo, section: &Section) -> Result<usize, Failure> {
+        if let Some(name) = &self.show {
+            return state(info, name);
+        }
+        let fixed = matches!(section.surface, Surface::Level { state: 0, .. });
+        Ok(usize::from(fixed && info.states.len() > 1))
+    }
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let Some(range) = &arguments.way.along else {
-        let message = "`diagram` needs `--along NAME=A..B`: which parameter, from where to where";
-        return Err(Failure::usage(message));
+        return refuse!(
+            "`diagram` needs `--along NAME=A..B`: which parameter, from where to where"
+        );
     };
     let asked = request(app, &arguments.subject, Some(range), None)?;
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
@@ -33,17 +113,18 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let progress = Progress::along(output);
     let mut known = Known::default();
     let mut recall = |finding: &[u8]| {
-        let (sweep, slice): (String, Slice) = borsh::from_slice(finding).ok()?;
+        let (sweep, slice): (String, Slice) = postcard::from_bytes(finding).ok()?;
         known.insert(&sweep, slice);
         Some(())
     };
     let question = question(app, info, case, &diagram);
     let notes = Notes::open(output, &arguments.resume, "diagram", &question, &mut recall)?;
-    let along = followed(info, &asked.along()?);
+    let along = asked.along()?;
     let papers = Mutex::new(Papers {
-        states: info.states.len(),
-        points: output.journal("points", sheet::points_head(info, &along)),
-        values: output.journal("values", sheet::values_head(info, &along)),
+        info,
+        along,
+        points: output.journal("points", answer::points(info, &along, "", 0.0).head()),
+        values: output.journal("values", answer::values(info, &along, "").head()),
         notes,
     });
     let watch = |seen: Seen<'_>| {
@@ -51,52 +132,21 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         papers.take(&seen);
         progress.reach(seen.share, String::new())
     };
-    let record = asked.entry.diagram(case, &diagram, &known, &watch);
-    let record = record.map_err(|error| asked.failed(error))?;
+    let record = asked.got(asked.entry.diagram(case, &diagram, &known, &watch))?;
     drop(progress);
-    let picture = picture::picture(info, &record, shown);
-    deliver(&asked, &record, picture)?;
+    output.deliver(answer::answer(info, case, &record, shown))?;
+    if record.missing > 0 {
+        let count = slices(&record).count();
+        return Err(output.interrupted(&format!("{count} values were found")));
+    }
     let papers = papers.into_inner().unwrap_or_else(PoisonError::into_inner);
     papers.notes.discard();
     failures(info, &record)
 }
 
-fn deliver(asked: &Request<'_>, record: &DiagramRecord, picture: Figure) -> Result<(), Failure> {
-    let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let drawn = output.draw([("diagram", picture)]);
-    let (text, document) = (
-        text::describe(info, case, record),
-        document::document(info, case, record),
-    );
-    let delivered = output.deliver("diagram", &text, &document, &sheets(info, record));
-    delivered.and(drawn)?;
-    if record.missing > 0 {
-        let count = slices(record).count();
-        return Err(output.interrupted(&format!("{count} values were found")));
-    }
-    Ok(())
-}
-
-/// All values with the names of their sweeps.
-fn slices(record: &DiagramRecord) -> impl Iterator<Item = (&'static str, &Slice)> {
-    let sweeps = record.sweeps.iter();
-    sweeps.flat_map(|sweep| sweep.slices.iter().map(|slice| (sweep.name, slice)))
-}
-
-fn sheets(info: &ModelInfo, record: &DiagramRecord) -> [(&'static str, Spreadsheet); 2] {
-    let (name, states) = (followed(info, &record.along), info.states.len());
-    let points = slices(record).flat_map(|(sweep, slice)| sheet::points(sweep, slice));
-    let values = slices(record).map(|(sweep, slice)| sheet::value(sweep, slice, states));
-    [
-        (
-            "points",
-            Spreadsheet::new(sheet::points_head(info, &name), points),
-        ),
-        (
-            "values",
-            Spreadsheet::new(sheet::values_head(info, &name), values),
-        ),
-    ]
+/// All values.
+fn slices(record: &DiagramRecord) -> impl Iterator<Item = &Slice> {
+    record.sweeps.iter().flat_map(|sweep| &sweep.slices)
 }
 
 /// What is asked, as far as the answer depends on it: not on the number of threads.
@@ -112,29 +162,31 @@ fn question(app: &App, info: &ModelInfo, case: &Case, diagram: &Diagram) -> Ques
 }
 
 /// What is written of each value as it is found.
-struct Papers {
-    states: usize,
+struct Papers<'a> {
+    info: &'a ModelInfo,
+    along: Along,
     points: Journal,
     values: Journal,
     notes: Notes,
 }
 
-impl Papers {
+impl Papers<'_> {
     fn take(&mut self, seen: &Seen<'_>) {
         let Seen { sweep, slice, .. } = *seen;
+        let (info, along) = (self.info, &self.along);
         if !seen.known {
-            self.notes.add(borsh::to_vec(&(sweep, slice)).ok());
+            self.notes.add(postcard::to_allocvec(&(sweep, slice)).ok());
         }
-        self.points.add(sheet::points(sweep, slice));
-        self.values.add([sheet::value(sweep, slice, self.states)]);
+        self.points.add(answer::rows(info, along, sweep, slice));
+        self.values
+            .add([answer::values(info, along, sweep).row(slice)]);
     }
 }
 
 /// Values without an answer, if there are any.
 fn failures(info: &ModelInfo, record: &DiagramRecord) -> Result<(), Failure> {
     let name = record.along.name(info);
-    let slices = slices(record).map(|(_, slice)| slice);
-    let failed: Vec<(f64, &str)> = slices
+    let failed: Vec<(f64, &str)> = slices(record)
         .filter_map(|slice| match &slice.motion {
             Motion::Failed(reason) => Some((slice.r, reason.as_str())),
             _ => None,

@@ -1,22 +1,33 @@
 //! `equilibria`: where the system can rest or slide evenly, and how stable that is.
 
-mod arguments;
-mod document;
-mod picture;
+mod answer;
 mod proof;
-mod sheet;
-mod text;
 
-use std::ops::ControlFlow;
+use clap::Args;
 
-use crate::app::failure::Failure;
+use crate::app::arguments::{Subject, Unresumable, Way};
+use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
+use crate::app::progress::{Progress, Trail};
 use crate::app::request::{Request, request};
-use crate::app::spreadsheet::Spreadsheet;
-use crate::app::trail::Trail;
 use crate::study::{Along, EquilibriumRecord};
-pub(in crate::app) use arguments::Arguments;
+
+/// List equilibria with their eigenvalues; with --along, follow one and find its Hopf points and folds
+#[derive(Debug, Clone, Args)]
+#[command(
+    after_help = "With --certify, those that cannot be proven are listed with the reason, and the exit code is 1 then"
+)]
+pub(in crate::app) struct Arguments {
+    #[command(flatten)]
+    subject: Subject,
+    #[command(flatten)]
+    way: Way,
+    /// Prove each with interval arithmetic: a box that holds one equilibrium, and only one
+    #[arg(long)]
+    certify: bool,
+    #[command(flatten)]
+    resume: Unresumable,
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     arguments.resume.refuse()?;
@@ -25,48 +36,30 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     match (request.case.along, arguments.certify) {
         (None, certify) => list(&request, certify),
         (Some(along), false) => follow(&request, along),
-        (Some(_), true) => Err(Failure::usage(
-            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value",
-        )),
+        (Some(_), true) => refuse!(
+            "`--certify` proves the equilibria at one value of every parameter: leave `--along` out, and `--set` the value"
+        ),
     }
 }
 
 fn list(asked: &Request<'_>, certify: bool) -> Result<(), Failure> {
     let (info, case) = (asked.info, &asked.case);
-    let found = asked.entry.equilibria(case);
-    let found = found.map_err(|error| asked.failed(error))?;
-    let mut text = text::list(info, case, &found);
-    let mut proofs = Vec::new();
-    if certify {
-        proofs = asked.entry.proofs(case, &found);
-        text.push_str(&proof::describe(info, &proofs));
-    }
-    let sheet = Spreadsheet::new(sheet::head(info, None), found.iter().map(sheet::row));
-    let document = document::list(info, case, &found, &proofs);
-    asked
-        .output
-        .deliver("equilibria", &text, &document, &[("equilibria", sheet)])?;
-    proof::verdict(&proofs)
+    let found = asked.got(asked.entry.equilibria(case))?;
+    let proofs = certify.then(|| asked.entry.proofs(case, &found));
+    let answer = answer::list(info, case, &found, proofs.as_deref());
+    asked.output.deliver(answer)?;
+    proof::verdict(&proofs.unwrap_or_default())
 }
 
 fn follow(asked: &Request<'_>, along: Along) -> Result<(), Failure> {
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let progress = Progress::along(output);
-    let head = sheet::head(info, Some(&along));
-    let mut trail = Trail::new(asked, along, "equilibria", head.clone(), &progress);
-    let mut watch = |point: &EquilibriumRecord| match point.r {
-        Some(r) => trail.reach(r, sheet::row(point)),
-        None => ControlFlow::Continue(()),
-    };
-    let branch = asked.entry.equilibria_along(case, &mut watch);
-    let branch = branch.map_err(|error| asked.failed(error))?;
+    let columns = answer::columns(info, Some(&along));
+    let mut trail = Trail::new(asked, along, "equilibria", columns, &progress);
+    let mut watch = |point: &EquilibriumRecord| trail.reach(point.r, point);
+    let branch = asked.got(asked.entry.equilibria_along(case, &mut watch))?;
     drop(progress);
-    let sheet = Spreadsheet::new(head, branch.points.iter().map(sheet::row));
-    let document = document::branch(info, case, &branch);
-    let text = text::describe(info, case, &branch);
-    let drawn = output.draw([("equilibria", picture::picture(info, &branch))]);
-    let delivered = output.deliver("equilibria", &text, &document, &[("equilibria", sheet)]);
-    delivered.and(drawn)?;
+    output.deliver(answer::branch(info, case, &branch))?;
     let found = format!("{} equilibria were found", branch.points.len());
     output.close("branch", &branch.ended, &found)
 }

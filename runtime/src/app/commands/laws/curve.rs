@@ -1,6 +1,6 @@
 //! A law sampled at relative speeds of both signs.
 
-use crate::app::spreadsheet::{Spreadsheet, full, optional};
+use crate::app::spreadsheet::{Columns, Spreadsheet};
 use crate::field::{Kernel, Smoothing};
 use crate::study::Characteristic;
 
@@ -15,10 +15,8 @@ pub(super) struct Curve {
     pub(super) speed: f64,
     /// Units of speed and force; empty where they are not known.
     pub(super) units: [&'static str; 2],
-    /// Largest force at rest.
-    pub(super) at_rest: f64,
-    /// The limit of the force at slow sliding.
-    pub(super) at_start: f64,
+    /// Largest force at rest, and the limit of the force at slow sliding.
+    pub(super) limits: [f64; 2],
     pub(super) smoothing: Option<Smoothing>,
     pub(super) samples: Vec<Sample>,
 }
@@ -27,113 +25,82 @@ pub(super) struct Curve {
 #[derive(Clone, Copy)]
 pub(super) struct Sample {
     pub(super) speed: f64,
-    pub(super) force: Option<f64>,
+    pub(super) force: f64,
     /// Of the copy; a bump stands for one direction only.
     pub(super) copy: Option<f64>,
 }
 
 impl Curve {
-    /// The law up to `speed`, beside a copy by `smoothing`; both are chosen where they are not given.
+    /// The law from the fastest backward speed to the fastest forward one, at rest from one end of the set to the other;
+    /// speed and copy are chosen where they are not given.
     pub(super) fn of(
         law: &dyn Characteristic,
         units: [&'static str; 2],
         speed: Option<f64>,
         smoothing: Option<Smoothing>,
     ) -> Self {
-        let speed = speed.unwrap_or_else(|| characteristic_speed(law));
-        let smoothing = smoothing.or_else(|| visible(law, speed));
-        let mut curve = Self {
-            speed,
-            units,
-            at_rest: law.at_rest(),
-            at_start: law.sliding(0.0),
-            smoothing,
-            samples: Vec::new(),
+        let most = speed.unwrap_or_else(|| characteristic_speed(law));
+        let smoothing = smoothing.or_else(|| visible(law, most));
+        let at = |speed: f64| {
+            let stands = smoothing.filter(|copy| speed >= 0.0 || !copy.kernel.is_bump());
+            Sample {
+                speed,
+                force: speed.signum() * law.sliding(speed.abs()),
+                copy: stands.map(|smoothing| law.copied(smoothing, speed)),
+            }
         };
-        curve.sample(law);
-        curve
-    }
-
-    /// From the fastest backward speed to the fastest forward one; at rest from one end of the set to the other.
-    fn sample(&mut self, law: &dyn Characteristic) {
-        let even = (1..=SHOWN).map(|i| self.shown(i));
-        // Denser towards rest, where a copy has its layer.
-        let dense = (1..POINTS).map(|i| {
-            let share = f64::from(i) / f64::from(POINTS);
-            self.speed * (share * 6.0).sinh() / 6.0_f64.sinh()
-        });
-        let mut grid: Vec<f64> = even.chain(dense).collect();
-        grid.sort_by(f64::total_cmp);
-        let forward: Vec<Sample> = grid.iter().map(|&speed| self.at(law, speed)).collect();
-        let rest = self.at_rest;
-        let set = [-self.at_start, -rest, rest, self.at_start].map(|force| Sample {
-            speed: 0.0,
-            force: Some(force),
-            copy: self.smoothing.map(|smoothing| law.copied(smoothing, 0.0)),
-        });
-        let backward = forward
-            .iter()
-            .rev()
-            .map(|sample| self.mirrored(law, sample.speed));
-        self.samples = backward.chain(set).chain(forward.iter().copied()).collect();
-    }
-
-    fn at(&self, law: &dyn Characteristic, speed: f64) -> Sample {
-        Sample {
-            speed,
-            force: Some(law.sliding(speed)),
-            copy: self.smoothing.map(|smoothing| law.copied(smoothing, speed)),
+        let (rest, start) = (law.at_rest(), law.sliding(0.0));
+        let set = [-start, -rest, rest, start].map(|force| Sample { force, ..at(0.0) });
+        let speeds = speeds(most);
+        let backward = speeds.iter().rev().map(|speed| at(-speed));
+        let forward = speeds.iter().map(|&speed| at(speed));
+        Self {
+            speed: most,
+            units,
+            limits: [rest, start],
+            smoothing,
+            samples: backward.chain(set).chain(forward).collect(),
         }
-    }
-
-    fn mirrored(&self, law: &dyn Characteristic, speed: f64) -> Sample {
-        let both_ways = self
-            .smoothing
-            .filter(|smoothing| !smoothing.kernel.is_bump());
-        Sample {
-            speed: -speed,
-            force: Some(-law.sliding(speed)),
-            copy: both_ways.map(|smoothing| law.copied(smoothing, -speed)),
-        }
-    }
-
-    /// Speed number `i` of those that a table shows.
-    fn shown(&self, i: i32) -> f64 {
-        self.speed * f64::from(i) / f64::from(SHOWN)
     }
 
     /// The samples that a table shows: forward, at even speeds.
-    pub(super) fn samples(&self) -> impl Iterator<Item = Sample> {
-        let at = |speed: f64| {
-            self.samples
-                .iter()
-                .find(move |sample| sample.speed == speed)
-        };
-        (1..=SHOWN).filter_map(move |i| at(self.shown(i)).copied())
+    pub(super) fn shown(&self) -> impl Iterator<Item = &Sample> {
+        let at = |speed| self.samples.iter().find(move |one| one.speed == speed);
+        (1..=SHOWN).filter_map(move |i| at(even(self.speed, i)))
     }
 
     /// What the columns of speed, force and copy hold, with their units.
     pub(super) fn heads(&self) -> Vec<String> {
         let [speed, force] = self.units;
-        let copy = self
-            .smoothing
-            .map(|smoothing| with_unit(&smoothing.to_string(), force));
+        let copy = self.smoothing;
+        let copy = copy.map(|smoothing| with_unit(&smoothing.to_string(), force));
         let heads = [with_unit("speed", speed), with_unit("force", force)];
         heads.into_iter().chain(copy).collect()
     }
 
     /// All samples as a table.
     pub(super) fn sheet(&self) -> Spreadsheet {
-        let row = |sample: &Sample| {
-            let mut cells = vec![full(&sample.speed), optional(sample.force)];
-            if self.smoothing.is_some() {
-                cells.push(optional(sample.copy));
-            }
-            cells
-        };
-        let rows = self.samples.iter().map(row);
-        Spreadsheet::new(self.heads(), rows)
+        let columns = Columns::new().numbers(self.heads(), |one: &Sample, j| {
+            [Some(one.speed), Some(one.force), one.copy][j]
+        });
+        columns.sheet(&self.samples)
     }
+}
+
+/// Speed number `i` of those that a table shows.
+fn even(most: f64, i: i32) -> f64 {
+    most * f64::from(i) / f64::from(SHOWN)
+}
+
+/// The speeds of one sign at which a law is sampled: denser towards rest, where a copy has its layer.
+fn speeds(most: f64) -> Vec<f64> {
+    let dense = (1..POINTS).map(|i| {
+        let share = f64::from(i) / f64::from(POINTS);
+        most * (share * 6.0).sinh() / 6.0_f64.sinh()
+    });
+    let mut all: Vec<f64> = (1..=SHOWN).map(|i| even(most, i)).chain(dense).collect();
+    all.sort_by(f64::total_cmp);
+    all
 }
 
 /// A word with its unit in parentheses.
@@ -207,7 +174,7 @@ mod tests {
                 .all(|pair| pair[0].speed <= pair[1].speed)
         );
         let rest = curve.samples.iter().filter(|sample| sample.speed == 0.0);
-        let forces: Vec<f64> = rest.filter_map(|sample| sample.force).collect();
+        let forces: Vec<f64> = rest.map(|sample| sample.force).collect();
         assert_eq!(forces, [-1.0, -1.5, 1.5, 1.0]);
     }
 

@@ -2,18 +2,17 @@
 
 use heck::ToKebabCase;
 
-use super::arguments::Wish;
 use super::curve::Curve;
-use super::drawn::Drawn;
-use super::exhibit::Exhibit;
-use super::swing::{self, swing};
+use super::drawn::drawn;
+use super::exhibit::{Exhibit, Place, Wish};
+use super::swing::swing;
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
 use crate::app::request;
 use crate::app::values::Assignment;
 use crate::app::words::{place, unknown};
-use crate::model::ModelInfo;
+use crate::model::{Friction, ModelInfo};
 use crate::study::{Acting, Case, Characteristic, Dynamics, Shown, Specimen, System};
 
 pub(super) enum Found<'a> {
@@ -25,7 +24,7 @@ pub(super) enum Found<'a> {
 fn type_name(law: &Shown) -> &'static str {
     match law {
         Shown::Static(specimen) => specimen.law().name,
-        Shown::Remembering(remembering) => remembering.specimen.law().name,
+        Shown::Remembering(specimen) => specimen.law().name,
     }
 }
 
@@ -56,18 +55,12 @@ pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhib
     match law {
         Shown::Static(specimen) => {
             let (values, built) = at_values(specimen, specimen.law().name, set)?;
-            let drawn = Drawn {
-                law: specimen.law(),
-                place: None,
-                values: &values,
-                curve: curve(wish, built.as_ref(), ["m/s", "N"])?,
-            };
-            Ok(drawn.exhibit())
+            let curve = curve(wish, built.as_ref(), ["m/s", "N"])?;
+            Ok(drawn(specimen.law(), None, &values, &curve))
         }
-        Shown::Remembering(remembering) => {
-            let name = remembering.specimen.law().name;
-            let (values, built) = at_values(&remembering.specimen, name, set)?;
-            swing(remembering, built.as_ref(), &values, wish)
+        Shown::Remembering(specimen) => {
+            let (values, built) = at_values(specimen, specimen.law().name, set)?;
+            swing(built.as_ref(), None, &values, wish)
         }
     }
 }
@@ -102,43 +95,37 @@ pub(super) fn acting(
     }
     let mut case = Case::declared(info, Dynamics::Exact);
     request::set(info, set, &mut case)?;
-    let mut drawn = Vec::new();
-    entry.laws(&case, &mut |law| drawn.push(exhibit(info, law, wish)));
-    drawn.into_iter().collect()
+    let mut all = Vec::new();
+    entry.laws(&case, &mut |law| all.push(exhibit(info, law, wish)));
+    all.into_iter().collect()
 }
 
 /// A law where it acts.
 fn exhibit(info: &ModelInfo, law: Acting<'_>, wish: &Wish) -> Result<Exhibit, Failure> {
-    let placed = |name: &str, law: &str, fields: &str, speed: &str| {
-        let place = format!("{name} = {law} {{ {fields} }} opposing {speed}");
-        (format!("{}-{name}", info.command), place)
-    };
     match law {
         Acting::Static(index, law) => {
             let contact = &info.contacts[index];
             let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
-            let place = placed(
-                contact.name,
-                contact.law.name,
-                contact.fields,
-                contact.speed,
-            );
-            let drawn = Drawn {
-                law: contact.law,
-                place: Some(place),
-                values: &[],
-                curve: curve(wish, law, units)?,
-            };
-            Ok(drawn.exhibit())
+            let curve = curve(wish, law, units)?;
+            let place = placed(info, contact, contact.law.name);
+            Ok(drawn(contact.law, Some(place), &[], &curve))
         }
         Acting::Remembering(index, law) => {
             let memory = &info.memories[index];
-            let (name, place) = placed(memory.name, memory.law.name, memory.fields, memory.speed);
+            let (name, place) = placed(info, memory, memory.law.name);
             let states = memory.states.iter().map(|state| info.states[*state].name);
             let with = states.collect::<Vec<_>>().join(", ");
-            swing::acting(law, (name, format!("{place} with {with}")), wish)
+            let place = (name, format!("{place} with {with}"));
+            swing(law, Some(place), &[], wish)
         }
     }
+}
+
+/// The name of a friction where it acts, and how it is declared.
+fn placed<L>(info: &ModelInfo, line: &Friction<L>, law: &str) -> Place {
+    let (name, fields, speed) = (line.name, line.fields, line.speed);
+    let declared = format!("{name} = {law} {{ {fields} }} opposing {speed}");
+    (format!("{}-{name}", info.command), declared)
 }
 
 /// The curve of a law as wished for.

@@ -1,21 +1,36 @@
 //! `laws`: friction laws, and their forces against the sliding speed.
 
-mod arguments;
 mod curve;
 mod drawn;
 mod exhibit;
 mod found;
 mod swing;
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde_json::json;
 
+use crate::app::arguments::{Destination, Settings};
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::output::Output;
-pub(in crate::app) use arguments::Arguments;
-use arguments::Wish;
-use exhibit::Exhibit;
+use crate::app::output::{Answer, Output};
+use exhibit::{Exhibit, Wish};
 use found::{Found, acting, find, lone, names};
+
+/// Show friction laws: their formulas, and force against sliding speed
+#[derive(Debug, Clone, Args)]
+#[command(
+    after_help = "Of a model, the laws of its contacts are shown at its parameters and its start"
+)]
+pub(in crate::app) struct Arguments {
+    /// A law or a model; all laws without it
+    law: Option<String>,
+    #[command(flatten)]
+    settings: Settings,
+    #[command(flatten)]
+    wish: Wish,
+    #[command(flatten)]
+    destination: Destination,
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.law {
@@ -31,7 +46,7 @@ fn one(app: &App, name: &str, arguments: &Arguments) -> Result<(), Failure> {
         Found::Model(entry) => acting(entry, set, wish)?,
     };
     let texts: Vec<&str> = exhibits.iter().map(|one| one.text.as_str()).collect();
-    deliver(name, &texts.join("\n"), &exhibits, arguments)
+    deliver(name, texts.join("\n"), exhibits, arguments)
 }
 
 fn all(app: &App, arguments: &Arguments) -> Result<(), Failure> {
@@ -55,28 +70,25 @@ fn all(app: &App, arguments: &Arguments) -> Result<(), Failure> {
         if listed.is_empty() { "" } else { "\n" },
         app.names().join(", ")
     );
-    deliver("laws", &(listed.join("\n") + &hint), &exhibits, arguments)
+    deliver("laws", listed.join("\n") + &hint, exhibits, arguments)
 }
 
 fn deliver(
     name: &str,
-    text: &str,
-    exhibits: &[Exhibit],
+    text: String,
+    exhibits: Vec<Exhibit>,
     arguments: &Arguments,
 ) -> Result<(), Failure> {
-    let output = Output::open(&arguments.destination)?;
-    let figures = exhibits.iter();
-    let drawn = output.draw(figures.map(|one| (one.name.as_str(), one.figure.clone())));
-    let document = match exhibits {
+    let document = match exhibits.as_slice() {
         [one] if name != "laws" => one.document.clone(),
-        _ => {
-            let documents: Vec<&Value> = exhibits.iter().map(|one| &one.document).collect();
-            json!({ "laws": documents })
-        }
+        all => json!({ "laws": all.iter().map(|one| &one.document).collect::<Vec<_>>() }),
     };
-    let sheets = exhibits.iter();
-    let sheets: Vec<_> = sheets
-        .map(|one| (one.name.as_str(), one.sheet.clone()))
-        .collect();
-    output.deliver(name, text, &document, &sheets).and(drawn)
+    let answer = exhibits
+        .into_iter()
+        .fold(Answer::new(name, text, document), |answer, one| {
+            answer
+                .sheet(&*one.name, one.sheet)
+                .figure(one.name, one.figure)
+        });
+    Output::open(&arguments.destination)?.deliver(answer)
 }

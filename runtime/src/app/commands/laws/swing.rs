@@ -2,15 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::arguments::Wish;
-use super::exhibit::{Exhibit, Known};
+use super::exhibit::{Computed, Exhibit, Known, Place, Wish};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
-use crate::app::spreadsheet::{Spreadsheet, full, head};
+use crate::app::spreadsheet::{Columns, Spreadsheet};
 use crate::app::text::{line, number, table};
-use crate::memory::MemoryLawInfo;
-use crate::report::{self, Axis, Figure, Panel};
-use crate::study::{Hysteresis, Remembering};
+use crate::report::{Axis, Curve, Panel};
+use crate::study::Hysteresis;
 
 /// How much faster the second swing is: what it changes is the rate dependence of a law.
 const FASTER: f64 = 10.0;
@@ -23,34 +21,11 @@ struct Loop {
     points: Vec<[f64; 2]>,
 }
 
-/// A law of the list as it is shown.
+/// The law as it is shown, alone or where it acts.
 pub(super) fn swing(
-    remembering: &Remembering,
     built: &dyn Hysteresis,
+    place: Option<Place>,
     values: &[f64],
-    wish: &Wish,
-) -> Result<Exhibit, Failure> {
-    let amplitude = wish.amplitude.unwrap_or(remembering.amplitude);
-    let slow = wish.speed.unwrap_or(remembering.speed);
-    shown(built, (amplitude, slow), values, None, wish)
-}
-
-/// A law as it acts in a model: where it acts is its name, and how it is declared.
-pub(super) fn acting(
-    built: &dyn Hysteresis,
-    place: (String, String),
-    wish: &Wish,
-) -> Result<Exhibit, Failure> {
-    let amplitude = wish.amplitude.unwrap_or_else(|| built.yielding());
-    let slow = wish.speed.unwrap_or(amplitude);
-    shown(built, (amplitude, slow), &[], Some(place), wish)
-}
-
-fn shown(
-    built: &dyn Hysteresis,
-    (amplitude, slow): (f64, f64),
-    values: &[f64],
-    place: Option<(String, String)>,
     wish: &Wish,
 ) -> Result<Exhibit, Failure> {
     let law = built.law();
@@ -60,6 +35,11 @@ fn shown(
             law.name
         );
     }
+    let usual = built.usual();
+    let amplitude = wish.amplitude.or(usual.map(|[amplitude, _]| amplitude));
+    let amplitude = amplitude.unwrap_or_else(|| built.yielding());
+    let slow = wish.speed.or(usual.map(|[_, speed]| speed));
+    let slow = slow.unwrap_or(amplitude);
     let mut loops = Vec::new();
     for speed in [slow, FASTER * slow] {
         let points = built.swing(amplitude, speed).map_err(|error| {
@@ -67,27 +47,30 @@ fn shown(
         })?;
         loops.push(Loop { speed, points });
     }
+    let states = law.states.iter().map(|state| {
+        json!({ "name": state.name, "doc": state.doc.trim(),
+                "unit": unit(state.unit), "equation": state.equation,
+                "stop": state.stop.map(|stop| stop.bound) })
+    });
+    let mut fields_of_law = json!({ "force": law.force, "states": states.collect::<Vec<_>>() });
+    if let Some((_, declared)) = &place {
+        fields_of_law["contact"] = json!(declared);
+    }
     let known = Known {
         name: law.name,
         doc: law.doc,
         formulas: law.lines(),
+        fields: fields_of_law,
         parameters: law.parameters,
         values,
     };
-    let (name, place) = place.unzip();
-    let name = name.unwrap_or_else(|| known.command());
-    let mut document = document(&name, law, &known, amplitude, &loops);
-    if let Some(place) = &place {
-        document["contact"] = json!(place);
-    }
-    Ok(Exhibit {
-        listing: known.listing(),
-        text: known.text(&name, place.as_deref()) + &text(amplitude, &loops),
-        document,
-        figure: figure(&name, &loops),
+    let found = Computed {
+        text: text(amplitude, &loops),
+        fields: fields(amplitude, &loops),
+        panel: panel(&loops),
         sheet: sheet(&loops),
-        name,
-    })
+    };
+    Ok(known.exhibit(place, found))
 }
 
 fn text(amplitude: f64, loops: &[Loop]) -> String {
@@ -102,47 +85,33 @@ fn text(amplitude: f64, loops: &[Loop]) -> String {
     format!("\nswinging by {amplitude} m to and fro\n{}", table(&lines))
 }
 
-fn document(
-    name: &str,
-    law: &MemoryLawInfo,
-    known: &Known<'_>,
-    amplitude: f64,
-    loops: &[Loop],
-) -> Value {
-    let states = law.states.iter().map(|state| {
-        json!({ "name": state.name, "doc": state.doc.trim(),
-                "unit": unit(state.unit), "equation": state.equation,
-                "stop": state.stop.map(|stop| stop.bound) })
-    });
+fn fields(amplitude: f64, loops: &[Loop]) -> Value {
     let column = |one: &Loop, i: usize| one.points.iter().map(|point| point[i]).collect::<Vec<_>>();
     let loops = loops.iter().map(|one| {
         json!({ "speed": one.speed, "displacement": column(one, 0), "force": column(one, 1) })
     });
     json!({
-        "law": name, "name": law.name, "doc": law.doc.trim(), "force": law.force,
-        "states": states.collect::<Vec<_>>(), "parameters": known.parameters(),
-        "values": known.values(), "amplitude": amplitude,
+        "amplitude": amplitude,
         "units": { "amplitude": "m", "speed": "m/s", "displacement": "m", "force": "N" },
         "loops": loops.collect::<Vec<_>>(),
     })
 }
 
-fn figure(name: &str, loops: &[Loop]) -> Figure {
-    let panel = Panel::new(
-        Axis::new("displacement (m)"),
-        Axis::new("friction force opposing it (N)"),
-    );
+fn panel(loops: &[Loop]) -> Panel {
     let curves = loops.iter().enumerate().map(|(series, one)| {
         let label = format!("at {} m/s", number(one.speed, 2));
-        report::Curve::line(label, series, one.points.clone())
+        Curve::line(label, series, one.points.clone())
     });
-    Figure::new("law", name, "").panel(panel.curves(curves))
+    let [x, y] = ["displacement (m)", "friction force opposing it (N)"].map(Axis::new);
+    Panel::new(x, y).curves(curves)
 }
 
 fn sheet(loops: &[Loop]) -> Spreadsheet {
+    let heads = ["speed (m/s)", "displacement (m)", "force (N)"].map(str::to_owned);
+    let columns = Columns::new().numbers(heads, |row: &[f64; 3], j| Some(row[j]));
     let rows = loops.iter().flat_map(|one| {
-        let row = |[place, force]: &[f64; 2]| vec![full(&one.speed), full(place), full(force)];
-        one.points.iter().map(row)
+        let points = one.points.iter();
+        points.map(|[place, force]| [one.speed, *place, *force])
     });
-    Spreadsheet::new(head(["speed (m/s)", "displacement (m)", "force (N)"]), rows)
+    columns.sheet(&rows.collect::<Vec<_>>())
 }

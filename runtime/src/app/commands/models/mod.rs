@@ -1,34 +1,37 @@
 //! `models`: what is declared.
 
-mod arguments;
-mod document;
-mod text;
+mod answer;
 
+use clap::Args;
 use serde_json::{Value, json};
 
+use crate::app::arguments::View;
 use crate::app::failure::Failure;
 use crate::app::offer::App;
-use crate::app::output::Output;
-use crate::app::spreadsheet::Spreadsheet;
-pub(in crate::app) use arguments::Arguments;
-use document::document;
-use text::{brief, describe};
+use crate::app::output::{Answer, Output};
+use answer::{brief, describe, document};
 
-/// A model has no tables.
-const NO_SHEETS: [(&str, Spreadsheet); 0] = [];
+/// Show the models, or all that is declared of one
+#[derive(Debug, Clone, Args)]
+pub(in crate::app) struct Arguments {
+    /// Which one
+    model: Option<String>,
+    #[command(flatten)]
+    view: View,
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let output = Output::from(&arguments.view);
-    match &arguments.model {
+    output.deliver(match &arguments.model {
         Some(name) => {
             let info = app.entry(name)?.info();
-            output.deliver(name, &describe(info), &document(info), &NO_SHEETS)
+            Answer::new(name, describe(info), document(info))
         }
         None => {
             let infos = app.entries.iter().map(|entry| entry.info());
             let documents: Vec<Value> = infos.clone().map(document).collect();
             let text = infos.map(brief).collect::<Vec<_>>().join("\n");
-            output.deliver("models", &text, &json!({ "models": documents }), &NO_SHEETS)
+            Answer::new("models", text, json!({ "models": documents }))
         }
-    }
+    })
 }

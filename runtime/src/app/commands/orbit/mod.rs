@@ -1,27 +1,50 @@
 //! `orbit`: a periodic orbit and its stability.
 
-mod arguments;
 mod certificate;
-mod document;
-mod text;
+mod record;
 
+use clap::Args;
+
+use super::simulate;
+use crate::app::arguments::{Period, Subject};
 use crate::app::failure::Failure;
+use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
-use crate::app::output::Output;
+use crate::app::output::{Answer, Output};
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
+use crate::app::section::{Cut, with_points};
 use crate::app::text::number;
-use crate::app::{commands::simulate, section};
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, choose};
-pub(in crate::app) use arguments::Arguments;
-pub(in crate::app) use document::document;
+pub(super) use record::{columns, document, largest, shown};
 
 /// An estimate this many times above the accuracy asked for is worth a word.
 const MISSED: f64 = 10.0;
 
+/// Find a periodic orbit and judge its stability
+#[derive(Debug, Clone, Args)]
+#[command(
+    after_help = "A certificate says within which radius of the start a true orbit begins; the orbit is printed without \
+                  one, too, and the exit code is 1 then"
+)]
+pub(in crate::app) struct Arguments {
+    #[command(flatten)]
+    subject: Subject,
+    #[command(flatten)]
+    guess: Period,
+    #[command(flatten)]
+    cut: Cut,
+    #[command(flatten)]
+    harmonics: Harmonics,
+    /// How near a true orbit is, by Newton and Kantorovich: a posteriori, not rigorous
+    #[arg(long)]
+    certify: bool,
+}
+
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
-    let asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    let mut asked = request(app, &arguments.subject, None, arguments.guess.period)?;
+    asked.case.harmonics = arguments.harmonics.of(asked.info);
     let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
     let section = arguments.cut.of(info)?;
     let failed = |error| asked.failed(error);
@@ -31,32 +54,26 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
-    let (mut text, document) = (text::describe(info, case, &orbit), document(info, &orbit));
+    let mut text = record::describe(info, case, &orbit);
     if let Some(found) = &certificate {
         text.push_str(&certificate::describe(info, found));
     }
     let reason = reason(arguments, &asked);
-    let mut document = document.put("method", &reason);
-    let (mut sheets, mut drawn) = (Vec::new(), Ok(()));
-    if let Some(points) = section::points(&asked, &from, section, Span::Period(orbit.period))? {
-        text.push_str(&points.text);
-        document = document.put("section", points.document);
-        sheets.push(("section", points.sheet));
-    }
+    let document = document(info, &orbit).put("method", &reason);
+    let answer = Answer::new("orbit", text, document);
+    let span = Span::Period(orbit.period);
+    let mut answer = with_points(answer, &asked, &from, section, span)?;
     if output.is_kept() {
         let motion = entry.motion(&from, orbit.period).map_err(failed)?;
-        sheets.push(("orbit", simulate::sheet(info, &motion)));
-        drawn = output.draw([("orbit", simulate::picture(info, &motion))]);
+        answer = simulate::drawn("orbit", answer, info, &motion);
     }
     drop(progress);
-    text.push_str(&format!("\n  {reason}\n"));
+    answer.text.push_str(&format!("\n  {reason}\n"));
     if let Some(found) = &certificate {
-        document = document.put("certificate", certificate::document(info, found));
+        answer = answer.part("certificate", "", certificate::document(info, found));
     }
-    let document = document.put("work", orbit.work);
     doubt(output, case, &orbit);
-    let delivered = output.deliver("orbit", &text, &document, &sheets);
-    delivered.and(drawn)?;
+    output.deliver(answer.part("work", "", orbit.work))?;
     verdict(certificate.as_ref())
 }
 

@@ -1,16 +1,42 @@
 //! `reproduce`: what a program may do of its own, and does without a command.
 
-mod arguments;
+use std::path::PathBuf;
+
+use clap::Args;
 
 use crate::app::failure::Failure;
 use crate::app::interrupt::{Work, growing};
 use crate::app::offer::{App, Reproduction};
 use crate::app::output::prepare;
 use crate::app::words::place;
-pub(in crate::app) use arguments::{Arguments, Report};
 
 /// Its name on the command line.
 pub(in crate::app) const NAME: &str = "reproduce";
+
+#[derive(Debug, Clone, Args)]
+pub(in crate::app) struct Report {
+    /// Write files to this folder, long tables row by row
+    #[arg(long, value_name = "DIR", default_value = "report")]
+    out: PathBuf,
+    /// Show no progress and no notes
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// Reproduce all tables and figures; also what happens without a command
+#[derive(Debug, Clone, Args)]
+pub(in crate::app) struct Arguments {
+    /// Only this part of it
+    part: Option<String>,
+    #[command(flatten)]
+    report: Report,
+}
+
+impl From<Report> for Arguments {
+    fn from(report: Report) -> Self {
+        Self { part: None, report }
+    }
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     let reproduction = match &arguments.part {

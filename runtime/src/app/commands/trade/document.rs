@@ -14,7 +14,6 @@ use crate::study::{End, TradeRecord};
 
 /// A trade; for a range, the most demanding end of each kernel, too.
 pub(super) fn document<'a>(info: &'a ModelInfo, record: &TradeRecord) -> Document<'a> {
-    let ends = record.ends.iter().map(|end| at_end(info, end));
     let worst = Kernel::ALL.into_iter().filter_map(|kernel| {
         let (end, need) = record.need(kernel)?;
         Some(json!({ "kernel": kernel.name(), "end": end, "need": answer(&need, needed) }))
@@ -25,8 +24,8 @@ pub(super) fn document<'a>(info: &'a ModelInfo, record: &TradeRecord) -> Documen
         None => document.put("along", Value::Null),
     };
     document
-        .put("ends", ends.collect::<Vec<_>>())
-        .put("worst", worst.collect::<Vec<_>>())
+        .list("ends", &record.ends, |end| at_end(info, end))
+        .list("worst", worst, |worst| worst)
         .maybe("interrupted", record.is_interrupted().then_some(true))
         .units()
 }
@@ -51,53 +50,43 @@ fn needed(need: &Need) -> Value {
 
 fn at_end<'a>(info: &'a ModelInfo, end: &End) -> Document<'a> {
     let trade = &end.trade;
-    let curves = trade.curves.iter().map(|one| curve(info, one));
     Document::new(info)
         .parameters(&end.parameters)
         .put("exact", exact(info, trade))
-        .put("smoothings", curves.collect::<Vec<_>>())
-        .put(
-            "work_precision",
-            trade.precision.iter().map(precision).collect::<Vec<_>>(),
-        )
+        .list("smoothings", &trade.curves, |one| curve(info, one))
+        .list("work_precision", &trade.precision, precision)
 }
 
 fn exact<'a>(info: &'a ModelInfo, trade: &Trade) -> Document<'a> {
-    let truth = &trade.exact;
+    let (truth, need) = (&trade.exact, trade.need.as_ref());
+    let need = need.map(|found| answer(found, |setting| value_of(setting)));
     Document::new(info)
         .put("period", truth.period)
         .put("frequency", 1.0 / truth.period)
         .states("max_abs", &truth.max_abs)
         .put("period_count", truth.period_count)
         .put("cost", truth.cost)
-        .put(
-            "need",
-            trade
-                .need
-                .as_ref()
-                .map(|found| answer(found, |setting| value_of(setting))),
-        )
+        .put("need", need)
 }
 
 fn curve<'a>(info: &'a ModelInfo, curve: &Curve) -> Document<'a> {
-    let points = curve.points.iter().map(|point| copy(info, curve, point));
-    let lost = curve.lost.iter();
-    let lost = lost.map(|(size, reason)| json!({ "size": size, "reason": reason.to_string() }));
     let fits = curve.refused.is_none().then(|| {
         Document::new(info)
             .put("frequency", curve.frequency)
             .states("max_abs", &curve.max_abs)
     });
+    let need = curve.need.as_ref();
     Document::new(info)
         .put("kernel", curve.kernel.name())
         .put("refused", curve.refused.as_ref().map(ToString::to_string))
-        .put("points", points.collect::<Vec<_>>())
-        .put("lost", lost.collect::<Vec<_>>())
-        .put("fits", fits)
-        .put(
-            "need",
-            curve.need.as_ref().map(|found| answer(found, needed)),
+        .list("points", &curve.points, |point| copy(info, curve, point))
+        .list(
+            "lost",
+            &curve.lost,
+            |(size, reason)| json!({ "size": size, "reason": reason.to_string() }),
         )
+        .put("fits", fits)
+        .put("need", need.map(|found| answer(found, needed)))
 }
 
 fn copy<'a>(info: &'a ModelInfo, curve: &Curve, point: &Point) -> Document<'a> {

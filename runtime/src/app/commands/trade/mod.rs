@@ -1,20 +1,55 @@
 //! `trade`: what smoothing costs, and what it gets wrong.
 
-mod arguments;
 mod document;
 mod sheet;
 mod text;
 
+use clap::Args;
+
+use crate::app::arguments::{Period, Subject, Unresumable};
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::offer::App;
+use crate::app::output::Answer;
 use crate::app::progress::Progress;
 use crate::app::request::request;
-use crate::app::spreadsheet::Spreadsheet;
+use crate::app::values::{Range, Reading};
 use crate::field::{Design, Kernel};
-use crate::study::TradeRecord;
-use crate::study::trade::{Finding, Point, Precision};
-pub(in crate::app) use arguments::Arguments;
+use crate::study::trade::{Finding, Scope};
+use crate::study::{Case, Dynamics};
+
+/// Measure what each smoothing gets wrong, and what it costs, against the exact system
+#[derive(Debug, Clone, Args)]
+#[command(
+    after_help = "--smooth restricts this to one copy; with --accuracy the cheapest settings that meet it are sought"
+)]
+pub(in crate::app) struct Arguments {
+    #[command(flatten)]
+    subject: Subject,
+    #[command(flatten)]
+    guess: Period,
+    /// A parameter, to be judged at both A and B: the worst end counts
+    #[arg(long, value_name = "NAME=A..B", value_parser = Reading(Range::read))]
+    along: Option<Range>,
+    #[command(flatten)]
+    resume: Unresumable,
+}
+
+impl Arguments {
+    /// What the trade covers.
+    fn scope(&self, case: &Case) -> Scope {
+        let mut scope = Scope {
+            accuracy: self.subject.accuracy,
+            ..Scope::default()
+        };
+        if let Dynamics::Smoothed(smoothing) = case.dynamics {
+            scope.kernels = vec![smoothing.kernel];
+            scope.sign_sizes = vec![smoothing.size];
+            scope.bump_sizes = vec![smoothing.size];
+        }
+        scope
+    }
+}
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
     arguments.resume.refuse()?;
@@ -26,48 +61,30 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         return refuse!("`trade` goes through the sizes by itself: `--along` takes a parameter");
     }
     let progress = Progress::endless(output, "measuring what smoothing costs");
-    let mut errors = output.journal("trade", sheet::head(info));
+    let mut errors = output.journal("trade", sheet::copies(info, 0, Kernel::Arctan).head());
     let mut precisions = output.journal("work-precision", sheet::precision_head());
     let mut watch = |end: usize, finding: Finding<'_>| {
         match finding {
-            Finding::Copy(kernel, point) => errors.add([sheet::row((end, kernel, point))]),
-            Finding::Precision(one) => precisions.add(sheet::precision_rows((end, one))),
+            Finding::Copy(kernel, point) => {
+                errors.add([sheet::copies(info, end, kernel).row(point)])
+            }
+            Finding::Precision(one) => precisions.add(sheet::precision_rows(end, one)),
         }
         interrupt::verdict()
     };
-    let record = asked.entry.trade(case, &scope, &mut watch);
-    let record = record.map_err(|error| asked.failed(error))?;
+    let record = asked.got(asked.entry.trade(case, &scope, &mut watch))?;
     drop(progress);
-    let errors = copies(&record).map(sheet::row);
-    let precisions = precision(&record).flat_map(sheet::precision_rows);
-    let sheets = [
-        ("trade", Spreadsheet::new(sheet::head(info), errors)),
-        (
-            "work-precision",
-            Spreadsheet::new(sheet::precision_head(), precisions),
-        ),
-    ];
+    let [errors, precisions] = sheet::sheets(info, &record);
     let text = text::describe(info, case, &record, scope.accuracy);
-    output.deliver("trade", &text, &document::document(info, &record), &sheets)?;
+    let answer = Answer::new("trade", text, document::document(info, &record));
+    let answer = answer
+        .sheet("trade", errors)
+        .sheet("work-precision", precisions);
+    output.deliver(answer)?;
     if record.is_interrupted() {
-        let count = copies(&record).count();
+        let curves = record.ends.iter().flat_map(|end| &end.trade.curves);
+        let count: usize = curves.map(|curve| curve.points.len()).sum();
         return Err(output.interrupted(&format!("{count} copies were measured")));
     }
     Ok(())
-}
-
-/// All copies with the numbers of their ends.
-fn copies(record: &TradeRecord) -> impl Iterator<Item = (usize, Kernel, &Point)> {
-    let ends = record.ends.iter().enumerate();
-    let curves = ends.flat_map(|(end, at)| at.trade.curves.iter().map(move |curve| (end, curve)));
-    curves.flat_map(|(end, curve)| {
-        let points = curve.points.iter();
-        points.map(move |point| (end, curve.kernel, point))
-    })
-}
-
-/// All work-precision curves with the numbers of their ends.
-fn precision(record: &TradeRecord) -> impl Iterator<Item = (usize, &Precision)> {
-    let ends = record.ends.iter().enumerate();
-    ends.flat_map(|(end, at)| at.trade.precision.iter().map(move |one| (end, one)))
 }

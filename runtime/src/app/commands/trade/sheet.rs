@@ -1,91 +1,111 @@
 //! A trade as CSV.
 
-use crate::app::spreadsheet::{Row, full, head as words, optional};
+use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
 use crate::app::text::timed;
 use crate::field::{Kernel, Work};
 use crate::model::ModelInfo;
-use crate::study::trade::{Point, Precision, PrecisionPoint};
+use crate::study::TradeRecord;
+use crate::study::predict::Prediction;
+use crate::study::trade::{Cost, Point, Precision, PrecisionPoint};
 
-/// The columns of errors.
-pub(super) fn head(info: &ModelInfo) -> Row {
-    let stiffness = timed(info, "stiffness", "1/s");
-    let mut head = words(["end", "kernel", "size", &stiffness]);
-    head.extend(words(["frequency", "predicted_frequency", "leading"]));
-    for state in info.states {
-        let error = format!("max_abs_{}", state.name);
-        head.extend(words([&error, &format!("predicted_{error}")]));
-    }
-    head.extend(words(["asymptotic", "resolution"]));
-    head.extend(words([
-        "steps",
-        "linearisations",
-        "factorisations",
-        "seconds",
-    ]));
-    head
-}
-
-/// Errors of one copy at one end.
-pub(super) fn row((end, kernel, point): (usize, Kernel, &Point)) -> Row {
-    let predicted = point.predicted.as_ref().ok();
-    let mut row = vec![
-        end.to_string(),
-        kernel.to_string(),
-        full(&point.size),
-        full(&point.stiffness),
-        full(&point.frequency),
-        optional(predicted.map(|found| found.frequency)),
-        optional(predicted.and_then(|found| found.leading)),
-    ];
-    for (j, error) in point.max_abs.iter().enumerate() {
-        let found = predicted.and_then(|found| found.max_abs.get(j).copied().flatten());
-        row.extend([full(error), optional(found)]);
-    }
-    let asymptotic = predicted.is_some_and(|found| found.doubts.is_empty());
-    row.extend([asymptotic.to_string(), full(&point.resolution)]);
-    let Work {
-        steps,
-        linearisations,
-        factorisations,
-        ..
-    } = point.cost.work;
-    row.extend([steps, linearisations, factorisations].map(|count| count.to_string()));
-    row.push(full(&point.cost.seconds));
-    row
-}
-
-/// The columns of work-precision curves.
-pub(super) fn precision_head() -> Row {
-    words([
-        "end",
-        "dynamics",
-        "tolerance",
-        "integration_error",
-        "total_error",
-        "steps",
-        "evaluations",
-        "linearisations",
-        "factorisations",
-        "seconds",
-    ])
-}
-
-/// A work-precision curve, one row for each orbit.
-pub(super) fn precision_rows((end, curve): (usize, &Precision)) -> impl Iterator<Item = Row> {
-    let row = move |point: &PrecisionPoint| {
-        let mut row = vec![end.to_string(), curve.dynamics()];
-        row.extend([point.tolerance, point.integration, point.total].map(|value| full(&value)));
-        let Work {
-            steps,
-            evaluations,
-            linearisations,
-            factorisations,
-            ..
-        } = point.cost.work;
-        let counts = [steps, evaluations, linearisations, factorisations];
-        row.extend(counts.map(|count| count.to_string()));
-        row.push(full(&point.cost.seconds));
-        row
+/// The columns of the copies of a kernel at one end.
+pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'static, Point> {
+    let states = info.states.iter();
+    let errors = states.flat_map(|state| {
+        ["", "predicted_"].map(|prefix| format!("{prefix}max_abs_{}", state.name))
+    });
+    let error = |point: &Point, j: usize| match j % 2 {
+        0 => point.max_abs.get(j / 2).copied(),
+        _ => predicted(point)?.max_abs.get(j / 2).copied().flatten(),
     };
-    curve.points.iter().map(row)
+    let asymptotic = |point: &Point| predicted(point).is_some_and(|found| found.doubts.is_empty());
+    let columns = Columns::new()
+        .column("end", move |_: &Point| end.to_string())
+        .column("kernel", move |_| kernel.to_string())
+        .number("size", |point| point.size)
+        .number(timed(info, "stiffness", "1/s"), |point| {
+            Some(point.stiffness)
+        })
+        .number("frequency", |point| point.frequency)
+        .number("predicted_frequency", |point| {
+            Some(predicted(point)?.frequency)
+        })
+        .number("leading", |point| predicted(point)?.leading)
+        .numbers(errors, error)
+        .column("asymptotic", move |point| asymptotic(point).to_string())
+        .number("resolution", |point| point.resolution);
+    counted(columns, &[STEPS, LINEARISATIONS, FACTORISATIONS], |point| {
+        &point.cost
+    })
+}
+
+fn predicted(point: &Point) -> Option<&Prediction> {
+    point.predicted.as_ref().ok()
+}
+
+/// The columns of a work-precision curve at one end.
+fn precision(end: usize, dynamics: String) -> Columns<'static, PrecisionPoint> {
+    let columns = Columns::new()
+        .column("end", move |_: &PrecisionPoint| end.to_string())
+        .column("dynamics", move |_| dynamics.clone())
+        .number("tolerance", |point| point.tolerance)
+        .number("integration_error", |point| point.integration)
+        .number("total_error", |point| point.total);
+    let counts = [STEPS, EVALUATIONS, LINEARISATIONS, FACTORISATIONS];
+    counted(columns, &counts, |point| &point.cost)
+}
+
+/// One row for each orbit of a work-precision curve.
+pub(super) fn precision_rows(end: usize, curve: &Precision) -> Vec<Row> {
+    let columns = precision(end, curve.dynamics());
+    curve
+        .points
+        .iter()
+        .map(|point| columns.row(point))
+        .collect()
+}
+
+pub(super) fn precision_head() -> Row {
+    precision(0, String::new()).head()
+}
+
+/// All copies, and all work-precision curves.
+pub(super) fn sheets(info: &ModelInfo, record: &TradeRecord) -> [Spreadsheet; 2] {
+    let ends = || record.ends.iter().enumerate();
+    let rows = ends().flat_map(|(end, at)| {
+        let curves = at.trade.curves.iter();
+        curves.flat_map(move |curve| {
+            let columns = copies(info, end, curve.kernel);
+            curve.points.iter().map(move |point| columns.row(point))
+        })
+    });
+    let curves = ends().flat_map(|(end, at)| {
+        let curves = at.trade.precision.iter();
+        curves.flat_map(move |curve| precision_rows(end, curve))
+    });
+    [
+        headed(copies(info, 0, Kernel::Arctan).head(), rows),
+        headed(precision_head(), curves),
+    ]
+}
+
+/// A number of the work.
+type Count = (&'static str, fn(&Work) -> u64);
+
+const STEPS: Count = ("steps", |work| work.steps);
+const EVALUATIONS: Count = ("evaluations", |work| work.evaluations);
+const LINEARISATIONS: Count = ("linearisations", |work| work.linearisations);
+const FACTORISATIONS: Count = ("factorisations", |work| work.factorisations);
+
+/// More columns for these counts, and for the time.
+fn counted<T: 'static>(
+    columns: Columns<'static, T>,
+    counts: &[Count],
+    cost: fn(&T) -> &Cost,
+) -> Columns<'static, T> {
+    let counts = counts.iter().copied();
+    let columns = counts.fold(columns, |columns, (name, count)| {
+        columns.column(name, move |one| count(&cost(one).work).to_string())
+    });
+    columns.number("seconds", move |one| Some(cost(one).seconds))
 }

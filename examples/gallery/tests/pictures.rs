@@ -1,0 +1,89 @@
+//! The page shows what this program draws: each command on it is run, and each of its pictures compared.
+//!
+//! `BLESS=1` writes the pictures anew.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const PAGE: &str = include_str!("../README.md");
+
+/// A command of the page with the picture below it.
+struct Shown {
+    words: &'static str,
+    picture: &'static str,
+}
+
+fn shown() -> Vec<Shown> {
+    let sections = PAGE.split("\n`gallery ").skip(1);
+    let shown = sections.map(|section| {
+        let words = section.split('`').next().unwrap();
+        let link = section.split("](pictures/").nth(1).unwrap();
+        let picture = link.split(')').next().unwrap();
+        Shown { words, picture }
+    });
+    shown.collect()
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("gallery")
+}
+
+/// A drawing cut into numbers and what stands between them.
+fn pieces(text: &str) -> Vec<Result<f64, &str>> {
+    let numeric = |c: char| c.is_ascii_digit() || c == '.';
+    let mut pieces = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let other = |c: char| numeric(c) != numeric(first);
+        let (piece, behind) = rest.split_at(rest.find(other).unwrap_or(rest.len()));
+        pieces.push(piece.parse().map_err(|_| piece));
+        rest = behind;
+    }
+    pieces
+}
+
+/// Whether two drawings look the same: a tenth of a pixel cannot be seen.
+fn alike(kept: &str, made: &str) -> bool {
+    let (kept, made) = (pieces(kept), pieces(made));
+    let near = |pair| match pair {
+        (&Ok(a), &Ok(b)) => f64::abs(a - b) <= 0.1,
+        (a, b) => a == b,
+    };
+    kept.len() == made.len() && kept.iter().zip(&made).all(near)
+}
+
+#[test]
+fn the_pictures_are_those_of_the_program() {
+    std::fs::create_dir_all(folder()).unwrap();
+    let all = shown();
+    assert!(all.len() >= 14, "{} systems", all.len());
+    for Shown { words, picture } in all {
+        let done = Command::new(env!("CARGO_BIN_EXE_gallery"))
+            .args(words.split_whitespace())
+            .current_dir(folder())
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.success(), "{words}: {errors}");
+        let made = std::fs::read_to_string(folder().join("pictures").join(picture)).unwrap();
+        let keeps = Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures");
+        let keep = keeps.join(picture);
+        if std::env::var_os("BLESS").is_some() {
+            std::fs::create_dir_all(keep.parent().unwrap()).unwrap();
+            std::fs::write(&keep, &made).unwrap();
+        }
+        let kept = std::fs::read_to_string(keep).unwrap();
+        assert!(alike(&kept, &made), "{picture} is not what `{words}` draws");
+    }
+}
+
+#[test]
+fn every_model_has_its_place_on_the_page() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for entry in std::fs::read_dir(source).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let model = !["main.rs", "asked.rs", "reference.rs"].contains(&name.as_str());
+        let link = format!("](src/{name})");
+        assert!(!model || PAGE.contains(&link), "{name} is not on the page");
+    }
+}

@@ -1,0 +1,205 @@
+//! A branch, with those that leave it, in all forms.
+
+use std::f64::consts::TAU;
+
+use crate::app::chart::{Chart, Mark, along_axis, axis};
+use crate::app::commands::orbit;
+use crate::app::document::Document;
+use crate::app::harmonics::{harmonic, names};
+use crate::app::output::Answer;
+use crate::app::request::Request;
+use crate::app::spreadsheet::Columns;
+use crate::app::text::{followed, heading, number, timed};
+use crate::bifurcation::Stability;
+use crate::field::Work;
+use crate::model::ModelInfo;
+use crate::report::{Axis, Figure, Panel};
+use crate::study::{BranchRecord, Case, OrbitRecord, Special};
+
+/// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
+/// states.
+pub(in crate::app::commands) fn answer(
+    asked: &Request<'_>,
+    branch: &BranchRecord,
+    shown: &[usize],
+) -> Answer<'static> {
+    let (info, case) = (asked.info, &asked.case);
+    let text = describe(asked, branch, shown);
+    let answer = Answer::new("branch", text, document(info, case, branch))
+        .figure("branch", picture(asked, branch, shown));
+    let columns = orbit::columns(info, &branch.along, &case.harmonics);
+    let all = branch.all().into_iter().enumerate();
+    all.fold(answer, |answer, (number, one)| {
+        let name = match number {
+            0 => "branch".to_owned(),
+            _ => format!("branch-{number}"),
+        };
+        answer.sheet(name, columns.sheet(&one.points))
+    })
+}
+
+fn describe(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> String {
+    let info = asked.info;
+    let name = branch.along.name(info);
+    let what = format!("a branch of periodic orbits along {name}");
+    let points = orbit::shown(asked, &branch.along, states).text(&branch.points);
+    let mut text = heading(info, &asked.case, &what) + &points;
+    if !branch.special.is_empty() {
+        text += &format!("\n{}", special(info, branch));
+    }
+    for (i, below) in branch.all().into_iter().enumerate().skip(1) {
+        let from = below.from.as_deref().unwrap_or("another");
+        let period = below.points.first().map_or(0, |point| point.period_count);
+        let (count, ended) = (below.points.len(), below.ended.word());
+        text += &format!(
+            "\nbranch {i}, period {period}, leaves its parent at {from}; {count} points, ended: {ended}\n{}",
+            special(info, below)
+        );
+    }
+    text
+}
+
+/// The special points, if there are any.
+fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
+    if branch.special.is_empty() {
+        return String::new();
+    }
+    let remark = |one: &Special| {
+        one.criticality
+            .or(one.note.as_deref())
+            .unwrap_or("")
+            .to_owned()
+    };
+    Columns::new()
+        .column("special", |one: &Special| one.label.clone())
+        .column("kind", |one| one.kind.to_string())
+        .column(followed(info, &branch.along), |one| number(one.r, 10))
+        .column(timed(info, "period", "s"), |one| number(one.period, 10))
+        .column("", remark)
+        .text(&branch.special)
+}
+
+/// The extent of the states that are shown, and the period; amplitudes and phases, each pair in a row.
+fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figure {
+    let info = asked.info;
+    let extents = states.iter().map(|&j| extent(info, branch, j));
+    let mut panels: Vec<Panel> = extents.collect();
+    let odd = panels.len() % 2 == 1;
+    if odd {
+        panels.push(period(info, branch));
+    }
+    for &j in states {
+        let orders = asked.case.harmonics.iter();
+        panels.extend(orders.flat_map(|&order| response(info, branch, order, j)));
+    }
+    if !odd {
+        panels.push(period(info, branch));
+    }
+    let figure = Figure::new("", info.name, String::new()).columns(2);
+    panels.into_iter().fold(figure, Figure::panel)
+}
+
+fn period(info: &ModelInfo, branch: &BranchRecord) -> Panel {
+    let period = Axis::new(&timed(info, "period", "s"));
+    let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
+    for one in branch.all() {
+        draw(
+            &mut periods,
+            one,
+            |orbit| Some(orbit.period),
+            |special| special.period,
+        );
+    }
+    periods.panel()
+}
+
+fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
+    let (name, unit) = orbit::largest(info, j);
+    let parameter = along_axis(info, &branch.along);
+    let mut extents = Chart::new(Panel::new(parameter, axis(&name, unit)));
+    for one in branch.all() {
+        draw(
+            &mut extents,
+            one,
+            |orbit| orbit.max_abs.get(j).copied(),
+            |special| special.max_abs.get(j).copied().unwrap_or(0.0),
+        );
+    }
+    extents.panel()
+}
+
+/// Amplitude and phase of a state at a harmonic.
+fn response(info: &ModelInfo, branch: &BranchRecord, order: usize, j: usize) -> [Panel; 2] {
+    let [mut amplitudes, mut phases] = names(info, order, j).map(|name| {
+        Chart::new(Panel::new(
+            along_axis(info, &branch.along),
+            Axis::new(&name),
+        ))
+    });
+    for one in branch.all() {
+        let amplitude = |orbit: &OrbitRecord| Some(harmonic(orbit, order)?.amplitude[j]);
+        let mut before = None;
+        let phase = |orbit: &OrbitRecord| {
+            let known = harmonic(orbit, order)?;
+            let certain = known.amplitude[j] > known.error[j];
+            let next = certain.then(|| unwrapped(known.phase[j], before))?;
+            before = Some(next);
+            before
+        };
+        amplitudes.add(points(one, amplitude), Vec::new());
+        phases.add(points(one, phase), Vec::new());
+    }
+    [amplitudes.panel(), phases.panel()]
+}
+
+/// A phase, so many turns away that it goes on from the one before.
+fn unwrapped(phase: f64, before: Option<f64>) -> f64 {
+    let before = before.unwrap_or(phase);
+    phase + ((before - phase) / TAU).round() * TAU
+}
+
+/// Draws a quantity of the orbits of a branch, and of its special points.
+fn draw(
+    chart: &mut Chart,
+    branch: &BranchRecord,
+    of: impl FnMut(&OrbitRecord) -> Option<f64>,
+    special: impl Fn(&Special) -> f64,
+) {
+    let mark = |one: &Special| Mark {
+        kind: one.kind,
+        label: one.label.clone(),
+        after: one.after,
+        at: [one.r, special(one)],
+    };
+    let marks = branch.special.iter().map(mark).collect();
+    chart.add(points(branch, of), marks);
+}
+
+fn points(
+    branch: &BranchRecord,
+    mut of: impl FnMut(&OrbitRecord) -> Option<f64>,
+) -> Vec<([f64; 2], Stability)> {
+    let points = branch.points.iter();
+    points
+        .filter_map(|one| Some(([one.r?, of(one)?], one.floquet.stability)))
+        .collect()
+}
+
+/// A branch with those that leave it.
+fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Document<'a> {
+    let orbit = |point: &OrbitRecord| orbit::document(info, point).put("work", point.work);
+    let mut work = Work::default();
+    branch.points.iter().for_each(|point| work += point.work);
+    Document::case(info, case)
+        .range("along", &branch.along)
+        .maybe("from", branch.from.as_ref())
+        .list("points", &branch.points, orbit)
+        .put("special", &branch.special)
+        .ended(&branch.ended)
+        .maybe("began", branch.began.as_ref().map(|ended| ended.word()))
+        .list("branches", &branch.branches, |below| {
+            document(info, case, below)
+        })
+        .units()
+        .put("work", work)
+}

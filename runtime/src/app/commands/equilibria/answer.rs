@@ -1,0 +1,200 @@
+//! Equilibria in all forms.
+
+use nalgebra::Complex;
+
+use super::proof;
+use crate::app::chart::{Chart, Mark, along_axis, axis};
+use crate::app::document::Document;
+use crate::app::output::Answer;
+use crate::app::spreadsheet::{Columns, part, parts};
+use crate::app::text::{followed, heading, number, states, time_unit, timed};
+use crate::equilibrium::{Proof, Unproven};
+use crate::model::ModelInfo;
+use crate::report::{Figure, Panel};
+use crate::study::{Along, Case, EquilibriaRecord, EquilibriumRecord, SpecialEquilibrium};
+
+const DIGITS: usize = 9;
+
+/// A list of equilibria, with proofs if they were asked for.
+pub(super) fn list(
+    info: &ModelInfo,
+    case: &Case,
+    found: &[EquilibriumRecord],
+    proofs: Option<&[Result<Proof, Unproven>]>,
+) -> Answer<'static> {
+    let mut text = heading(info, case, "equilibria")
+        + &shown(info, None, found).text(found)
+        + &remarks(case, found.iter().any(|one| one.artefact), false);
+    if let Some(proofs) = proofs {
+        text.push_str(&proof::describe(info, proofs));
+    }
+    let one = |(i, one)| {
+        let proof = proofs.and_then(|proofs| proofs.get(i));
+        let proof = proof.map(|proof| proof::document(info, proof));
+        equilibrium(info, one).maybe("certificate", proof)
+    };
+    let all = found.iter().enumerate();
+    let document = Document::case(info, case)
+        .list("equilibria", all, one)
+        .units();
+    let sheet = columns(info, None).sheet(found);
+    Answer::new("equilibria", text, document).sheet("equilibria", sheet)
+}
+
+/// A branch of equilibria.
+pub(super) fn branch(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> Answer<'static> {
+    let (name, along) = (branch.along.name(info), followed(info, &branch.along));
+    let mut text = heading(info, case, &format!("a branch of equilibria along {name}"));
+    text += &shown(info, Some(&along), &branch.points).text(&branch.points);
+    if !branch.special.is_empty() {
+        text += &format!("\n{}", special(info, &along).text(&branch.special));
+    }
+    let points = branch.points.iter().any(|point| point.artefact);
+    let special = branch.special.iter().any(|point| point.artefact);
+    text += &remarks(case, points, special);
+    let special = |one: &SpecialEquilibrium| Document::of(info, one).by_state(&["state"]);
+    let document = Document::case(info, case)
+        .range("along", &branch.along)
+        .list("points", &branch.points, |one| equilibrium(info, one))
+        .list("special", &branch.special, special)
+        .ended(&branch.ended)
+        .units()
+        .put("work", branch.work);
+    let sheet = columns(info, Some(&branch.along)).sheet(&branch.points);
+    Answer::new("equilibria", text, document)
+        .figure("equilibria", picture(info, branch))
+        .sheet("equilibria", sheet)
+}
+
+/// All columns; the first is what is followed, if anything is.
+pub(super) fn columns(
+    info: &ModelInfo,
+    along: Option<&Along>,
+) -> Columns<'static, EquilibriumRecord> {
+    let along = along.map(|along| followed(info, along));
+    let eigenvalues = parts("eigenvalue", info.states.len(), &["re", "im"]);
+    let eigenvalues = eigenvalues.iter().map(|part| timed(info, part, "1/s"));
+    Columns::new()
+        .numbers(along, |one: &EquilibriumRecord, _| one.r)
+        .numbers(states(info, ""), |one, j| one.state.get(j).copied())
+        .numbers(eigenvalues, |one, j| part(&one.eigenvalues, j))
+        .column("stability", |one| one.stability.name())
+        .column("mode", |one| one.mode.clone().unwrap_or_default())
+        .column("artefact", |one| one.artefact.to_string())
+}
+
+/// The columns on the terminal.
+fn shown(
+    info: &ModelInfo,
+    along: Option<&str>,
+    all: &[EquilibriumRecord],
+) -> Columns<'static, EquilibriumRecord> {
+    let columns = along.into_iter().fold(Columns::new(), |columns, along| {
+        let r = |one: &EquilibriumRecord| one.r.map_or(String::new(), |r| number(r, DIGITS));
+        columns.column(along, r)
+    });
+    let states = states(info, "").enumerate();
+    let columns = states
+        .fold(columns, |columns, (j, head)| {
+            columns.column(head, move |one| state(one, j))
+        })
+        .column(timed(info, "eigenvalues", "1/s"), |one| {
+            eigenvalues(&one.eigenvalues)
+        })
+        .column("stability", |one| {
+            one.stability.name().to_owned() + mark(one.artefact)
+        });
+    if all.iter().any(|one| one.mode.is_some()) {
+        columns.column("mode", |one| one.mode.clone().unwrap_or_default())
+    } else {
+        columns
+    }
+}
+
+const fn mark(artefact: bool) -> &'static str {
+    if artefact { " *" } else { "" }
+}
+
+/// A state, or the interval that it covers in a set.
+fn state(one: &EquilibriumRecord, j: usize) -> String {
+    let at = |values: &[f64]| values.get(j).map_or(String::new(), |&value| rounded(value));
+    match &one.set {
+        Some(set) if at(&set.low) != at(&set.high) => {
+            format!("[{}, {}]", at(&set.low), at(&set.high))
+        }
+        _ => at(&one.state),
+    }
+}
+
+/// A state is not known better than to rounding.
+fn rounded(value: f64) -> String {
+    let nothing = value.abs() < 1e-14;
+    number(if nothing { 0.0 } else { value }, DIGITS)
+}
+
+fn eigenvalues(all: &[Complex<f64>]) -> String {
+    let short = |value: f64| number(value, 5);
+    let one = |value: &Complex<f64>| match value.im {
+        im if im > 0.0 => Some(format!("{} ± {}i", short(value.re), short(im))),
+        im if im < 0.0 => None,
+        _ => Some(short(value.re)),
+    };
+    all.iter().filter_map(one).collect::<Vec<_>>().join(", ")
+}
+
+fn special(info: &ModelInfo, along: &str) -> Columns<'static, SpecialEquilibrium> {
+    let time = time_unit(info);
+    let period = move |one: &SpecialEquilibrium| match one.period {
+        Some(period) => number(period, 10) + time,
+        None => "-".to_owned(),
+    };
+    Columns::new()
+        .column("special", |one: &SpecialEquilibrium| one.label.clone())
+        .column("kind", |one| format!("{}{}", one.kind, mark(one.artefact)))
+        .column(along, |one| number(one.r, 10))
+        .column("period", period)
+}
+
+fn remarks(case: &Case, points: bool, special: bool) -> String {
+    let what = match (points, special) {
+        (false, false) => return String::new(),
+        (true, false) => "the exact system has no equilibrium there, or one of the other stability",
+        (false, true) => "the exact system has no such point there",
+        (true, true) => {
+            "the exact system has no such point there, and an equilibrium, if any, of the other stability"
+        }
+    };
+    format!(
+        "\n  * artefact of smoothing, {} only: {what}\n",
+        case.dynamics
+    )
+}
+
+/// The first state.
+fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
+    let first = info.states.first();
+    let name = first.map_or("", |state| state.name);
+    let y = axis(name, first.and_then(|state| state.unit));
+    let mut chart = Chart::new(Panel::new(along_axis(info, &branch.along), y));
+    let value = |state: &[f64]| state.first().copied().unwrap_or(0.0);
+    let mark = |one: &SpecialEquilibrium| Mark {
+        kind: one.kind,
+        label: one.label.clone(),
+        at: [one.r, value(&one.state)],
+        after: one.after,
+    };
+    let points = branch.points.iter();
+    let points = points.filter_map(|one| Some(([one.r?, value(&one.state)], one.stability)));
+    chart.add(points.collect(), branch.special.iter().map(mark).collect());
+    Figure::new("", info.name, String::new()).panel(chart.panel())
+}
+
+fn equilibrium<'a>(info: &'a ModelInfo, one: &EquilibriumRecord) -> Document<'a> {
+    let document = Document::of(info, one)
+        .parameters(&one.parameters)
+        .by_state(&["state"]);
+    match &one.set {
+        Some(set) => document.put("set", Document::of(info, set).by_state(&["min", "max"])),
+        None => document,
+    }
+}

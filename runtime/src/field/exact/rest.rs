@@ -1,0 +1,76 @@
+//! What the laws of all contacts do at rest, whatever the modes.
+
+use num_dual::Dual64;
+
+use super::constants::{GENERIC, generic_state};
+use super::system::ExactSystem;
+use crate::friction::{ContactRule, FrictionLaw};
+use crate::model::Model;
+use crate::scalar::{Inline, Scalar};
+
+impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
+    /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
+    pub(super) fn layers(&self, state: &[f64; N]) -> M::PerContact<f64> {
+        let mut rule = Layers::<M, N>(Inline::from_fn(|_| f64::INFINITY));
+        let _ = M::rhs(&self.directional, state.map(Dual64::from), &mut rule);
+        rule.0
+    }
+
+    /// stick and slip(0⁺) of every contact.
+    pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
+        limits::<M, f64, N>(&self.plain, state)
+    }
+}
+
+/// Which contacts hold with no force and slide against none at w = 0, shown at generic states; `params` move with the
+/// design variable, and must leave it so.
+///
+/// A sliding force is continued to the other side of w = 0 as an odd function, so that such a contact needs no switch.
+pub(super) fn idle<M: Model<N>, const N: usize>(params: &M::Params<Dual64>) -> M::PerContact<bool> {
+    let at = GENERIC.map(|seed| {
+        let state = generic_state::<M, N>(seed).map(Dual64::from);
+        limits::<M, Dual64, N>(params, &state)
+    });
+    let none = |force: Dual64| (force.re, force.eps) == (0.0, 0.0);
+    Inline::from_fn(|i| {
+        let mut limits = at.iter().map(|limits| limits.as_ref()[i]);
+        limits.all(|(stick, slip)| none(stick) && none(slip))
+    })
+}
+
+fn limits<M: Model<N>, D: Scalar, const N: usize>(
+    params: &M::Params<D>,
+    state: &[D; N],
+) -> M::PerContact<(D, D)> {
+    let zero = D::from(0.0);
+    let mut rule = AtRest::<M, D, N>(Inline::from_fn(|_| (zero, zero)));
+    let _ = M::rhs(params, *state, &mut rule);
+    rule.0
+}
+
+/// Notes the largest force at rest and the limit of the sliding force at speed 0.
+struct AtRest<M: Model<N>, D: Scalar, const N: usize>(M::PerContact<(D, D)>);
+
+impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for AtRest<M, D, N> {
+    fn force<L: FrictionLaw<D>>(&mut self, contact: usize, law: &L, _: D) -> D {
+        let zero = D::from(0.0);
+        if let Some(place) = self.0.as_mut().get_mut(contact) {
+            *place = (law.stick(), law.slip(zero));
+        }
+        zero
+    }
+}
+
+/// Notes how fast every sliding force changes at speed 0.
+struct Layers<M: Model<N>, const N: usize>(M::PerContact<f64>);
+
+impl<M: Model<N>, const N: usize> ContactRule<Dual64> for Layers<M, N> {
+    fn force<L: FrictionLaw<Dual64>>(&mut self, contact: usize, law: &L, _: Dual64) -> Dual64 {
+        let slip = law.slip(Dual64::from(0.0).derivative());
+        let layer = (slip.re / slip.eps).abs();
+        if let (Some(place), true) = (self.0.as_mut().get_mut(contact), layer > 0.0) {
+            *place = layer;
+        }
+        Dual64::from(0.0)
+    }
+}

@@ -1,0 +1,76 @@
+//! Rows and columns that are zero but for a stretch: a contact reads and pushes few states.
+
+use std::ops::Range;
+
+use crate::scalar::Scalar;
+
+/// Number of states up to which all entries are taken: a loop of known length is faster than a short one.
+const FEW: usize = 8;
+
+/// A vector with one entry for each state, of which only a stretch differs from zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Strip<const N: usize> {
+    entries: [f64; N],
+    first: usize,
+    end: usize,
+}
+
+impl<const N: usize> Strip<N> {
+    /// Nothing but zeros.
+    pub(crate) const ZERO: Self = Self {
+        entries: [0.0; N],
+        first: 0,
+        end: 0,
+    };
+
+    /// All entries.
+    pub(crate) fn entries(&self) -> &[f64; N] {
+        &self.entries
+    }
+
+    #[inline]
+    fn stretch(&self) -> Range<usize> {
+        if N <= FEW { 0..N } else { self.first..self.end }
+    }
+
+    /// The entries that may differ from zero, with their numbers.
+    #[inline]
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (usize, f64)> {
+        let stretch = self.stretch();
+        let entries = self.entries[stretch.clone()].iter().copied();
+        stretch.zip(entries)
+    }
+
+    /// The product with a vector of any scalar.
+    #[inline]
+    pub(crate) fn dot<D: Scalar>(&self, vector: &[D; N]) -> D {
+        let stretch = self.stretch();
+        let pairs = vector[stretch.clone()].iter().zip(&self.entries[stretch]);
+        pairs.fold(D::from(0.0), |sum, (x, g)| sum + *x * *g)
+    }
+
+    /// Adds a multiple of it to a vector of any scalar.
+    #[inline]
+    pub(crate) fn add_to<D: Scalar>(&self, vector: &mut [D; N], times: D) {
+        let stretch = self.stretch();
+        for (x, b) in vector[stretch.clone()]
+            .iter_mut()
+            .zip(&self.entries[stretch])
+        {
+            *x += times * *b;
+        }
+    }
+}
+
+impl<const N: usize> From<[f64; N]> for Strip<N> {
+    fn from(entries: [f64; N]) -> Self {
+        let differs = |entry: &f64| *entry != 0.0;
+        let first = entries.iter().position(differs).unwrap_or(0);
+        let end = entries.iter().rposition(differs).map_or(0, |last| last + 1);
+        Self {
+            entries,
+            first,
+            end,
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Whether a motion stays on an orbit beside which it comes back.
+
+use super::error::OrbitError;
+use super::guess::Guess;
+use super::orbit::Orbit;
+use crate::bifurcation::Stability;
+use crate::flow::FlowError;
+use crate::motion::{Family, Flow};
+use crate::poincare::{Crossings, Horizon, Section, once_around};
+
+/// Distances are in half extents. A motion this close to an orbit is on it.
+const ON: f64 = 1e-5;
+/// Nothing is known of an orbit from a motion further away than this.
+const NEAR: f64 = 0.1;
+/// Share to which the distance to a stable orbit is to fall while the motion is watched.
+const FALL: f64 = 0.5;
+/// Most turns around the orbit for which it is watched.
+const LAPS: f64 = 1000.0;
+
+/// Whether the motion from `start` stays on the orbit that was found near its return: it begins there, or is drawn to it.
+pub(super) fn stays(
+    family: &Family,
+    r: f64,
+    guess: &Guess,
+    (orbit, start): (&Orbit, &[f64]),
+) -> Result<bool, OrbitError> {
+    let family = family.with_magnitude(&guess.magnitude);
+    let flow = family.at(r)?;
+    if orbit.floquet.stability == Stability::Unstable {
+        return Ok(begins(flow.as_ref(), start, guess, orbit)?);
+    }
+    Ok(approaches(flow.as_ref(), guess, orbit)?)
+}
+
+/// Whether the start lies on the orbit: in one period of it, it comes back to itself and passes the orbit's own start.
+fn begins(flow: &dyn Flow, start: &[f64], guess: &Guess, orbit: &Orbit) -> Result<bool, FlowError> {
+    let place = flow.place(start)?;
+    let end = flow.advance(&place, orbit.period, Default::default())?.end;
+    let apart = |a: &[f64], b: &[f64]| distance(a, b, guess, flow.phase());
+    if apart(&end.state, start) > ON {
+        return Ok(false);
+    }
+    let section = Section::usual(flow.phase());
+    let met = once_around(flow, place, section, orbit.period)?;
+    let near = |state: &[f64]| to_orbit(state, orbit, guess, flow.phase()) <= ON;
+    Ok(met.points.iter().any(|crossing| near(&crossing.state)))
+}
+
+/// Whether the distance to a stable orbit falls as its multipliers say.
+fn approaches(flow: &dyn Flow, guess: &Guess, orbit: &Orbit) -> Result<bool, FlowError> {
+    let apart = |state: &[f64]| to_orbit(state, orbit, guess, flow.phase());
+    let before = apart(&guess.place.state);
+    if before <= ON || before > NEAR {
+        return Ok(before <= ON);
+    }
+    if orbit.floquet.stability == Stability::Undecided {
+        return Ok(true);
+    }
+    let multipliers = orbit.floquet.multipliers.iter();
+    let largest = multipliers.fold(0.0_f64, |most, multiplier| most.max(multiplier.norm()));
+    let laps = (FALL.ln() / largest.ln()).ceil();
+    let laps = if laps >= 1.0 { laps.min(LAPS) } else { LAPS };
+    let section = Section::usual(flow.phase());
+    let mut crossings = Crossings::new(flow, guess.place.clone(), section, Horizon::Recurrence)?;
+    let count = laps as usize * orbit.section.len().max(1);
+    match crossings.nth(count - 1) {
+        Some(crossing) => Ok(apart(&crossing?.state) <= 0.5 * (1.0 + largest.powf(laps)) * before),
+        None => Ok(false),
+    }
+}
+
+/// The distance of a point of the section to the nearest one of the orbit.
+fn to_orbit(state: &[f64], orbit: &Orbit, guess: &Guess, phase: Option<usize>) -> f64 {
+    let points = orbit.section.iter().chain([&orbit.place.state]);
+    let distances = points.map(|point| distance(state, point, guess, phase));
+    distances.fold(f64::INFINITY, f64::min)
+}
+
+/// The distance of two states but for the phase of a drive.
+fn distance(a: &[f64], b: &[f64], guess: &Guess, phase: Option<usize>) -> f64 {
+    let states = (0..a.len()).filter(|j| phase != Some(*j));
+    let share = |j: usize| (a[j] - b[j]).abs() / guess.magnitude[j];
+    states.map(share).fold(0.0, f64::max)
+}

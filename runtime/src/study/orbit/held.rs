@@ -1,0 +1,43 @@
+//! What singles out an orbit beside which there are others, in the names of its model.
+
+use crate::model::ModelInfo;
+use crate::shooting::Pin;
+
+/// A condition on the start of an orbit that singles it out among its neighbours.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "app", derive(serde::Serialize))]
+pub struct Held {
+    /// A combination of the states, in their names.
+    pub combination: String,
+    /// Its value where the orbit begins.
+    pub value: f64,
+    /// Whether it never changes along the orbit; otherwise the orbit may be shifted along it.
+    pub conserved: bool,
+}
+
+impl Held {
+    /// The condition in the names of the model.
+    pub(in crate::study) fn new(pin: &Pin, info: &ModelInfo) -> Self {
+        let entries = pin.combination.iter().zip(info.states);
+        let terms = entries.filter(|(c, _)| **c != 0.0);
+        let mut combination = String::new();
+        for (c, state) in terms {
+            let sign = match (combination.is_empty(), *c < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            let size = match c.abs() {
+                size if (size - 1.0).abs() < 1e-6 => String::new(),
+                size => format!("{} ", (size * 1e6).round() / 1e6),
+            };
+            combination += &format!("{sign}{size}{}", state.name);
+        }
+        Self {
+            combination,
+            value: pin.value,
+            conserved: pin.conserved,
+        }
+    }
+}

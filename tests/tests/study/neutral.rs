@@ -1,0 +1,121 @@
+//! Orbits beside which there are others: what is held, and what is not taken for it.
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::model::Model;
+use stickslip::study::{Along, Case, Dynamics, OrbitRecord, System};
+use stickslip_models::friction::{Coulomb, Jenkins};
+
+model! {
+    /// A mass between a spring and a friction damper, driven.
+    pub struct Damped {
+        state x = 0.0;
+        state v = 0.0;
+        /// Force in the damper.
+        state z = 0.0;
+        param level = 5.0 where level > 0.0;
+        param grip = 0.5 where grip > 0.0;
+        param damping = 0.02 where damping >= 0.0;
+        param load = 0.1;
+        param omega = 0.4 where omega > 0.0;
+        drive phi at omega;
+        friction F = Jenkins { stiffness: grip, level: level } opposing v with z;
+        der(x) = v;
+        der(v) = F - x - damping * v + load * cos(phi);
+    }
+}
+
+model! {
+    /// A mass pushed to and fro over the ground, which holds it nowhere.
+    pub struct Pushed {
+        state x = 0.3;
+        state v = 0.0;
+        param level = 1.0 where level >= 0.0;
+        param load = 3.0;
+        param omega = 0.5 where omega > 0.0;
+        drive phi at omega;
+        friction F = Coulomb { level: level } opposing v;
+        der(x) = v;
+        der(v) = F + load * cos(phi);
+    }
+}
+
+fn system<M: Model<N>, const N: usize>() -> System {
+    System::of::<M, N>()
+}
+
+/// |H|, the response of x to the load while the damper is stuck: k = 1 + grip.
+fn response(omega: f64) -> f64 {
+    0.1 / (1.5 - omega * omega).hypot(0.02 * omega)
+}
+
+fn swings_as_it_should(orbit: &OrbitRecord, omega: f64) {
+    let swing = 0.5 * (orbit.max[0] - orbit.min[0]);
+    let right = response(omega);
+    assert!(
+        (swing / right - 1.0).abs() < 1e-9,
+        "{omega}: {swing} against {right}"
+    );
+    let [held] = &orbit.held[..] else {
+        panic!("{:?}", orbit.held);
+    };
+    assert!(
+        held.conserved && held.combination == "0.5 x - z",
+        "{held:?}"
+    );
+    let now = 0.5 * orbit.state[0] - orbit.state[2];
+    assert!((now - held.value).abs() < 1e-9);
+    assert_eq!(orbit.floquet.multipliers.len(), 2);
+    let size = (-0.01 * orbit.period).exp();
+    assert!(
+        orbit
+            .floquet
+            .multipliers
+            .iter()
+            .all(|mu| (mu.norm() / size - 1.0).abs() < 1e-7)
+    );
+}
+
+#[test]
+fn a_stuck_damper_keeps_its_preload_through_resonance() {
+    let system = system::<Damped, 4>();
+    let case = Case {
+        accuracy: 1e-10,
+        ..Case::declared(Damped::INFO, Dynamics::Smooth)
+    };
+    let orbit = system.orbit(&case).expect("an orbit");
+    swings_as_it_should(&orbit, 0.4);
+    let along = Along {
+        design: Design::Parameter(Damped::omega.index),
+        from: 0.4,
+        to: 2.0,
+    };
+    let case = Case {
+        along: Some(along),
+        ..case
+    };
+    let branch = system
+        .branch(&case, &mut |_| std::ops::ControlFlow::Continue(()))
+        .expect("a branch");
+    assert!(branch.special.is_empty() && branch.points.len() > 20);
+    for point in &branch.points {
+        swings_as_it_should(point, point.r.expect("along a parameter"));
+    }
+}
+
+#[test]
+fn what_lies_anywhere_is_held_where_it_is() {
+    let system = system::<Pushed, 3>();
+    let orbit = system
+        .orbit(&Case::declared(Pushed::INFO, Dynamics::Exact))
+        .expect("an orbit");
+    let [held] = &orbit.held[..] else {
+        panic!("{:?}", orbit.held);
+    };
+    assert!(!held.conserved && held.combination == "x", "{held:?}");
+    assert!((orbit.state[0] - held.value).abs() < 1e-8, "{held:?}");
+    assert_eq!(
+        orbit.floquet.stability,
+        stickslip::bifurcation::Stability::Stable
+    );
+}
