@@ -29,7 +29,7 @@ impl Plane {
     /// The flow at p and q.
     ///
     /// # Errors
-    /// As [`Family::at`].
+    /// As [`Flows::at`](crate::motion::Flows::at).
     pub fn at(&self, p: f64, q: f64) -> Result<Box<dyn Flow>, FlowError> {
         self.along_p(q).at(p)
     }

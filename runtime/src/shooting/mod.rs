@@ -7,6 +7,7 @@ mod converge;
 mod error;
 mod guess;
 mod hopf;
+mod neutral;
 mod orbit;
 mod phase;
 mod pin;

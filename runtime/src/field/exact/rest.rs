@@ -3,23 +3,18 @@
 use num_dual::Dual64;
 
 use super::constants::{GENERIC, generic_state};
-use super::system::ExactSystem;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::scalar::{Inline, Scalar};
 
-impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
-    /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
-    pub(super) fn layers(&self, state: &[f64; N]) -> M::PerContact<f64> {
-        let mut rule = Layers::<M, N>(Inline::from_fn(|_| f64::INFINITY));
-        let _ = M::rhs(&self.directional, state.map(Dual64::from), &mut rule);
-        rule.0
-    }
-
-    /// stick and slip(0⁺) of every contact.
-    pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
-        limits::<M, f64, N>(&self.plain, state)
-    }
+/// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
+pub(super) fn layers<M: Model<N>, const N: usize>(
+    params: &M::Params<Dual64>,
+    state: &[f64; N],
+) -> M::PerContact<f64> {
+    let mut rule = Layers::<M, N>(Inline::from_fn(|_| f64::INFINITY));
+    let _ = M::rhs(params, state.map(Dual64::from), &mut rule);
+    rule.0
 }
 
 /// Which contacts hold with no force and slide against none at w = 0, shown at generic states; `params` move with the
@@ -38,7 +33,8 @@ pub(super) fn idle<M: Model<N>, const N: usize>(params: &M::Params<Dual64>) -> M
     })
 }
 
-fn limits<M: Model<N>, D: Scalar, const N: usize>(
+/// stick and slip(0⁺) of every contact.
+pub(super) fn limits<M: Model<N>, D: Scalar, const N: usize>(
     params: &M::Params<D>,
     state: &[D; N],
 ) -> M::PerContact<(D, D)> {

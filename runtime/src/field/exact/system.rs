@@ -6,7 +6,7 @@ use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
 use super::mode::{Mode, Modes};
-use super::rest::idle;
+use super::rest::{idle, layers, limits};
 use super::rule::Branches;
 use super::strip::Strip;
 use crate::field::memory;
@@ -132,6 +132,16 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         terms
             .map(|(j, slope)| (slope * self.magnitude[j]).abs())
             .sum()
+    }
+
+    /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
+    pub(super) fn layers(&self, state: &[f64; N]) -> M::PerContact<f64> {
+        layers::<M, N>(&self.directional, state)
+    }
+
+    /// stick and slip(0⁺) of every contact.
+    pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
+        limits::<M, f64, N>(&self.plain, state)
     }
 
     /// Whether no force ever holds this contact: where w = 0 nothing happens to it.

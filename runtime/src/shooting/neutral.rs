@@ -1,0 +1,196 @@
+//! Which directions at an orbit are neutral, and with what they are pinned.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::anchor::problem;
+use super::guess::Guess;
+use super::pin::Pin;
+use super::problem::OrbitProblem;
+use super::shot::Shot;
+use crate::continuation::{Linearisation, ZeroProblem, correct};
+use crate::integrate::Tolerance;
+use crate::motion::{Family, Flow, Velocity};
+
+/// Tolerance with which it is told whether a direction is neutral.
+const SHARP: f64 = 1e-12;
+/// A motion that comes back this closely has come back.
+const CLOSED: f64 = 1e-6;
+/// Singular values below this share of the largest are zero.
+const NEUTRAL: f64 = 1e-7;
+/// The same for a matrix that is known roughly.
+const SUSPECT: f64 = 1e-4;
+/// How far a neighbour is sought, in units of the condition, and how well it must close.
+const ASIDE: f64 = 1e-3;
+const NEIGHBOUR: f64 = 1e-8;
+/// Share of its terms below which a sum of rates is none, and of its largest entry below which another is none.
+const ROUNDING: f64 = 1e-8;
+
+/// Whether the equations at an orbit known roughly may be singular.
+pub(super) fn suspect(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
+    let values = scaled(linearisation, scale).singular_values();
+    values.min() <= SUSPECT * values.max()
+}
+
+/// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is
+/// none.
+pub(super) fn pins(family: &Family, r: f64, guess: &Guess) -> Vec<Pin> {
+    if !guess.pins.is_empty() {
+        return Vec::new();
+    }
+    let family = family
+        .with_tolerance(Tolerance::for_accuracy(SHARP))
+        .with_magnitude(&guess.magnitude);
+    neutral(family, r, guess).unwrap_or_default()
+}
+
+fn neutral(family: Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
+    let flow = family.at(r).ok()?;
+    let (mut problem, z) = problem(family, r, guess, 1).ok()?;
+    let at = problem.evaluate(&z, r).ok()?;
+    if at.residual.norm() > CLOSED {
+        return None;
+    }
+    let matrix = scaled(&at, &problem.scale());
+    let svd = matrix.clone().svd(true, true);
+    let (u, vt) = (svd.u?, svd.v_t?);
+    let limit = NEUTRAL * svd.singular_values.max();
+    let null = |i: &usize| svd.singular_values[*i] <= limit;
+    let null: Vec<usize> = (0..z.len()).filter(null).collect();
+    let order = guess.magnitude.len();
+    let lefts: Vec<DVector<f64>> = null.iter().map(|&i| u.column(i).into_owned()).collect();
+    let rows = |rows: Vec<DVector<f64>>| {
+        let rows: Vec<_> = rows
+            .iter()
+            .map(|row| row.rows(0, order).transpose())
+            .collect();
+        combinations(DMatrix::from_rows(&rows), &guess.magnitude)
+    };
+    if null.is_empty() {
+        return None;
+    }
+    let constant = rows(lefts.clone());
+    let conserved = constant
+        .iter()
+        .all(|c| is_conserved(flow.as_ref(), c, &at.extra));
+    let chosen = if conserved {
+        constant
+    } else {
+        let free = |&i: &usize| vt.row(i).transpose();
+        let shifts = null.iter().map(free);
+        if !shifts
+            .clone()
+            .all(|shift| is_free(flow.as_ref(), &shift, &guess.magnitude, &at.extra))
+        {
+            return None;
+        }
+        rows(shifts.collect())
+    };
+    let pins: Vec<Pin> = chosen
+        .into_iter()
+        .zip(lefts)
+        .map(|(combination, left)| {
+            let pin = Pin {
+                combination,
+                value: 0.0,
+                conserved,
+                left,
+            };
+            pin.through(&guess.place.state)
+        })
+        .collect();
+    (0..pins.len())
+        .all(|i| has_neighbour(&problem, &z, r, &pins, i))
+        .then_some(pins)
+}
+
+/// h_z in units of the unknowns.
+fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<f64> {
+    let mut matrix = linearisation.jacobian.clone();
+    for (mut column, unit) in matrix.column_iter_mut().zip(scale) {
+        column *= *unit;
+    }
+    matrix
+}
+
+/// Combinations of the states with few entries that span these rows, given in units of the states: of each the largest
+/// entry is 1 or −1, and the first is positive.
+fn combinations(mut rows: DMatrix<f64>, magnitude: &[f64]) -> Vec<Vec<f64>> {
+    for i in 0..rows.nrows() {
+        let pivot = rows.row(i).transpose().iamax();
+        let head = rows[(i, pivot)];
+        let row = rows.row(i) / if head == 0.0 { 1.0 } else { head };
+        rows.set_row(i, &row);
+        for other in (0..rows.nrows()).filter(|&other| other != i) {
+            let change = rows.row(other) - &row * rows[(other, pivot)];
+            rows.set_row(other, &change);
+        }
+    }
+    rows.row_iter()
+        .map(|row| {
+            let heard = |share: f64| if share.abs() > ROUNDING { share } else { 0.0 };
+            let entry = |j: usize| heard(row[j]) / magnitude[j];
+            normalised((0..magnitude.len()).map(entry).collect())
+        })
+        .collect()
+}
+
+fn normalised(combination: Vec<f64>) -> Vec<f64> {
+    let largest = combination
+        .iter()
+        .fold(0.0_f64, |most, c| most.max(c.abs()));
+    let first = combination.iter().find(|c| **c != 0.0);
+    let size = largest.copysign(first.copied().unwrap_or(1.0));
+    combination.iter().map(|c| c / size).collect()
+}
+
+/// Whether a combination of the states has no rate anywhere on the way.
+fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) -> bool {
+    everywhere(flow, shot, |velocity| {
+        let terms = || combination.iter().zip(&velocity.f).map(|(c, f)| c * f);
+        let size: f64 = terms().map(f64::abs).sum();
+        terms().sum::<f64>().abs() <= ROUNDING * size
+    })
+}
+
+/// Whether no rate depends on where the states are along a shift, given in units of the unknowns, anywhere on the way.
+fn is_free(flow: &dyn Flow, shift: &DVector<f64>, magnitude: &[f64], shot: &Shot) -> bool {
+    everywhere(flow, shot, |velocity| {
+        velocity.jacobian.row_iter().all(|row| {
+            let terms = || (0..magnitude.len()).map(|j| row[j] * shift[j] * magnitude[j]);
+            let size = (0..magnitude.len()).map(|j| (row[j] * magnitude[j]).abs());
+            terms().sum::<f64>().abs() <= ROUNDING * size.sum::<f64>()
+        })
+    })
+}
+
+/// Whether something holds of the field where the motion begins, and where any state turns.
+fn everywhere(flow: &dyn Flow, shot: &Shot, holds: impl Fn(&Velocity) -> bool) -> bool {
+    let extrema = shot.passages.iter().flat_map(|passage| &passage.extrema);
+    let states = extrema.map(|extremum| &extremum.state);
+    std::iter::once(&shot.start.state)
+        .chain(states)
+        .all(|state| {
+            let velocity = flow.place(state).and_then(|place| flow.velocity(&place));
+            velocity.is_ok_and(|velocity| holds(&velocity))
+        })
+}
+
+/// Whether there is an orbit to one side of this condition: at a fold, or at a branch point, there is none.
+fn has_neighbour(
+    problem: &OrbitProblem,
+    z: &DVector<f64>,
+    r: f64,
+    pins: &[Pin],
+    moved: usize,
+) -> bool {
+    let mut problem = problem.clone();
+    problem.pins = pins.to_vec();
+    let pin = &mut problem.pins[moved];
+    let terms = pin.combination.iter().zip(&problem.magnitude);
+    let unit: f64 = terms.map(|(c, size)| (c * size).abs()).sum();
+    pin.value += ASIDE * unit;
+    let mut normal = DVector::zeros(z.len() + 1);
+    normal[z.len()] = 1.0;
+    let found = correct(&mut problem, z.clone(), r, &normal, 1.0, NEIGHBOUR);
+    found.is_ok_and(|found| found.linearisation.extra.closure <= NEIGHBOUR)
+}
