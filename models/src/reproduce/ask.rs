@@ -190,6 +190,9 @@ impl Subject {
         let (system, dynamics, name) = (self.info().command, case.dynamics, self.name());
         let r = case.parameters[self.parameter];
         let what = format!("{system}, {dynamics}, {name} = {r}");
-        |source| ReproduceError::Missing { what, source }
+        |error| ReproduceError::Missing {
+            what,
+            source: Box::new(error),
+        }
     }
 }
