@@ -25,6 +25,10 @@ pub trait FrictionLaw<D: Scalar> {
 
     /// Both with their derivatives: by the speed, and along `along`, which holds the derivative of each field.
     fn slopes(&self, along: &Self, speed: D) -> LawSlopes<D>;
+
+    /// Calls `visit` with the number of each parameter, in the order of declaration, and its value.
+    #[inline]
+    fn fields(&self, _visit: impl FnMut(usize, D)) {}
 }
 
 /// A law at one sliding speed with its derivatives; the values have the bits of the law's own functions.

@@ -33,6 +33,10 @@ pub trait MemoryLaw<D: Scalar, const S: usize> {
     /// There the state rests while its rate points outwards, and goes on as soon as it points back.
     #[inline]
     fn stops(&self, _visit: impl FnMut(usize, D)) {}
+
+    /// Calls `visit` with the number of each parameter, in the order of declaration, and its value.
+    #[inline]
+    fn fields(&self, _visit: impl FnMut(usize, D)) {}
 }
 
 /// What a law with internal state says at one instant.

@@ -44,6 +44,33 @@ const SYNONYMS: [(&str, &str); 10] = [
     ("square", "powi(x, 2)"),
 ];
 
+/// Those that people write for dry friction.
+const JUMPS: [&str; 7] = [
+    "copysign",
+    "heaviside",
+    "sgn",
+    "sign",
+    "signum",
+    "step",
+    "saturate",
+];
+
+/// What comes near a function with a corner.
+fn smooth(name: &str) -> &'static str {
+    match name {
+        "abs" => "`sqrt(powi(x, 2) + powi(e, 2))` comes near |x| for a small e",
+        "max" => {
+            "`(x + sqrt(powi(x, 2) + powi(e, 2))) / 2` comes near the larger of x and 0 for a small e"
+        }
+        "min" => {
+            "`(x - sqrt(powi(x, 2) + powi(e, 2))) / 2` comes near the smaller of x and 0 for a small e"
+        }
+        _ => {
+            "write what comes near it smoothly, as `sqrt(powi(x, 2) + powi(e, 2))` comes near |x| for a small e"
+        }
+    }
+}
+
 const DER: &str = "`der` stands only on the left of an equation; \
      use what stands on the right of that equation, or give it a name with `let`";
 
@@ -74,7 +101,11 @@ impl Arithmetic<'_> {
 
     pub(super) fn branch(&mut self, place: impl ToTokens) -> Kind {
         let way_out = match self.grammar {
-            Grammar::Model => "put the jump in a `friction` line",
+            Grammar::Model => {
+                "a jump of dry friction is a `friction` line; a wall or a gap has no line of its own yet: a spring that \
+                 presses smoothly, `k * (d + sqrt(powi(d, 2) + powi(e, 2))) / 2` at the depth d, comes near it for a \
+                 small length e"
+            }
             Grammar::Law => "a law is one formula for all sliding speeds `s > 0`, and one for rest",
             Grammar::Memory => {
                 "`abs(x)` and `sign(x)` may stand in a law with internal state, and their kinks are declared by that"
@@ -90,9 +121,14 @@ impl Arithmetic<'_> {
 
     pub(super) fn kink(&mut self, name: &str, place: impl ToTokens) -> Kind {
         let message = match self.grammar {
-            Grammar::Model => format!(
-                "`{name}` is not smooth, and no switch is declared for its kink; \
+            Grammar::Model if JUMPS.contains(&name) => format!(
+                "`{name}` is not smooth, and no switch is declared for its jump; \
                  write dry friction as `friction F = Law {{ .. }} opposing speed;`"
+            ),
+            Grammar::Model => format!(
+                "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line; \
+                 a wall or a gap has no line of its own yet: {}",
+                smooth(name)
             ),
             Grammar::Law => format!(
                 "`{name}` is not smooth; a law needs neither magnitude nor sign: \

@@ -1,6 +1,7 @@
 //! Declarations that are known to be good: nothing can go wrong any more.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use proc_macro2::Ident;
 use syn::Attribute;
@@ -132,6 +133,21 @@ impl<'a> Model<'a> {
     /// The contacts whose laws have internal state.
     pub(crate) fn memories(&self) -> impl Iterator<Item = &Contact<'a>> {
         self.frictions().filter(|contact| contact.has_memory())
+    }
+
+    /// Whether a field of a law reads a state, itself or by what it is named.
+    pub(crate) fn moving(&self) -> bool {
+        let mut moving: HashSet<&Ident> = self.states.iter().map(|state| state.name).collect();
+        let moves = |moving: &HashSet<&Ident>, formula: &Formula| {
+            formula.names().iter().any(|name| moving.contains(name))
+        };
+        for step in &self.steps {
+            if step.formulas().iter().any(|line| moves(&moving, line)) {
+                moving.extend(step.computes());
+            }
+        }
+        let mut fields = self.frictions().flat_map(|contact| &contact.line.fields);
+        fields.any(|field| moves(&moving, &field.formula))
     }
 
     fn frictions(&self) -> impl Iterator<Item = &Contact<'a>> {

@@ -22,6 +22,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
     let last = Literal::usize_unsuffixed(model.states.len().saturating_sub(1));
     let drive = option(model.driven.then(|| quote!(#last)));
     let memories = model.memories().map(|contact| friction(contact, model));
+    let moving = model.moving();
     quote! {
         ::stickslip::model::ModelInfo {
             #head
@@ -32,6 +33,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
             drive: #drive,
             contacts: &[#(#contacts),*],
             memories: &[#(#memories),*],
+            moving: #moving,
         }
     }
 }

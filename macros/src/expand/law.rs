@@ -9,7 +9,7 @@ use super::lift::Lift;
 use super::shell::{Shell, generics};
 use super::tangent::{Slope, Slopes, Tangents};
 use super::{allowed, info, memory_law, page};
-use crate::check::{Force, Law};
+use crate::check::{Force, Law, Parameter};
 use crate::formula::Formula;
 
 pub(super) fn tokens(law: &Law) -> TokenStream {
@@ -46,6 +46,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
             (kind, memory_law::items(law, force, lift))
         }
     };
+    let fields = fields(&law.parameters);
     quote! {
         #structure
         #uses
@@ -56,8 +57,26 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
             #info
 
             #items
+
+            #fields
         }
     }
+}
+
+/// Shows the values of all fields; nothing where there are none.
+fn fields(parameters: &[Parameter]) -> Option<TokenStream> {
+    let lines = parameters.iter().enumerate().map(|(place, parameter)| {
+        let (place, name) = (Literal::usize_unsuffixed(place), &parameter.line.name);
+        quote!(__visit(#place, self.#name);)
+    });
+    (!parameters.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn fields(&self, mut __visit: impl ::core::ops::FnMut(usize, D)) {
+                #(#lines)*
+            }
+        }
+    })
 }
 
 /// The functions of a law without internal state, from its force at rest and while sliding.

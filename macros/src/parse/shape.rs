@@ -140,9 +140,16 @@ pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
     input.error(format!("a line begins with {}", listed(grammar)))
 }
 
+/// A `stop` line where none can be.
+const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`; a coordinate that meets a wall has no line \
+     of its own yet: a spring that presses smoothly, `k * (d + sqrt(powi(d, 2) + powi(e, 2))) / 2` at the depth d, comes \
+     near it for a small length e";
+
 pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStream) -> syn::Error {
     let word = written.to_string();
-    let advice = if let Some(near) = meant(written, grammar) {
+    let advice = if word == "stop" && grammar == Grammar::Model {
+        NO_STOP.to_owned()
+    } else if let Some(near) = meant(written, grammar) {
         format!("did you mean `{near}`?")
     } else if grammar == Grammar::Model && input.peek(Token![=]) {
         format!(

@@ -137,7 +137,7 @@ fn a_mistake_in_a_loop_is_told_once() {
             "- spring[i - 1] + F[i] * signum(v[i])"
         ),
         [
-            "`signum` is not smooth, and no switch is declared for its kink; \
+            "`signum` is not smooth, and no switch is declared for its jump; \
              write dry friction as `friction F = Law { .. } opposing speed;`"
         ]
     );

@@ -23,12 +23,21 @@ fn smooth_formulas_are_accepted() {
 
 #[test]
 fn kinks_are_shown_the_way_out() {
-    let way_out = "is not smooth, and no switch is declared for its kink; \
+    let friction = "is not smooth, and no switch is declared for its jump; \
          write dry friction as `friction F = Law { .. } opposing speed;`";
-    assert_eq!(told("abs(x)"), [format!("`abs` {way_out}")]);
-    assert_eq!(told("x.signum()"), [format!("`signum` {way_out}")]);
-    assert_eq!(told("min(x, v)"), [format!("`min` {way_out}")]);
-    assert_eq!(told("x % k"), [format!("`%` {way_out}")]);
+    assert_eq!(told("x.signum()"), [format!("`signum` {friction}")]);
+    let wall = |name: &str, near: &str| {
+        [format!(
+            "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line; \
+             a wall or a gap has no line of its own yet: {near} for a small e"
+        )]
+    };
+    let smaller = "`(x - sqrt(powi(x, 2) + powi(e, 2))) / 2` comes near the smaller of x and 0";
+    assert_eq!(told("min(x, v)"), wall("min", smaller));
+    let size = "`sqrt(powi(x, 2) + powi(e, 2))` comes near |x|";
+    assert_eq!(told("abs(x)"), wall("abs", size));
+    let other = format!("write what comes near it smoothly, as {size}");
+    assert_eq!(told("x % k"), wall("%", &other));
     assert_eq!(
         of_law("param a; stick = a; slip(s) = a * abs(s);"),
         [
@@ -41,7 +50,9 @@ fn kinks_are_shown_the_way_out() {
 #[test]
 fn branches_are_shown_the_way_out() {
     let way_out = "equations must be smooth: a branch has a jump that no switch declares; \
-         put the jump in a `friction` line";
+         a jump of dry friction is a `friction` line; a wall or a gap has no line of its own yet: a spring that \
+         presses smoothly, `k * (d + sqrt(powi(d, 2) + powi(e, 2))) / 2` at the depth d, comes near it for a \
+         small length e";
     assert_eq!(told("if x > 0.0 { k } else { 0.0 }"), [way_out]);
     assert_eq!(told("match x { _ => k }"), [way_out]);
     assert_eq!(told("(x > 0.0) * k"), [way_out]);

@@ -94,7 +94,7 @@ fn several_mistakes_are_reported_at_once() {
         [
             "expected a number such as `1.0`; the line has the form `state x: m = 1.0;`",
             "expected a name; the line has the form `param k: N/m = 1.0 where k > 0.0;`",
-            "`signum` is not smooth, and no switch is declared for its kink; \
+            "`signum` is not smooth, and no switch is declared for its jump; \
              write dry friction as `friction F = Law { .. } opposing speed;`",
             "unknown name `mas`; declare it with `state`, `param` or `let`",
             "default 1.0 of `k` breaks its own bound `k < 0.0`",

@@ -7,7 +7,7 @@ use stickslip::field::Design;
 use stickslip::model::{Model, ModelInfo, ParamId};
 use stickslip::study::trade::{Finding, Scope, Trade};
 use stickslip::study::{
-    Along, BranchRecord, Case, Dynamics, EquilibriaRecord, OrbitRecord, StudyError, System,
+    Acting, Along, BranchRecord, Case, Dynamics, EquilibriaRecord, OrbitRecord, StudyError, System,
     Trajectory,
 };
 
@@ -170,7 +170,8 @@ impl Subject {
     pub(super) fn force(&self, dynamics: Dynamics, speed: f64) -> f64 {
         let case = Case::declared(self.info(), dynamics);
         let mut force = f64::NAN;
-        self.entry.laws(&case, &mut |_, law| {
+        self.entry.laws(&case, &mut |law| {
+            let Acting::Static(_, law) = law else { return };
             force = match dynamics {
                 Dynamics::Smoothed(smoothing) => law.copied(smoothing, speed),
                 Dynamics::Smooth | Dynamics::Exact => law.sliding(speed.abs()).copysign(speed),
@@ -189,6 +190,9 @@ impl Subject {
         let (system, dynamics, name) = (self.info().command, case.dynamics, self.name());
         let r = case.parameters[self.parameter];
         let what = format!("{system}, {dynamics}, {name} = {r}");
-        |source| ReproduceError::Missing { what, source }
+        |error| ReproduceError::Missing {
+            what,
+            source: Box::new(error),
+        }
     }
 }

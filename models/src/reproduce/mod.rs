@@ -44,7 +44,7 @@ pub enum ReproduceError {
         /// Which.
         what: String,
         /// Why.
-        source: StudyError,
+        source: Box<StudyError>,
     },
     /// A file could not be written.
     #[error(transparent)]

@@ -4,26 +4,14 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::exponents::exponents;
 use super::growth::{Growth, Growths};
+use super::stability::Stability;
 use crate::linear::{Eigenvalue, eigenvalues};
 use crate::motion::Factor;
-use crate::words::words;
 
 /// Moduli below this share of the largest entry of the section map are not resolved by it.
 const RESOLVED: f64 = 1e-9;
 /// Errors of the section map that are allowed for.
 const MARGIN: f64 = 10.0;
-
-words! {
-    /// What the multipliers say of a periodic orbit.
-    pub enum Stability {
-        /// All multipliers lie inside the unit circle.
-        Stable = "stable",
-        /// At least one lies outside.
-        Unstable = "unstable",
-        /// One lies closer to the unit circle than its accuracy.
-        Undecided = "undecided",
-    }
-}
 
 /// Multipliers of the section map: the trivial one is projected out and only measures accuracy.
 #[derive(Debug, Clone, PartialEq)]

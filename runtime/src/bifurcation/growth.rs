@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::Stability;
+use super::stability::Stability;
 
 /// One direction beside an equilibrium or an orbit.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,11 +8,13 @@ mod floquet;
 mod growth;
 mod monitors;
 mod periodic;
+mod stability;
 pub mod test_function;
 
 pub use crate::continuation::Kind;
 pub use ending::explain;
-pub use floquet::{Floquet, Stability, floquet};
+pub use floquet::{Floquet, floquet};
 pub use growth::{Growth, Growths};
 pub use monitors::monitors;
 pub use periodic::{Margin, PeriodicPoint};
+pub use stability::Stability;

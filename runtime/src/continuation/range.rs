@@ -1,5 +1,7 @@
 //! How far a branch is followed, in what steps, and why it ended.
 
+use std::fmt;
+
 use super::corrector::Failure;
 
 /// How a branch is followed.
@@ -53,6 +55,24 @@ impl Settings {
             Some((from, Stop::ReachedStart))
         } else {
             None
+        }
+    }
+}
+
+impl<E: fmt::Display> fmt::Display for Stop<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ReachedEnd => f.write_str("its end is reached"),
+            Self::ReachedStart => f.write_str("it turned and came back to where it began"),
+            Self::StepTooSmall(failure) => write!(f, "no step is small enough: {failure}"),
+            Self::Creeping(length) => {
+                write!(
+                    f,
+                    "no step was longer than {length:e} of its extent for too long"
+                )
+            }
+            Self::TooManyPoints => f.write_str("it has more points than are allowed"),
+            Self::Refused(error) => error.fmt(f),
         }
     }
 }

@@ -11,7 +11,7 @@ use super::plane::Plane;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Derivatives, Flow, Place};
+use crate::motion::{Derivatives, Flow, Place, spelt};
 use crate::shooting::Orbit;
 
 /// Step of the differences that give the slopes of a contact's speed and rate, relative to the scales.
@@ -69,8 +69,8 @@ impl GrazingProblem {
         self.work += passage.work;
         if passage.end.modes != *before {
             return Err(FlowError::OtherMode {
-                found: format!("{:?}", passage.end.modes),
-                wanted: format!("{before:?}"),
+                found: spelt(&passage.end.modes),
+                wanted: spelt(before),
             });
         }
         let middle = passage.derivatives.unwrap_or_else(|| lead.clone());

@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::newton::near;
 use crate::field::Unenclosed;
 use crate::math::interval::Interval;
+use crate::model::Values;
 use crate::motion::{Enclosed, Enclosure};
 
 /// The first box, over the correction that Newton would make.
@@ -36,10 +37,10 @@ pub enum Unproven {
     #[error("the Jacobian there is singular as far as numbers can tell")]
     Singular,
     /// There is one, but not where it was said to be.
-    #[error("there is none: the nearest that is proven lies at {state:?}")]
+    #[error("there is none: the nearest that is proven lies at {state}")]
     Elsewhere {
         /// A state in the proven box.
-        state: Vec<f64>,
+        state: Values,
     },
     /// No box is mapped into itself.
     #[error(
@@ -146,7 +147,9 @@ impl Operator {
         let each = |read: fn(Interval) -> f64| image.iter().map(|y| read(*y)).collect();
         let state: Vec<f64> = each(Interval::middle);
         if !near(&state, &self.state) {
-            return Err(Unproven::Elsewhere { state });
+            return Err(Unproven::Elsewhere {
+                state: state.into(),
+            });
         }
         Ok(Proof {
             low: each(Interval::low),

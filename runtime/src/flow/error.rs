@@ -3,7 +3,7 @@
 use crate::field::SmoothingError;
 use crate::field::exact::{ContactError, Mode};
 use crate::integrate::IntegrationError;
-use crate::model::ParameterError;
+use crate::model::{ParameterError, Values, brief, listed};
 
 /// Why a motion could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -11,6 +11,52 @@ pub enum FlowError {
     /// The integrator gave up.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
+    /// A state has left all bounds.
+    #[error(
+        "the motion grows without bound: `{state}` passed {} at t = {}, where {cause}",
+        brief(*.value),
+        brief(*.time)
+    )]
+    Unbounded {
+        /// The state that grew most.
+        state: &'static str,
+        /// What it had become.
+        value: f64,
+        /// When.
+        time: f64,
+        /// Why the motion could not be followed any further.
+        cause: &'static str,
+    },
+    /// A formula of the model is not finite.
+    #[error("at t = {}, where {state}, {culprit}", brief(*.time))]
+    Undefined {
+        /// Which, in words.
+        culprit: String,
+        /// When.
+        time: f64,
+        /// Where.
+        state: Values,
+    },
+    /// A law was used outside the bounds of its fields.
+    #[error(
+        "the friction `{force}` has no law at t = {}: `{law}` wants {bound}, and there it is {}, where {state}",
+        brief(*.time),
+        brief(*.value)
+    )]
+    OutOfLaw {
+        /// The force.
+        force: &'static str,
+        /// Its law.
+        law: &'static str,
+        /// The bounds of the field, as a user writes them.
+        bound: String,
+        /// The value of the field.
+        value: f64,
+        /// When.
+        time: f64,
+        /// Where.
+        state: Values,
+    },
     /// A smoothing was used outside the sliding direction for which it stands.
     #[error(
         "the smoothing stands for one sliding direction only, but contact {contact} slides backwards at t = {time}: \
@@ -66,10 +112,10 @@ pub enum FlowError {
     #[error(transparent)]
     Smoothing(#[from] SmoothingError),
     /// A periodic orbit has shrunk to a point.
-    #[error("the orbit has shrunk to an equilibrium at {state:?}")]
+    #[error("the orbit has shrunk to an equilibrium at {state}")]
     Vanished {
         /// Where.
-        state: Vec<f64>,
+        state: Values,
     },
     /// A motion that should close comes back in another mode.
     #[error("the motion comes back in mode {found}, but began in mode {wanted}")]
@@ -140,7 +186,8 @@ pub enum SensitivityUndefined {
     },
     /// Events at one time whose order matters.
     #[error(
-        "no derivative: contacts {contacts:?} switch together at t = {time}, and their order matters"
+        "no derivative: contacts {} switch together at t = {time}, and their order matters",
+        listed(.contacts)
     )]
     Simultaneous {
         /// Numbers of the contacts.

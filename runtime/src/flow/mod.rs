@@ -7,8 +7,10 @@ pub mod exact;
 mod extrema;
 mod family;
 pub mod passage;
+mod reach;
 pub(crate) mod saltation;
 mod smooth;
+mod told;
 
 pub(crate) use drive::{standing, strobes};
 pub use error::{FlowError, SensitivityUndefined};

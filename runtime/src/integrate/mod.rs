@@ -25,6 +25,8 @@ pub use look::Look;
 pub use radau::{Accepted, Radau};
 pub use tableau::{RADAU_3, RADAU_5, Tableau};
 
+use crate::model::{ModelInfo, Values, brief};
+
 /// What a local error is measured against.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
@@ -83,39 +85,65 @@ impl Tolerance {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntegrationError {
     /// The step size fell below what the time can resolve.
-    #[error("step size {step:e} underflows at t = {time}, state {state:?}")]
+    #[error("the step size underflows at t = {}, where {state}: {step:.1e}", brief(*.time))]
     StepTooSmall {
         /// Time reached.
         time: f64,
         /// Step size that failed.
         step: f64,
         /// State reached.
-        state: Vec<f64>,
+        state: Values,
     },
     /// The right-hand side gave NaN or infinity.
-    #[error("the right-hand side is not finite at t = {time}, state {state:?}")]
+    #[error("the right-hand side is not finite at t = {}, where {state}", brief(*.time))]
     NotFinite {
         /// Time reached.
         time: f64,
         /// State reached.
-        state: Vec<f64>,
+        state: Values,
     },
     /// More steps than allowed.
-    #[error("{steps} steps were not enough: reached t = {time}, state {state:?}")]
+    #[error("{steps} steps were not enough: reached t = {}, where {state}", brief(*.time))]
     TooManySteps {
         /// Steps taken.
         steps: u64,
         /// Time reached.
         time: f64,
         /// State reached.
-        state: Vec<f64>,
+        state: Values,
     },
     /// An explicit method met a stiff stretch.
-    #[error("the problem is stiff at t = {time}")]
+    #[error("the problem is stiff at t = {}", brief(*.time))]
     Stiff {
         /// Time reached.
         time: f64,
     },
+}
+
+impl IntegrationError {
+    /// The same with the states by their names.
+    #[must_use]
+    pub fn named(mut self, model: &'static ModelInfo) -> Self {
+        match &mut self {
+            Self::StepTooSmall { state, .. }
+            | Self::NotFinite { state, .. }
+            | Self::TooManySteps { state, .. } => *state = state.clone().named(model),
+            Self::Stiff { .. } => {}
+        }
+        self
+    }
+
+    /// The same of a motion that began so much earlier.
+    #[must_use]
+    pub fn later(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::StepTooSmall { time, .. }
+            | Self::NotFinite { time, .. }
+            | Self::TooManySteps { time, .. }
+            | Self::Stiff { time } => *time += by,
+        }
+        self
+    }
 }
 
 /// How the end of a step depends on its start, on the design variable and on its length.

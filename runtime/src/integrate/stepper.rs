@@ -200,7 +200,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         Err(IntegrationError::TooManySteps {
             steps,
             time: self.time,
-            state: self.from.state().to_vec(),
+            state: self.from.state().to_vec().into(),
         })
     }
 
@@ -211,14 +211,14 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         IntegrationError::StepTooSmall {
             time: self.time,
             step,
-            state: self.from.state().to_vec(),
+            state: self.from.state().to_vec().into(),
         }
     }
 
     fn not_finite(&self) -> IntegrationError {
         IntegrationError::NotFinite {
             time: self.time,
-            state: self.from.state().to_vec(),
+            state: self.from.state().to_vec().into(),
         }
     }
 }

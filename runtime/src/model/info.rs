@@ -27,6 +27,8 @@ pub struct ModelInfo {
     pub contacts: &'static [Contact],
     /// Friction with internal state in the order of declaration.
     pub memories: &'static [Memory],
+    /// Whether a field of a law reads a state, so that it may leave its bounds along a motion.
+    pub moving: bool,
 }
 
 /// A state as data.

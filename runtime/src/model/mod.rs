@@ -1,13 +1,17 @@
 //! What a declared model is: one right-hand side over any scalar, and itself as data.
 
 mod bounds;
+mod culprit;
+mod formula;
 mod info;
 mod unit;
+mod values;
 
 pub use crate::linear::Linear;
 pub use bounds::{Bound, Bounds, ParameterError, within_reach};
 pub use info::{Contact, Friction, Memory, ModelInfo, Observable, Parameter, State};
 pub use unit::Unit;
+pub use values::{Values, brief, listed};
 
 use std::fmt;
 use std::marker::PhantomData;

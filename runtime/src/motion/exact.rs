@@ -7,7 +7,7 @@ use super::{Contact, Contacts, Derivatives, Flow, Passage, Place, Reading, Row, 
 use crate::field::exact::{Mode, Modes};
 use crate::flow::exact::ExactFlow;
 use crate::flow::{self, FlowError, Want};
-use crate::model::Model;
+use crate::model::{Model, Values};
 use crate::scalar::Lanes;
 
 pub(crate) fn place<M: Model<N>, const N: usize>(at: &Place) -> flow::Place<N, Modes<M, N>> {
@@ -41,18 +41,35 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         M::INFO.drive
     }
 
+    fn values(&self, state: &[f64]) -> Values {
+        Values::of(M::INFO, state)
+    }
+
     fn place(&self, state: &[f64]) -> Result<Place, FlowError> {
         let place = flow::Flow::place(self, fixed(state))?;
         Ok(Place::of(&place, modes))
     }
 
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
-        let passage = flow::Flow::advance(self, &place(from), time, want)?;
+        let passage = flow::Flow::advance(self, &place(from), time, want);
+        let passage = passage.map_err(|error| {
+            let values = self.system().values().as_ref();
+            error.of(M::INFO).undefined(M::INFO, values, |state| {
+                let at = flow::Flow::place(self, fixed(state)).ok()?;
+                flow::Flow::velocity(self, &at)
+                    .ok()
+                    .map(|rate| rate.f.to_vec())
+            })
+        })?;
         Ok(Passage::of(passage, modes))
     }
 
     fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
-        Ok(flow::Flow::velocity(self, &place(at))?.into())
+        let velocity = flow::Flow::velocity(self, &place(at));
+        let values = self.system().values().as_ref();
+        let velocity =
+            velocity.map_err(|error| error.undefined(M::INFO, values, |_| None).named(M::INFO))?;
+        Ok(velocity.into())
     }
 
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
@@ -76,6 +93,11 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
 
     fn speeds(&self, state: &[f64]) -> Vec<f64> {
         self.system().speeds(&fixed(state)).as_ref().to_vec()
+    }
+
+    fn check(&self, at: &Place) -> Result<(), FlowError> {
+        let held = self.within_laws(fixed(&at.state));
+        held.map_err(|error| error.named(M::INFO))
     }
 
     fn read(&self, at: &Place) -> Result<Reading, FlowError> {

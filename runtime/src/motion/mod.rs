@@ -18,7 +18,7 @@ pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};
 pub use extent::half_extents;
 pub use family::{Family, Flows};
-pub use modes::{Modes, sticking, word};
+pub use modes::{Modes, spelt, sticking, word};
 pub(crate) use passage::fixed;
 pub use passage::{
     Calm, Derivatives, Event, Extremum, Factor, Node, Passage, Place, Sample, Segment, Velocity,
@@ -28,6 +28,7 @@ pub use tape::{Note, Tape};
 use std::f64::consts::TAU;
 
 use crate::flow::{FlowError, Want};
+use crate::model::Values;
 
 /// Friction forces, and the `let` lines, at one place.
 pub type Reading = (Vec<f64>, Vec<f64>);
@@ -41,6 +42,9 @@ pub trait Flow: Send + Sync {
     ///
     /// It has no extrema; in their place a passage reports each time at which it begins anew, there as 0.
     fn phase(&self) -> Option<usize>;
+
+    /// A state by the names of its model, for a message.
+    fn values(&self, state: &[f64]) -> Values;
 
     /// The place of a state: decides the modes from which the motion will continue.
     ///
@@ -88,7 +92,7 @@ pub trait Flow: Send + Sync {
     /// Whether the field stands for the system at this place.
     ///
     /// # Errors
-    /// A one-directional smoothing is used backwards.
+    /// A law is out of its bounds, or a one-directional smoothing is used backwards.
     fn check(&self, _at: &Place) -> Result<(), FlowError> {
         Ok(())
     }

@@ -13,6 +13,13 @@ pub fn sticking(modes: &[Mode]) -> usize {
     modes.iter().filter(|mode| **mode == Mode::Stick).count()
 }
 
+/// The modes of all contacts in the order of declaration, for a message.
+#[must_use]
+pub fn spelt(modes: &[Mode]) -> String {
+    let all: Vec<String> = modes.iter().map(Mode::to_string).collect();
+    all.join(" ")
+}
+
 /// The cyclic word of an orbit, for instance `stick(F) slip-(F)`: a letter for each contact that enters
 /// a mode, in its least rotation (sticking before sliding). With no event at all, the mode of every contact.
 #[must_use]

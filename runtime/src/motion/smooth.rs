@@ -3,7 +3,7 @@
 use super::passage::fixed;
 use super::{Contacts, Derivatives, Flow, Passage, Place, Reading, Velocity};
 use crate::flow::{self, FlowError, SmoothFlow, Want};
-use crate::model::Model;
+use crate::model::{Model, Values};
 
 fn place<const N: usize>(at: &Place) -> flow::Place<N, ()> {
     flow::Place {
@@ -25,18 +25,38 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         M::INFO.drive
     }
 
+    fn values(&self, state: &[f64]) -> Values {
+        Values::of(M::INFO, state)
+    }
+
     fn place(&self, state: &[f64]) -> Result<Place, FlowError> {
         let place = flow::Flow::place(self, fixed(state))?;
         Ok(Place::of(&place, modeless))
     }
 
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
-        let passage = flow::Flow::advance(self, &place(from), time, want)?;
+        let passage = flow::Flow::advance(self, &place(from), time, want);
+        let passage = passage.map_err(|error| {
+            let values = self.field().values().as_ref();
+            error.of(M::INFO).undefined(M::INFO, values, |state| {
+                let at = flow::Place {
+                    state: fixed(state),
+                    mode: (),
+                };
+                flow::Flow::velocity(self, &at)
+                    .ok()
+                    .map(|rate| rate.f.to_vec())
+            })
+        })?;
         Ok(Passage::of(passage, modeless))
     }
 
     fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {
-        Ok(flow::Flow::velocity(self, &place(at))?.into())
+        let velocity = flow::Flow::velocity(self, &place(at));
+        let values = self.field().values().as_ref();
+        let velocity =
+            velocity.map_err(|error| error.undefined(M::INFO, values, |_| None).named(M::INFO))?;
+        Ok(velocity.into())
     }
 
     /// Nothing switches: gliding is moving.
@@ -47,6 +67,8 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
     }
 
     fn check(&self, at: &Place) -> Result<(), FlowError> {
+        let held = self.within_laws(fixed(&at.state));
+        held.map_err(|error| error.named(M::INFO))?;
         match self.field().backwards(&fixed(&at.state)) {
             Some((contact, speed)) => Err(FlowError::Backwards {
                 contact,

@@ -208,9 +208,10 @@ fn newton(
     let family = family
         .with_tolerance(effort.tolerance)
         .with_magnitude(&guess.magnitude);
-    if at_rest(family.at(r)?.as_ref(), guess)? {
+    let flow = family.at(r)?;
+    if at_rest(flow.as_ref(), guess)? {
         return Err(OrbitError::Equilibrium {
-            state: guess.place.state.clone(),
+            state: flow.values(&guess.place.state),
         });
     }
     let (mut problem, z) = problem(family, r, guess, segments)?;
@@ -222,7 +223,7 @@ fn newton(
     let shot = &found.linearisation.extra;
     if !shot.pins.is_empty() && shot.closure > UNCLOSED * effort.accuracy {
         return Err(OrbitError::NotIsolated {
-            state: shot.start.state.clone(),
+            state: flow.values(&shot.start.state),
             period: shot.period,
         });
     }
@@ -232,7 +233,7 @@ fn newton(
     });
     if flat {
         return Err(OrbitError::Equilibrium {
-            state: shot.start.state.clone(),
+            state: flow.values(&shot.start.state),
         });
     }
     Ok((found, problem))

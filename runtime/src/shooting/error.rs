@@ -2,26 +2,27 @@
 
 use crate::continuation::Failure;
 use crate::flow::FlowError;
+use crate::model::Values;
 
 /// Why no orbit was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum OrbitError {
     /// The motion came to rest.
     #[error(
-        "the motion settles on an equilibrium at {state:?}: there is no periodic orbit to be found from this start"
+        "the motion settles on an equilibrium at {state}: there is no periodic orbit to be found from this start"
     )]
     Equilibrium {
         /// The equilibrium.
-        state: Vec<f64>,
+        state: Values,
     },
     /// The motion is periodic, and so are those beside it.
     #[error(
-        "the motion through {state:?} is periodic, with the period {period:.9}, but so are those beside it: \
+        "the motion through {state} is periodic, with the period {period:.9}, but so are those beside it: \
          as far as numbers can tell the orbits form a family, and none is singled out"
     )]
     NotIsolated {
         /// Where it begins.
-        state: Vec<f64>,
+        state: Values,
         /// Its period.
         period: f64,
     },

@@ -116,7 +116,8 @@ impl Watch {
 
     /// Follows one chunk; returns the number of minima in it.
     fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
-        let passage = flow.advance(&self.place, chunk, Want::EXTREMA)?;
+        let passage = flow.advance(&self.place, chunk, Want::EXTREMA);
+        let passage = passage.map_err(|error| error.later(self.time))?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
         let section = flow.phase().unwrap_or(0);

@@ -8,7 +8,7 @@ use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Family, Modes, Place, Velocity};
+use crate::motion::{Event, Family, Modes, Place, Velocity, spelt};
 use std::f64::consts::TAU;
 
 /// A start is left for a calmer one whose field turns this many times more slowly.
@@ -127,8 +127,8 @@ impl ZeroProblem for OrbitProblem {
             // A start that is held on a surface hides a motion that does not come back to it.
             if passage.end.modes != self.modes[(i + 1) % m] {
                 return Err(FlowError::OtherMode {
-                    found: format!("{:?}", passage.end.modes),
-                    wanted: format!("{:?}", self.modes[(i + 1) % m]),
+                    found: spelt(&passage.end.modes),
+                    wanted: spelt(&self.modes[(i + 1) % m]),
                 });
             }
             let next = (i + 1) % m * order;
@@ -210,7 +210,7 @@ impl ZeroProblem for OrbitProblem {
         }
         if largest < VANISHED {
             return Err(FlowError::Vanished {
-                state: shot.start.state.clone(),
+                state: self.family.at(r)?.values(&shot.start.state),
             });
         }
         if matches!(self.phase, Phase::Section(_)) {

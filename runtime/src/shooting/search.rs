@@ -104,7 +104,9 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     }
     match settled {
         Settled::Orbit(orbit) => orbit,
-        Settled::Equilibrium(state) => Err(OrbitError::Equilibrium { state }),
+        Settled::Equilibrium(state) => Err(OrbitError::Equilibrium {
+            state: loose(&magnitude)?.values(&state),
+        }),
         Settled::Neither(time) => Err(OrbitError::NotSettled {
             time,
             last: failed.last.map(Box::new),
@@ -169,8 +171,9 @@ impl Failed {
         self.count += 1;
         self.magnitude = Some(guess.magnitude.clone());
         if self.count == 1 && neutral(family, r, guess) {
+            let flow = family.at(r).ok()?;
             return Some(Err(OrbitError::NotIsolated {
-                state: guess.place.state.clone(),
+                state: flow.values(&guess.place.state),
                 period: guess.period,
             }));
         }

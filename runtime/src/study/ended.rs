@@ -81,7 +81,7 @@ impl Ended {
 fn reason(ending: &Ending<FlowError>, along: Along) -> String {
     let value = |r: &f64| along.value(*r);
     match ending {
-        Ending::Stopped(stop) => stopped(stop),
+        Ending::Stopped(stop) => stop.to_string(),
         Ending::At(Kind::Fold, r) => {
             format!("it turns at {}, too sharply to be followed round", value(r))
         }
@@ -113,19 +113,6 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
         }
         Ending::Interrupted => "it was interrupted".to_owned(),
         Ending::Unexplained(change) => unexplained(change, along),
-    }
-}
-
-fn stopped(stop: &Stop<FlowError>) -> String {
-    match stop {
-        Stop::ReachedEnd => "its end is reached".to_owned(),
-        Stop::ReachedStart => "it turned and came back to where it began".to_owned(),
-        Stop::StepTooSmall(failure) => format!("no step is small enough: {failure}"),
-        Stop::Creeping(length) => {
-            format!("no step was longer than {length:e} of its extent for too long")
-        }
-        Stop::TooManyPoints => "it has more points than are allowed".to_owned(),
-        Stop::Refused(error) => error.to_string(),
     }
 }
 

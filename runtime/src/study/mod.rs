@@ -45,7 +45,7 @@ pub use diagram::{
 pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
-pub use law::{Characteristic, Hysteresis, Shown, Specimen};
+pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen};
 pub use motion::Trajectory;
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};

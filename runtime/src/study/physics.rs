@@ -11,7 +11,7 @@ use crate::motion::exact::fixed_modes;
 use crate::motion::{Enclosure, Family, fixed};
 use crate::scalar::Inline;
 use crate::shooting::Orbit;
-use crate::study::law::{Characteristic, Laws};
+use crate::study::law::{Acting, Laws};
 use crate::study::predict::{PredictError, Prediction, Rubbed, predict};
 use crate::study::question::{Case, Dynamics};
 
@@ -23,8 +23,8 @@ pub(super) trait Physics: Send + Sync {
     /// The flows that a case is about, along its design variable.
     fn family(&self, case: &Case) -> Family;
 
-    /// Shows the law of each contact with its number.
-    fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(usize, &dyn Characteristic));
+    /// Shows the law of each contact and each law with internal state.
+    fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(Acting<'_>));
 
     /// Its field over boxes: sliding in these modes, or else smooth.
     fn enclosure(&self, case: &Case, modes: Option<&[Mode]>) -> Box<dyn Enclosure>;
@@ -93,7 +93,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         family.into()
     }
 
-    fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(usize, &dyn Characteristic)) {
+    fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(Acting<'_>)) {
         let values = model::<M, N>(case).values();
         let _ = M::rhs(&values, fixed(start), &mut Laws(see));
     }

@@ -10,7 +10,7 @@ use crate::model::{Model, ModelInfo};
 use crate::motion::{Enclosure, Family, Flow, Tape};
 use crate::shooting::Orbit;
 use crate::study::error::StudyError;
-use crate::study::law::Characteristic;
+use crate::study::law::Acting;
 use crate::study::physics::{Of, Physics};
 use crate::study::predict::{PredictError, Prediction};
 use crate::study::question::{Case, Dynamics};
@@ -68,8 +68,8 @@ impl System {
         Ok(())
     }
 
-    /// Shows the law of each contact with its number, at the parameters and the start of the case.
-    pub fn laws(&self, case: &Case, see: &mut dyn FnMut(usize, &dyn Characteristic)) {
+    /// Shows the law of each contact and each law with internal state, at the parameters and the start of the case.
+    pub fn laws(&self, case: &Case, see: &mut dyn FnMut(Acting<'_>)) {
         self.physics.laws(case, &self.start(case), see);
     }
 

@@ -78,6 +78,7 @@ impl Model<2> for Belt {
             states: &[],
         }],
         memories: &[],
+            moving: false,
         drive: None,
     };
     const KINEMATIC: [Option<usize>; 2] = [Some(1), None];

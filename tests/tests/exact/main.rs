@@ -8,4 +8,5 @@ mod ground;
 mod henon;
 mod metamorphic;
 mod properties;
+mod reach;
 mod reference;

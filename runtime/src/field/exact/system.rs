@@ -10,7 +10,7 @@ use super::rest::{idle, layers, limits};
 use super::rule::Branches;
 use super::strip::Strip;
 use crate::field::memory;
-use crate::model::Model;
+use crate::model::{Model, listed};
 use crate::scalar::{Inline, Lanes, Scalar};
 
 /// Why the forces at rest are not determined.
@@ -18,7 +18,8 @@ use crate::scalar::{Inline, Lanes, Scalar};
 pub enum ContactError {
     /// Several contacts resist the same motion, or a force does not act on any speed.
     #[error(
-        "the sticking forces of contacts {contacts:?} are not unique: their compliance matrix is singular"
+        "the sticking forces of contacts {} are not unique: their compliance matrix is singular",
+        listed(.contacts)
     )]
     Singular {
         /// Numbers of the contacts that would stick together.

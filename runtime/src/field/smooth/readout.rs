@@ -6,6 +6,11 @@ use crate::model::Model;
 use crate::scalar::Inline;
 
 impl<M: Model<N>, const N: usize> SmoothField<M, N> {
+    /// The values of the parameters.
+    pub(crate) fn values(&self) -> &M::Params<f64> {
+        &self.values
+    }
+
     /// The friction force of each contact at `y`.
     #[must_use]
     pub fn forces(&self, y: &[f64; N]) -> M::PerContact<f64> {

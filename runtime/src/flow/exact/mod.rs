@@ -17,6 +17,7 @@ mod settle;
 mod switch;
 
 use crate::field::exact::{ExactSystem, Mode, Modes, Strip, linear_of};
+use crate::flow::reach::beyond;
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::integrate::explicit::Settings;
 use crate::integrate::{Motion, Tolerance};
@@ -93,6 +94,15 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     pub fn with_arrival(mut self, arrival: Arrival) -> Self {
         self.arrival = arrival;
         self
+    }
+
+    /// Whether all laws hold at a state.
+    ///
+    /// # Errors
+    /// A field of a law is out of its bounds there.
+    pub(crate) fn within_laws(&self, state: [f64; N]) -> Result<(), FlowError> {
+        let found = beyond::<M, N>(self.system.values(), state);
+        found.map_or(Ok(()), |found| Err(FlowError::beyond(&found, 0.0, &state)))
     }
 
     /// A contact without relative speed sticks if it can, the others slide.
@@ -173,6 +183,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
         if !(time.is_finite() && time >= 0.0) {
             return Err(FlowError::BadTime { time });
         }
+        self.within_laws(from.state)?;
         if want.derivatives {
             Run::<M, Motion<N>, N>::new(self, from, time, want).finish()
         } else {

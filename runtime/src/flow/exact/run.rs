@@ -6,6 +6,7 @@ use super::guard::{Departure, Sighting, Watch};
 use super::switch::Strike;
 use crate::field::Work;
 use crate::field::exact::{ExactField, Modes};
+use crate::flow::reach::leaves;
 use crate::flow::saltation::{Tracked, product};
 use crate::flow::{
     Calm, Derivatives, Event, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want,
@@ -158,7 +159,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 return Err(FlowError::Integration(IntegrationError::StepTooSmall {
                     time: self.time,
                     step: stepper.length(),
-                    state: self.carried.state().to_vec(),
+                    state: self.carried.state().to_vec().into(),
                 }));
             }
         }
@@ -189,13 +190,14 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         {
             return Err(self.explain(IntegrationError::NotFinite {
                 time: self.time,
-                state: self.carried.state().to_vec(),
+                state: self.carried.state().to_vec().into(),
             }));
         }
         let mut nearest = Vec::new();
         let fall = self.watch(stepper, &dense, &mut nearest)?;
         let mut strike = None;
         let whole = stepper.length();
+        let left = leaves::<M, N>(self.flow.system.values(), |theta| dense.state(theta));
         if let Some(fall) = fall {
             let length = self.locate(stepper, &fall);
             stepper.shorten(length)?;
@@ -203,6 +205,12 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             if self.want.extrema || self.want.path {
                 dense = stepper.dense();
             }
+        }
+        if let Some((theta, found)) = left
+            && theta * whole <= stepper.length()
+        {
+            let state = stepper.step_map(theta * whole);
+            return Err(FlowError::beyond(&found, self.time + theta * whole, &state));
         }
         self.note_nearest(stepper, whole, &nearest)?;
         self.observe(stepper, &dense);

@@ -3,6 +3,7 @@
 //! Where internal states of laws have stops, it is smooth between the instants at which they meet or leave one.
 
 mod inside;
+mod laws;
 mod record;
 mod rest;
 
@@ -106,16 +107,22 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
             integrate(field, settings, from, span, &mut work, |step| {
                 record.motion = *step.end();
                 record.explicit_step(field, step);
+                let span = (record.since + step.time(), step.length());
+                let kept = M::INFO.moving.then(|| step.dense());
+                let kept = kept.map_or(Ok(()), |dense| self.keep_laws(span, |t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
-                self.watch(record, switched, &mut verdict)
+                self.watch(record, switched, (kept, &mut verdict))
             })
             .map(|motion| motion.state)
         } else {
             integrate(field, settings, from.state, span, &mut work, |step| {
                 record.motion.state = *step.end();
                 record.explicit_step(field, step);
+                let span = (record.since + step.time(), step.length());
+                let kept = M::INFO.moving.then(|| step.dense());
+                let kept = kept.map_or(Ok(()), |dense| self.keep_laws(span, |t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
-                self.watch(record, switched, &mut verdict)
+                self.watch(record, switched, (kept, &mut verdict))
             })
         };
         record.work += work;
@@ -131,9 +138,9 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         &self,
         record: &Record<N>,
         switched: bool,
-        verdict: &mut Result<(), FlowError>,
+        (kept, verdict): (Result<(), FlowError>, &mut Result<(), FlowError>),
     ) -> ControlFlow<()> {
-        *verdict = self.check_direction(record);
+        *verdict = kept.and_then(|()| self.check_direction(record));
         if verdict.is_err() || switched {
             ControlFlow::Break(())
         } else {
@@ -190,7 +197,9 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                 Ok(step) => {
                     record.implicit_step(&mut radau, &step, offset + since);
                     switched = record.switch(field, radau.fallen());
-                    self.check_direction(record)
+                    let span = (offset + since + step.time, step.step);
+                    let kept = self.keep_laws(span, |theta| step.inside(theta));
+                    kept.and_then(|()| self.check_direction(record))
                 }
                 Err(error) => Err(error.into()),
             };
@@ -243,6 +252,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
             return Err(FlowError::BadTime { time });
         }
         check_stops(&self.field)?;
+        self.within_laws(from.state)?;
         let mut record = Record::new(from.state, want, M::INFO.drive);
         record.settle(&self.field);
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
@@ -261,7 +271,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         if !linear.f.iter().all(|component| component.is_finite()) {
             return Err(IntegrationError::NotFinite {
                 time: 0.0,
-                state: at.state.to_vec(),
+                state: at.state.to_vec().into(),
             }
             .into());
         }

@@ -164,7 +164,7 @@ impl<const N: usize> Record<N> {
         if !finite || (self.want.derivatives && !Carried::is_finite(&motion)) {
             return Err(IntegrationError::NotFinite {
                 time,
-                state: motion.state.to_vec(),
+                state: motion.state.to_vec().into(),
             }
             .into());
         }

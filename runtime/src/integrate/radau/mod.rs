@@ -13,6 +13,7 @@ use super::collocation::Collocation;
 use super::tableau::Tableau;
 use super::{IntegrationError, Tolerance};
 use crate::field::{Field, Linear, Work};
+use crate::model::Values;
 use control::{first_step, fitting};
 use kink::Kink;
 use stages::Trial;
@@ -82,7 +83,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         if !start.f.iter().all(|component| component.is_finite()) {
             return Err(IntegrationError::NotFinite {
                 time: 0.0,
-                state: state.to_vec(),
+                state: state.to_vec().into(),
             });
         }
         let next = if step > 0.0 {
@@ -150,7 +151,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
                 return Err(IntegrationError::StepTooSmall {
                     time: self.time,
                     step,
-                    state: self.state.to_vec(),
+                    state: self.state.to_vec().into(),
                 });
             }
             let guess = self.predict(step);
@@ -186,11 +187,8 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         }
     }
 
-    fn stuck(
-        &self,
-        error: impl FnOnce(u64, f64, Vec<f64>) -> IntegrationError,
-    ) -> IntegrationError {
-        error(self.work.steps, self.time, self.state.to_vec())
+    fn stuck(&self, error: impl FnOnce(u64, f64, Values) -> IntegrationError) -> IntegrationError {
+        error(self.work.steps, self.time, self.state.to_vec().into())
     }
 
     fn reject(&mut self, shorter: f64) {

@@ -15,6 +15,7 @@ use super::{Contacts, Derivatives, Family, Flow, Flows, Passage, Place, Reading,
 use crate::field::Design;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
+use crate::model::Values;
 
 /// Told of a record.
 pub type Note = Box<dyn Fn(&[u8]) + Send + Sync>;
@@ -155,6 +156,7 @@ impl Flow for TapedFlow {
     as_it_is! {
         order() -> usize;
         phase() -> Option<usize>;
+        values(state: &[f64]) -> Values;
         place(state: &[f64]) -> Result<Place, FlowError>;
         velocity(at: &Place) -> Result<Velocity, FlowError>;
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;

@@ -1,7 +1,9 @@
 //! Friction force against sliding speed, whatever the type of the law.
 
+use super::hysteresis::{Hysteresis, Shaken};
 use crate::field::{Smoothed, Smoothing, SmoothingError};
 use crate::friction::{ContactRule, FrictionLaw, LawInfo};
+use crate::memory::{Answer, MemoryLaw};
 
 /// A friction law at given values of its parameters.
 pub trait Characteristic {
@@ -50,14 +52,32 @@ impl<L: FrictionLaw<f64>> Characteristic for L {
     }
 }
 
-/// Shows the law of each contact; the forces are zero.
-pub(in crate::study) struct Laws<'a>(
-    pub(in crate::study) &'a mut dyn FnMut(usize, &dyn Characteristic),
-);
+/// A law as it acts in a model.
+pub enum Acting<'a> {
+    /// Of the contact of this number.
+    Static(usize, &'a dyn Characteristic),
+    /// Of the friction of this number among those with internal state.
+    Remembering(usize, &'a dyn Hysteresis),
+}
+
+/// Shows the law of each contact, and each law with internal state; the forces of contacts are zero.
+pub(in crate::study) struct Laws<'a>(pub(in crate::study) &'a mut dyn FnMut(Acting<'_>));
 
 impl ContactRule<f64> for Laws<'_> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
-        (self.0)(contact, law);
+        (self.0)(Acting::Static(contact, law));
         0.0
+    }
+
+    fn recall<L: MemoryLaw<f64, S>, const S: usize>(
+        &mut self,
+        element: usize,
+        law: &L,
+        memory: [f64; S],
+        speed: f64,
+    ) -> Answer<f64, S> {
+        let shaken = Shaken::<&L, L, S>::new(law, None);
+        (self.0)(Acting::Remembering(element, &shaken));
+        law.answer(memory, speed)
     }
 }

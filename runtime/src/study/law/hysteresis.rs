@@ -1,5 +1,7 @@
 //! What a law with internal state makes of a contact that swings to and fro at constant speed.
 
+use std::borrow::Borrow;
+use std::marker::PhantomData;
 use std::ops::ControlFlow;
 
 use crate::field::{Field, Linear, Stops, Work};
@@ -13,14 +15,20 @@ const STROKES: usize = 4;
 const DRAWN: usize = 8;
 /// Relative error tolerated in the internal states, for a drawing.
 const TOLERANCE: f64 = 1e-9;
+/// Powers of two among which an amplitude is looked for.
+const EXPONENTS: std::ops::Range<i32> = -60..40;
+/// A secant stiffness below this share of the elastic one tells that a law yields.
+const YIELDED: f64 = 0.5;
+/// Times that amplitude, its loop is plain to see.
+const PLAIN: f64 = 2.0;
 
 /// A friction law with internal state at given values of its parameters.
 pub trait Hysteresis {
     /// The law as data.
     fn law(&self) -> &'static MemoryLawInfo;
 
-    /// Amplitude and speed of a swing that shows what it remembers.
-    fn usual(&self) -> [f64; 2];
+    /// Amplitude and speed of a swing that shows what it remembers, where they are given.
+    fn usual(&self) -> Option<[f64; 2]>;
 
     /// Displacement and force against it, from a contact without memory at 0 to `amplitude`, then to and fro
     /// between that and its negative, at constant `speed` > 0.
@@ -30,37 +38,67 @@ pub trait Hysteresis {
     fn swing(&self, amplitude: f64, speed: f64) -> Result<Vec<[f64; 2]>, IntegrationError>;
 }
 
-/// A law with `S` internal states, whatever its type.
-pub(in crate::study) struct Shaken<L, const S: usize> {
-    pub(in crate::study) law: L,
-    /// Amplitude and speed.
-    pub(in crate::study) swing: [f64; 2],
+impl dyn Hysteresis + '_ {
+    /// An amplitude at which the law has yielded: several times that at which its force falls behind the elastic one, each
+    /// swing taking a unit of time; 1 for a law that never yields.
+    #[must_use]
+    pub fn yielding(&self) -> f64 {
+        let stiffness = |exponent: i32| {
+            let amplitude = f64::from(exponent).exp2();
+            let points = self.swing(amplitude, amplitude).ok()?;
+            Some((amplitude, points.last()?[1].abs() / amplitude))
+        };
+        let mut all = EXPONENTS.filter_map(stiffness);
+        let elastic = all.find(|(_, stiffness)| *stiffness > 0.0);
+        let yielded = all.find(|(_, stiffness)| {
+            elastic.is_some_and(|(_, elastic)| *stiffness < YIELDED * elastic)
+        });
+        yielded.map_or(1.0, |(amplitude, _)| PLAIN * amplitude)
+    }
 }
 
-impl<L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<L, S> {
+/// A law with `S` internal states, whatever its type.
+pub(in crate::study) struct Shaken<B, L, const S: usize> {
+    law: B,
+    /// Amplitude and speed.
+    swing: Option<[f64; 2]>,
+    kind: PhantomData<fn() -> L>,
+}
+
+impl<B: Borrow<L>, L, const S: usize> Shaken<B, L, S> {
+    pub(in crate::study) const fn new(law: B, swing: Option<[f64; 2]>) -> Self {
+        Self {
+            law,
+            swing,
+            kind: PhantomData,
+        }
+    }
+}
+
+impl<B: Borrow<L>, L: MemoryLaw<f64, S>, const S: usize> Hysteresis for Shaken<B, L, S> {
     fn law(&self) -> &'static MemoryLawInfo {
         L::INFO
     }
 
-    fn usual(&self) -> [f64; 2] {
+    fn usual(&self) -> Option<[f64; 2]> {
         self.swing
     }
 
     fn swing(&self, amplitude: f64, speed: f64) -> Result<Vec<[f64; 2]>, IntegrationError> {
         let (mut memory, mut place, mut points) = ([0.0; S], 0.0, Vec::new());
-        let elastic = self.law.answer(memory, speed).rates;
+        let law = self.law.borrow();
+        let elastic = law.answer(memory, speed).rates;
         let ends = std::iter::once(amplitude)
             .chain((0..STROKES).map(|i| if i % 2 == 0 { -amplitude } else { amplitude }));
         for end in ends {
             let speed = speed.copysign(end - place);
             let mut stroke = Stroke {
-                law: &self.law,
+                law,
                 speed,
                 stops: Stops::NONE,
                 size: elastic.map(|rate| (rate * amplitude / speed).abs()),
             };
-            self.law
-                .stops(|place, bound| stroke.stops.put(place, bound, 0.0));
+            law.stops(|place, bound| stroke.stops.put(place, bound, 0.0));
             let duration = (end - place) / speed;
             memory = stroke.follow(memory, duration, |time, force| {
                 points.push([place + speed * time, force]);
@@ -188,10 +226,7 @@ mod tests {
     #[test]
     fn the_loop_of_dahl_is_the_one_in_closed_form() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken {
-            law: Dahl { stiffness, level },
-            swing: [amplitude, 1e-3],
-        };
+        let law = Shaken::<_, Dahl<f64>, 1>::new(Dahl { stiffness, level }, None);
         let points = law.swing(amplitude, 1e-3).unwrap();
         // From rest, F = F_c (1 − e^{−σ₀ x/F_c}).
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
@@ -208,10 +243,7 @@ mod tests {
     #[test]
     fn the_loop_of_jenkins_is_a_parallelogram() {
         let (stiffness, level, amplitude) = (1e4, 2.0, 5e-4);
-        let law = Shaken {
-            law: Jenkins { stiffness, level },
-            swing: [amplitude, 1e-3],
-        };
+        let law = Shaken::<_, Jenkins<f64>, 1>::new(Jenkins { stiffness, level }, None);
         let points = law.swing(amplitude, 1e-3).unwrap();
         let virgin = points.iter().take_while(|[x, _]| *x < amplitude);
         for [x, force] in virgin.copied() {

@@ -4,7 +4,7 @@ mod characteristic;
 mod hysteresis;
 mod specimen;
 
-pub use characteristic::Characteristic;
 pub(in crate::study) use characteristic::Laws;
+pub use characteristic::{Acting, Characteristic};
 pub use hysteresis::Hysteresis;
 pub use specimen::{Shown, Specimen};

@@ -69,8 +69,7 @@ impl Specimen<dyn Hysteresis> {
         swing: [f64; 2],
     ) -> Self {
         let build = move |values: &[f64]| -> Box<dyn Hysteresis> {
-            let law = build(taken(values));
-            Box::new(Shaken { law, swing })
+            Box::new(Shaken::<L, L, S>::new(build(taken(values)), Some(swing)))
         };
         Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
     }

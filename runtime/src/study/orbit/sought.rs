@@ -108,17 +108,17 @@ impl System {
         let (OrbitError::Equilibrium { state: near }, Ok(flow)) = (&error, self.at(case)) else {
             return error;
         };
-        let starts = std::slice::from_ref(near);
+        let starts = std::slice::from_ref(&**near);
         let modes = |y: &[f64]| sliding_modes(flow.as_ref(), y);
         let found = find(&self.family(case), self.beginning(case), starts, modes);
         let size = near.iter().fold(1.0_f64, |size, y| size.max(y.abs()));
         let close = |place: &&Vec<f64>| {
-            let off = place.iter().zip(near).map(|(a, b)| (a - b).abs());
+            let off = place.iter().zip(near.iter()).map(|(a, b)| (a - b).abs());
             off.fold(0.0, f64::max) <= SETTLED * size
         };
         match found.iter().map(|one| &one.place.state).find(close) {
             Some(state) => OrbitError::Equilibrium {
-                state: state.clone(),
+                state: flow.values(state),
             },
             None => error,
         }

@@ -37,7 +37,7 @@ pub enum Lost {
         by: f64,
     },
     /// Its branch in the size of the smoothing does not reach it.
-    #[error("the branch in its size ends at {size:e}: {stop:?}")]
+    #[error("the branch in its size ends at {size:.3e}: {}", because(.stop.as_ref()))]
     Ends {
         /// Where.
         size: f64,
@@ -59,4 +59,9 @@ pub enum Lost {
         /// What they should fall to.
         goal: f64,
     },
+}
+
+/// Why a branch in the size of a smoothing ends.
+fn because(stop: Option<&Stop<FlowError>>) -> String {
+    stop.map_or_else(|| "it was left there".to_owned(), Stop::to_string)
 }

@@ -112,7 +112,7 @@ pub(super) fn shoot(
     let size = |j: usize| guess.magnitude[j].max(max[j].abs());
     if (0..max.len()).all(|j| max[j] - min[j] <= EXTENT * size(j)) {
         return Err(OrbitError::Equilibrium {
-            state: shot.start.state.clone(),
+            state: problem.family.at(r)?.values(&shot.start.state),
         });
     }
     Ok(Shooting {

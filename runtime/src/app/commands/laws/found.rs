@@ -4,7 +4,7 @@ use heck::ToKebabCase;
 
 use super::curve::Curve;
 use super::drawn::drawn;
-use super::exhibit::{Exhibit, Wish};
+use super::exhibit::{Exhibit, Place, Wish};
 use super::swing::swing;
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
@@ -12,7 +12,8 @@ use crate::app::offer::App;
 use crate::app::request;
 use crate::app::values::Assignment;
 use crate::app::words::{place, unknown};
-use crate::study::{Case, Characteristic, Dynamics, Shown, Specimen, System};
+use crate::model::{Friction, ModelInfo};
+use crate::study::{Acting, Case, Characteristic, Dynamics, Shown, Specimen, System};
 
 pub(super) enum Found<'a> {
     Law(&'a Shown),
@@ -59,7 +60,7 @@ pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhib
         }
         Shown::Remembering(specimen) => {
             let (values, built) = at_values(specimen, specimen.law().name, set)?;
-            swing(built.as_ref(), &values, wish)
+            swing(built.as_ref(), None, &values, wish)
         }
     }
 }
@@ -89,24 +90,42 @@ pub(super) fn acting(
     wish: &Wish,
 ) -> Result<Vec<Exhibit>, Failure> {
     let info = entry.info();
-    if info.contacts.is_empty() {
+    if info.contacts.is_empty() && info.memories.is_empty() {
         return refuse!("`{}` has no friction", info.command);
     }
     let mut case = Case::declared(info, Dynamics::Exact);
     request::set(info, set, &mut case)?;
     let mut all = Vec::new();
-    entry.laws(&case, &mut |index, law| {
-        let contact = &info.contacts[index];
-        let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
-        let name = format!("{}-{}", info.command, contact.name);
-        let place = format!(
-            "{} = {} {{ {} }} opposing {}",
-            contact.name, contact.law.name, contact.fields, contact.speed
-        );
-        let curve = curve(wish, law, units);
-        all.push(curve.map(|curve| drawn(contact.law, Some((name, place)), &[], &curve)));
-    });
+    entry.laws(&case, &mut |law| all.push(exhibit(info, law, wish)));
     all.into_iter().collect()
+}
+
+/// A law where it acts.
+fn exhibit(info: &ModelInfo, law: Acting<'_>, wish: &Wish) -> Result<Exhibit, Failure> {
+    match law {
+        Acting::Static(index, law) => {
+            let contact = &info.contacts[index];
+            let units = [contact.speed_unit, contact.unit].map(|of| unit(of).unwrap_or_default());
+            let curve = curve(wish, law, units)?;
+            let place = placed(info, contact, contact.law.name);
+            Ok(drawn(contact.law, Some(place), &[], &curve))
+        }
+        Acting::Remembering(index, law) => {
+            let memory = &info.memories[index];
+            let (name, place) = placed(info, memory, memory.law.name);
+            let states = memory.states.iter().map(|state| info.states[*state].name);
+            let with = states.collect::<Vec<_>>().join(", ");
+            let place = (name, format!("{place} with {with}"));
+            swing(law, Some(place), &[], wish)
+        }
+    }
+}
+
+/// The name of a friction where it acts, and how it is declared.
+fn placed<L>(info: &ModelInfo, line: &Friction<L>, law: &str) -> Place {
+    let (name, fields, speed) = (line.name, line.fields, line.speed);
+    let declared = format!("{name} = {law} {{ {fields} }} opposing {speed}");
+    (format!("{}-{name}", info.command), declared)
 }
 
 /// The curve of a law as wished for.

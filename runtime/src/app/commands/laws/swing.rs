@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::exhibit::{Computed, Exhibit, Known, Wish};
+use super::exhibit::{Computed, Exhibit, Known, Place, Wish};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
 use crate::app::spreadsheet::{Columns, Spreadsheet};
@@ -21,9 +21,10 @@ struct Loop {
     points: Vec<[f64; 2]>,
 }
 
-/// The law as it is shown.
+/// The law as it is shown, alone or where it acts.
 pub(super) fn swing(
     built: &dyn Hysteresis,
+    place: Option<Place>,
     values: &[f64],
     wish: &Wish,
 ) -> Result<Exhibit, Failure> {
@@ -34,9 +35,11 @@ pub(super) fn swing(
             law.name
         );
     }
-    let [amplitude, speed] = built.usual();
-    let amplitude = wish.amplitude.unwrap_or(amplitude);
-    let slow = wish.speed.unwrap_or(speed);
+    let usual = built.usual();
+    let amplitude = wish.amplitude.or(usual.map(|[amplitude, _]| amplitude));
+    let amplitude = amplitude.unwrap_or_else(|| built.yielding());
+    let slow = wish.speed.or(usual.map(|[_, speed]| speed));
+    let slow = slow.unwrap_or(amplitude);
     let mut loops = Vec::new();
     for speed in [slow, FASTER * slow] {
         let points = built.swing(amplitude, speed).map_err(|error| {
@@ -49,11 +52,15 @@ pub(super) fn swing(
                 "unit": unit(state.unit), "equation": state.equation,
                 "stop": state.stop.map(|stop| stop.bound) })
     });
+    let mut fields_of_law = json!({ "force": law.force, "states": states.collect::<Vec<_>>() });
+    if let Some((_, declared)) = &place {
+        fields_of_law["contact"] = json!(declared);
+    }
     let known = Known {
         name: law.name,
         doc: law.doc,
         formulas: law.lines(),
-        fields: json!({ "force": law.force, "states": states.collect::<Vec<_>>() }),
+        fields: fields_of_law,
         parameters: law.parameters,
         values,
     };
@@ -63,7 +70,7 @@ pub(super) fn swing(
         panel: panel(&loops),
         sheet: sheet(&loops),
     };
-    Ok(known.exhibit(None, found))
+    Ok(known.exhibit(place, found))
 }
 
 fn text(amplitude: f64, loops: &[Loop]) -> String {

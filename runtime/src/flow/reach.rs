@@ -1,0 +1,166 @@
+//! Where the laws of a model hold: the bounds of their fields, at a state and along a step.
+
+use crate::friction::{ContactRule, FrictionLaw, LawParameter};
+use crate::integrate::event::Bernstein;
+use crate::memory::{Answer, MemoryLaw};
+use crate::model::Model;
+
+/// Rounding error of a margin relative to its terms.
+const NOISE: f64 = 128.0 * f64::EPSILON;
+/// Halvings of a step, or of a part of it: all digits of its length.
+const HALVINGS: usize = 60;
+
+/// A field of a law that is out of its bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Beyond {
+    /// The force whose law it is.
+    pub(crate) force: &'static str,
+    /// The law.
+    pub(crate) law: &'static str,
+    /// The field and its bounds.
+    pub(crate) field: &'static LawParameter,
+    /// Its value.
+    pub(crate) value: f64,
+}
+
+/// The first field of a law that is out of its bounds at a state.
+pub(crate) fn beyond<M: Model<N>, const N: usize>(
+    params: &M::Params<f64>,
+    state: [f64; N],
+) -> Option<Beyond> {
+    let mut found = None;
+    each::<M, N>(params, state, |one| {
+        if found.is_none() && !one.field.bounds.contain(one.value) {
+            found = Some(one);
+        }
+    });
+    found
+}
+
+/// Where on a step, `at` its states from 0 to 1, a field first leaves its bounds, and which.
+pub(crate) fn leaves<M: Model<N>, const N: usize>(
+    params: &M::Params<f64>,
+    at: impl Fn(f64) -> [f64; N],
+) -> Option<(f64, Beyond)> {
+    if !M::INFO.moving {
+        return None;
+    }
+    let rows = Bernstein::nodes().map(|theta| margins::<M, N>(params, at(theta)));
+    let fall = |slot: usize| {
+        let values = rows.each_ref().map(|row| row[slot]);
+        let margin = Bernstein::interpolate(&values);
+        let heard = margin.without_noise(NOISE * margin.magnitude());
+        heard.first_fall()
+    };
+    let falls = (0..rows[0].len()).filter_map(|slot| Some((slot, fall(slot)?)));
+    let (slot, (theta, until)) = falls.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
+    let margin = |theta: f64| margins::<M, N>(params, at(theta))[slot];
+    let theta = sharpened(margin, [0.0, theta, until])?;
+    let (mut place, mut out) = (0, None);
+    each::<M, N>(params, at(theta), |one| {
+        let ends = ends(&one).count();
+        if (place..place + ends).contains(&slot) {
+            out = Some(one);
+        }
+        place += ends;
+    });
+    Some((theta, out?))
+}
+
+/// The zero before `until` at which a function that is positive at `from` falls; `None` if it does not.
+fn sharpened(value: impl Fn(f64) -> f64, [from, theta, until]: [f64; 3]) -> Option<f64> {
+    let (mut low, mut high) = (from, until);
+    if value(theta) < 0.0 {
+        high = theta;
+    } else {
+        low = theta;
+    }
+    if value(high) >= 0.0 {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if value(middle) < 0.0 {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Some(high)
+}
+
+/// How far each bounded field is inside each of its bounds.
+fn margins<M: Model<N>, const N: usize>(params: &M::Params<f64>, state: [f64; N]) -> Vec<f64> {
+    let mut all = Vec::new();
+    each::<M, N>(params, state, |one| all.extend(ends(&one)));
+    all
+}
+
+/// How far a field is inside each of its bounds.
+fn ends(one: &Beyond) -> impl Iterator<Item = f64> {
+    let (value, bounds) = (one.value, one.field.bounds);
+    let lower = bounds.lower.map(|end| value - end.value);
+    let upper = bounds.upper.map(|end| end.value - value);
+    lower.into_iter().chain(upper)
+}
+
+fn each<M: Model<N>, const N: usize>(
+    params: &M::Params<f64>,
+    state: [f64; N],
+    visit: impl FnMut(Beyond),
+) {
+    let contacts = |i: usize| M::INFO.contacts[i].name;
+    let memories = |i: usize| M::INFO.memories[i].name;
+    let mut rule = Fields {
+        contacts,
+        memories,
+        visit,
+    };
+    let _ = M::rhs(params, state, &mut rule);
+}
+
+/// Shows the fields of each law; the forces of contacts are zero.
+struct Fields<C, R, V> {
+    contacts: C,
+    memories: R,
+    visit: V,
+}
+
+impl<C, R, V> ContactRule<f64> for Fields<C, R, V>
+where
+    C: Fn(usize) -> &'static str,
+    R: Fn(usize) -> &'static str,
+    V: FnMut(Beyond),
+{
+    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
+        let (force, parameters) = ((self.contacts)(contact), L::INFO.parameters);
+        law.fields(|i, value| {
+            (self.visit)(Beyond {
+                force,
+                law: L::INFO.name,
+                field: &parameters[i],
+                value,
+            });
+        });
+        0.0
+    }
+
+    fn recall<L: MemoryLaw<f64, S>, const S: usize>(
+        &mut self,
+        element: usize,
+        law: &L,
+        memory: [f64; S],
+        speed: f64,
+    ) -> Answer<f64, S> {
+        let (force, parameters) = ((self.memories)(element), L::INFO.parameters);
+        law.fields(|i, value| {
+            (self.visit)(Beyond {
+                force,
+                law: L::INFO.name,
+                field: &parameters[i],
+                value,
+            });
+        });
+        law.answer(memory, speed)
+    }
+}

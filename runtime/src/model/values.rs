@@ -1,0 +1,118 @@
+//! Values of states in messages.
+
+use std::fmt;
+use std::ops::Deref;
+
+use super::ModelInfo;
+
+/// Digits of a value in a message.
+const DIGITS: usize = 7;
+
+/// The values of all states, by name where the names are known.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values {
+    values: Vec<f64>,
+    model: Option<&'static ModelInfo>,
+}
+
+impl Values {
+    /// The states of a model.
+    #[must_use]
+    pub fn of(model: &'static ModelInfo, values: &[f64]) -> Self {
+        Self {
+            values: values.to_vec(),
+            model: Some(model),
+        }
+    }
+
+    /// The same by the names that the states have in this model.
+    #[must_use]
+    pub fn named(self, model: &'static ModelInfo) -> Self {
+        Self {
+            model: Some(model),
+            ..self
+        }
+    }
+}
+
+impl From<Vec<f64>> for Values {
+    fn from(values: Vec<f64>) -> Self {
+        Self {
+            values,
+            model: None,
+        }
+    }
+}
+
+impl Deref for Values {
+    type Target = Vec<f64>;
+
+    fn deref(&self) -> &Vec<f64> {
+        &self.values
+    }
+}
+
+impl fmt::Display for Values {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (j, value) in self.values.iter().enumerate() {
+            let comma = if j == 0 { "" } else { ", " };
+            let value = brief(*value);
+            match self.model.and_then(|model| model.states.get(j)) {
+                Some(state) => write!(f, "{comma}{} = {value}", state.name)?,
+                None => write!(f, "{comma}{value}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A number as a message shows it.
+#[must_use]
+pub fn brief(value: f64) -> String {
+    let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
+    let plain = value == 0.0 || (1e-4..1e7).contains(&value.abs()) || !value.is_finite();
+    if plain {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// Numbers of contacts as a sentence shows them: `0 and 2`.
+#[must_use]
+pub fn listed(numbers: &[usize]) -> String {
+    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match words.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => words.concat(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_plain_where_they_can_be() {
+        let shown = [
+            0.0,
+            -0.25,
+            1.0 / 3.0,
+            150.0,
+            1.9225325943518424e24,
+            4.494e-15,
+        ]
+        .map(brief);
+        assert_eq!(
+            shown,
+            ["0", "-0.25", "0.3333333", "150", "1.922533e24", "4.494e-15"]
+        );
+        assert_eq!(Values::from(vec![1.0, -2.0]).to_string(), "1, -2");
+    }
+
+    #[test]
+    fn numbers_of_contacts_are_a_sentence() {
+        assert_eq!(listed(&[3]), "3");
+        assert_eq!(listed(&[0, 1, 4]), "0, 1 and 4");
+    }
+}

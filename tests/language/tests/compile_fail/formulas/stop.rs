@@ -1,0 +1,14 @@
+use stickslip::model;
+
+model! {
+    pub struct Oscillator {
+        state x = 1.0;
+        state v = 0.0;
+        param mass = 1.0;
+        stop x at 1.0;
+        der(x) = v;
+        der(v) = -x / mass;
+    }
+}
+
+fn main() {}
