@@ -86,7 +86,6 @@ mod tests {
     }
 
     #[test]
-    #[ignore = "wall: a step underflows at t = 33.2 where a block comes to rest on fixed ground"]
     fn the_fault_goes_on() {
         check(50.0, 1e-5);
     }

@@ -64,7 +64,6 @@ mod tests {
     }
 
     #[test]
-    #[ignore = "wall: on the way a step underflows where the mass comes to rest on fixed ground"]
     fn they_are_near_resonance_too() {
         check(0.97, 0.5);
     }

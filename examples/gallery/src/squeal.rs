@@ -92,7 +92,6 @@ mod tests {
 
     /// Without dampers both pairs of eigenvalues meet on the imaginary axis at μ = 3/4.
     #[test]
-    #[ignore = "wall: imaginary eigenvalues are lost to rounding, the branch ends there: unexplained-change"]
     fn undamped_flutter_begins_at_three_quarters() {
         let record = equilibria(&Squeal {
             c1: 0.0,
