@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::point::unit;
 use super::{Linearisation, ZeroProblem};
 
 /// Most iterations of one correction.
@@ -125,6 +126,20 @@ pub fn correct<P: ZeroProblem>(
     }
     let correction = corrections.last().copied().unwrap_or(f64::NAN);
     Err(Failure::NoConvergence { correction, r })
+}
+
+/// Corrects z at this r until a correction is at most `accuracy` times the scale.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn correct_at<P: ZeroProblem>(
+    problem: &mut P,
+    z: DVector<f64>,
+    r: f64,
+    accuracy: f64,
+) -> Result<Corrected<P::Extra>, Failure<P::Error>> {
+    let normal = unit(z.len());
+    correct(problem, z, r, &normal, 1.0, accuracy)
 }
 
 /// [h_z h_r; normal] in scaled coordinates.

@@ -23,7 +23,7 @@ mod switch;
 mod walk;
 
 pub use branch::{Branch, Started};
-pub use corrector::{Corrected, Failure, correct};
+pub use corrector::{Corrected, Failure, correct, correct_at};
 pub use detect::{Monitors, RegimeChange, detect};
 pub use ending::Ending;
 pub use kind::Kind;

@@ -154,11 +154,7 @@ fn corrected(
     period: f64,
     gap: &DVector<f64>,
 ) -> Result<Option<Place>, FlowError> {
-    let want = Want {
-        derivatives: true,
-        ..Want::default()
-    };
-    let passage = flow.advance(place, period, want)?;
+    let passage = flow.advance(place, period, Want::DERIVATIVES)?;
     let Some(derivatives) = passage.derivatives else {
         return Ok(None);
     };

@@ -14,3 +14,12 @@ pub fn half_extents(low: &[f64], high: &[f64], fallback: &[f64]) -> Vec<f64> {
     };
     (0..low.len()).map(half).collect()
 }
+
+/// How far two states are apart: the largest of their differences in these units.
+#[must_use]
+pub(crate) fn apart(a: &[f64], b: &[f64], units: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b).zip(units);
+    pairs
+        .map(|((a, b), unit)| (a - b).abs() / unit)
+        .fold(0.0, f64::max)
+}

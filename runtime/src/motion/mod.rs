@@ -16,6 +16,7 @@ mod tape;
 
 pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};
+pub(crate) use extent::apart;
 pub use extent::half_extents;
 pub use family::{Family, Flows};
 pub use modes::{Modes, spelt, sticking, word};

@@ -4,11 +4,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::guess::Guess;
 use super::phase::Phase;
+use super::pin::through;
 use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
-use crate::motion::{Family, Place, Velocity, half_extents};
+use crate::motion::{Family, Place, Velocity, apart, half_extents};
 
 type Found = Corrected<Shot>;
 
@@ -82,9 +83,8 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
         _ => shot.start.clone(),
     };
     let (period, magnitude) = once_around(shot);
-    let pins = shot.pins.iter().cloned();
     Ok(Guess {
-        pins: pins.map(|pin| pin.through(&place.state)).collect(),
+        pins: through(&shot.pins, &place.state),
         place,
         period,
         magnitude,
@@ -98,15 +98,11 @@ pub(super) fn once_around(shot: &Shot) -> (f64, Vec<f64>) {
     let (low, high) = shot.extent();
     let magnitude = half_extents(&low, &high, &vec![1.0; low.len()]);
     let minima: Vec<Vec<f64>> = shot.minima().map(|(_, state)| state).collect();
-    let distance = |a: &[f64], b: &[f64]| -> f64 {
-        (0..a.len())
-            .map(|j| (a[j] - b[j]).abs() / magnitude[j])
-            .fold(0.0, f64::max)
-    };
     let count = minima.len().max(1);
-    let once = (1..count)
-        .filter(|k| count.is_multiple_of(*k))
-        .find(|&k| (0..count).all(|i| distance(&minima[i], &minima[(i + k) % count]) < SAME_POINT));
+    let once = (1..count).filter(|k| count.is_multiple_of(*k)).find(|&k| {
+        let same = |i: usize| apart(&minima[i], &minima[(i + k) % count], &magnitude);
+        (0..count).all(|i| same(i) < SAME_POINT)
+    });
     let period = shot.period * once.unwrap_or(count) as f64 / count as f64;
     (period, magnitude)
 }

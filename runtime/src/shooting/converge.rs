@@ -1,17 +1,18 @@
 //! From a guess to a converged periodic orbit with an estimate of its error.
 
-use nalgebra::{Complex, DVector};
+use nalgebra::Complex;
 
 use super::anchor::{anchored, once_around, problem};
 use super::error::OrbitError;
 use super::guess::Guess;
 use super::neutral::{pins, suspect};
 use super::orbit::{Orbit, Solution};
+use super::pin::through;
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::Floquet;
-use crate::continuation::{Corrected, ZeroProblem, correct};
+use crate::continuation::{Corrected, ZeroProblem, correct_at};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Flow};
@@ -84,9 +85,8 @@ fn calm(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Guess
     let flow = family.at(r).ok()?;
     let passage = flow.advance(&guess.place, guess.period, Default::default());
     let place = passage.ok()?.calm.place;
-    let pins = guess.pins.iter().cloned();
     Some(Guess {
-        pins: pins.map(|pin| pin.through(&place.state)).collect(),
+        pins: through(&guess.pins, &place.state),
         place,
         ..guess.clone()
     })
@@ -216,10 +216,7 @@ fn newton(
     }
     let (mut problem, z) = problem(family, r, guess, segments)?;
     problem.want.factors = effort.factors;
-    let mut normal = DVector::zeros(z.len() + 1);
-    normal[z.len()] = 1.0;
-    let found =
-        correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
+    let found = correct_at(&mut problem, z, r, effort.accuracy).map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
     if !shot.pins.is_empty() && shot.closure > UNCLOSED * effort.accuracy {
         return Err(OrbitError::NotIsolated {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::pin::Pin;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Place};
+use crate::motion::{Flow, Place, apart};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -205,9 +205,6 @@ impl Watch {
     }
 
     fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
-        let magnitude = self.magnitude();
-        (0..a.len())
-            .map(|j| (a[j] - b[j]).abs() / magnitude[j])
-            .fold(0.0, f64::max)
+        apart(a, b, &self.magnitude())
     }
 }

@@ -1,13 +1,14 @@
 //! Which directions at an orbit are neutral, and with what they are pinned.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::anchor::problem;
 use super::guess::Guess;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
 use super::shot::Shot;
-use crate::continuation::{Linearisation, ZeroProblem, correct};
+use crate::bifurcation::floquet;
+use crate::continuation::{Linearisation, ZeroProblem, correct_at};
 use crate::integrate::Tolerance;
 use crate::linear::svd;
 use crate::motion::{Family, Flow, Velocity};
@@ -16,7 +17,7 @@ use crate::motion::{Family, Flow, Velocity};
 const SHARP: f64 = 1e-12;
 /// A motion that comes back this closely has come back.
 const CLOSED: f64 = 1e-6;
-/// Singular values below this share of the largest are zero.
+/// Singular values below this share of the largest are zero; a multiplier so near to 1 singles out no orbit.
 const NEUTRAL: f64 = 1e-7;
 /// The same for a matrix that is known roughly.
 const SUSPECT: f64 = 1e-4;
@@ -32,25 +33,42 @@ pub(super) fn suspect(linearisation: &Linearisation<Shot>, scale: &DVector<f64>)
     decomposed.is_some_and(|svd| svd.singular_values.min() <= SUSPECT * svd.singular_values.max())
 }
 
-/// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is
-/// none.
-pub(super) fn pins(family: &Family, r: f64, guess: &Guess) -> Vec<Pin> {
-    if !guess.pins.is_empty() {
-        return Vec::new();
-    }
+/// The problem at a guess, its unknowns and its linearisation, followed so sharply that neutral directions show; `None`
+/// if the motion does not come back.
+fn sharply(
+    family: &Family,
+    r: f64,
+    guess: &Guess,
+) -> Option<(OrbitProblem, DVector<f64>, Linearisation<Shot>)> {
     let family = family
         .with_tolerance(Tolerance::for_accuracy(SHARP))
         .with_magnitude(&guess.magnitude);
-    neutral(family, r, guess).unwrap_or_default()
-}
-
-fn neutral(family: Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
-    let flow = family.at(r).ok()?;
     let (mut problem, z) = problem(family, r, guess, 1).ok()?;
     let at = problem.evaluate(&z, r).ok()?;
-    if at.residual.norm() > CLOSED {
-        return None;
-    }
+    (at.residual.norm() <= CLOSED).then_some((problem, z, at))
+}
+
+/// Whether a motion that comes back has neighbours that do so as well, whatever they are.
+pub(super) fn is_neutral(family: &Family, r: f64, guess: &Guess) -> bool {
+    sharply(family, r, guess).is_some_and(|(_, _, at)| {
+        let shot = &at.extra;
+        let (monodromy, _) = shot.monodromy();
+        let multipliers = floquet(&monodromy, &shot.velocity.f, None, 0, &[], 0, NEUTRAL);
+        let one = Complex::new(1.0, 0.0);
+        let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
+        multipliers.multipliers.iter().any(near)
+    })
+}
+
+/// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is
+/// none.
+pub(super) fn pins(family: &Family, r: f64, guess: &Guess) -> Vec<Pin> {
+    pinned(family, r, guess).unwrap_or_default()
+}
+
+fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
+    let (problem, z, at) = sharply(family, r, guess)?;
+    let flow = problem.family.at(r).ok()?;
     let matrix = scaled(&at, &problem.scale());
     let svd = svd(matrix)?;
     let (u, vt) = (svd.u?, svd.v_t?);
@@ -186,12 +204,8 @@ fn has_neighbour(
 ) -> bool {
     let mut problem = problem.clone();
     problem.pins = pins.to_vec();
-    let pin = &mut problem.pins[moved];
-    let terms = pin.combination.iter().zip(&problem.magnitude);
-    let unit: f64 = terms.map(|(c, size)| (c * size).abs()).sum();
-    pin.value += ASIDE * unit;
-    let mut normal = DVector::zeros(z.len() + 1);
-    normal[z.len()] = 1.0;
-    let found = correct(&mut problem, z.clone(), r, &normal, 1.0, NEIGHBOUR);
+    let aside = ASIDE * pins[moved].unit(&problem.magnitude);
+    problem.pins[moved].value += aside;
+    let found = correct_at(&mut problem, z.clone(), r, NEIGHBOUR);
     found.is_ok_and(|found| found.linearisation.extra.closure <= NEIGHBOUR)
 }

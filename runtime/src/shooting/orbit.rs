@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::guess::Guess;
-use super::pin::Pin;
+use super::pin::{Pin, through};
 use super::shot::Shot;
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
@@ -157,13 +157,11 @@ impl Orbit {
     /// The orbit as a guess of itself: at another tolerance, or of one nearby.
     #[must_use]
     pub fn guess(&self) -> Guess {
-        let state = &self.place.state;
-        let pins = self.pins.iter().map(|pin| pin.clone().through(state));
         Guess {
             place: self.place.clone(),
             period: self.period,
             magnitude: self.magnitude(),
-            pins: pins.collect(),
+            pins: through(&self.pins, &self.place.state),
         }
     }
 

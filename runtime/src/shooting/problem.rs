@@ -59,11 +59,7 @@ impl OrbitProblem {
             largest: magnitude.clone(),
             magnitude,
             period,
-            want: Want {
-                derivatives: true,
-                extrema: true,
-                ..Want::default()
-            },
+            want: Want::SHOT,
             pins: Vec::new(),
             work: Work::default(),
             modes: starts.iter().map(|place| place.modes.clone()).collect(),

@@ -1,6 +1,7 @@
 //! Whether two orbits are one.
 
 use super::orbit::Orbit;
+use crate::motion::apart;
 
 impl Orbit {
     /// Whether both run through the same points of the default section, in the same order, to this
@@ -33,9 +34,6 @@ impl Orbit {
     }
 
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
-        let magnitude = self.magnitude();
-        (0..p.len())
-            .map(|j| (p[j] - q[j]).abs() / magnitude[j])
-            .fold(0.0, f64::max)
+        apart(p, q, &self.magnitude())
     }
 }

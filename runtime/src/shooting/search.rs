@@ -1,15 +1,12 @@
 //! From a start to the periodic orbit that is reached from it.
 
-use nalgebra::Complex;
-
-use super::anchor::{anchored, problem};
+use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
 use super::guess::{Guess, Settled, settle};
+use super::neutral::is_neutral;
 use super::orbit::Orbit;
 use super::stay::stays;
-use crate::bifurcation::floquet;
-use crate::continuation::ZeroProblem;
 use crate::integrate::Tolerance;
 use crate::motion::Family;
 
@@ -18,10 +15,6 @@ const COARSE: f64 = 1e-3;
 /// Returns that are all looked at; of later ones every eighth.
 const OFTEN: usize = 64;
 const SELDOM: usize = 8;
-/// A motion that comes back this closely has come back.
-const CLOSED: f64 = 1e-6;
-/// A multiplier so near to 1 singles out no orbit.
-const NEUTRAL: f64 = 1e-7;
 
 /// What to look for.
 #[derive(Debug, Clone, PartialEq)]
@@ -170,7 +163,7 @@ impl Failed {
         };
         self.count += 1;
         self.magnitude = Some(guess.magnitude.clone());
-        if self.count == 1 && neutral(family, r, guess) {
+        if self.count == 1 && is_neutral(family, r, guess) {
             let flow = family.at(r).ok()?;
             return Some(Err(OrbitError::NotIsolated {
                 state: flow.values(&guess.place.state),
@@ -190,22 +183,6 @@ impl Failed {
             None
         }
     }
-}
-
-/// Whether a motion that comes back has neighbours that do so as well.
-fn neutral(family: &Family, r: f64, guess: &Guess) -> bool {
-    let family = family
-        .with_tolerance(Tolerance::for_accuracy(1e-12))
-        .with_magnitude(&guess.magnitude);
-    let shot = problem(family, r, guess, 1)
-        .and_then(|(mut problem, unknowns)| problem.evaluate(&unknowns, r));
-    shot.is_ok_and(|shot| {
-        let (monodromy, _) = shot.extra.monodromy();
-        let multipliers = floquet(&monodromy, &shot.extra.velocity.f, None, 0, &[], 0, NEUTRAL);
-        let one = Complex::new(1.0, 0.0);
-        let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
-        shot.residual.norm() <= CLOSED && multipliers.multipliers.iter().any(near)
-    })
 }
 
 /// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.

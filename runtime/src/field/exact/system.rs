@@ -103,19 +103,11 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// # Errors
     /// A force that never opposes its speed.
     pub fn check(&self) -> Result<(), ContactError> {
-        let Some(constants) = &self.constants else {
-            return Ok(());
-        };
-        for (contact, row) in constants.compliance.as_ref().iter().enumerate() {
-            let compliance = row.as_ref()[contact];
-            if compliance <= 0.0 {
-                return Err(ContactError::NotOpposing {
-                    contact,
-                    compliance,
-                });
-            }
+        let all = Modes::from_fn(|_| Mode::Stick);
+        match &self.constants {
+            Some(constants) => opposing::<M, N>(&constants.compliance, &all),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// w_y of each contact, if none depends on the state.

@@ -2,9 +2,7 @@
 
 use std::time::Instant;
 
-use nalgebra::DVector;
-
-use crate::continuation::{Branch, Settings, Stop, correct};
+use crate::continuation::{Branch, Settings, Stop, correct_at};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
@@ -103,10 +101,7 @@ pub(super) fn shoot(
 ) -> Result<Shooting, OrbitError> {
     let family = family.with_tolerance(effort.tolerance);
     let (mut problem, z) = problem(family, r, guess, 1)?;
-    let mut normal = DVector::zeros(z.len() + 1);
-    normal[z.len()] = 1.0;
-    let found =
-        correct(&mut problem, z, r, &normal, 1.0, effort.accuracy).map_err(OrbitError::Newton)?;
+    let found = correct_at(&mut problem, z, r, effort.accuracy).map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
     let (min, max) = shot.extent();
     let size = |j: usize| guess.magnitude[j].max(max[j].abs());
