@@ -4,41 +4,12 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::model;
 use stickslip::study::trade::Scope;
 use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, System};
 use stickslip_models::ForcedBelt;
-use stickslip_models::friction::Coulomb;
 use stickslip_tests::range::{place, range};
 
-model! {
-    /// A damped oscillator under a harmonic force.
-    struct Forced {
-        state x: m = 0.0;
-        state v: m/s = 0.0;
-        param zeta = 0.1 where zeta > 0.0;
-        param omega: rad/s = 1.3;
-        param load: N/kg = 2.0;
-        param natural: rad/s = 1.0 where natural > 0.0;
-        drive phi at omega;
-        der(x) = v;
-        der(v) = load * cos(phi) - 2 * zeta * natural * v - natural * natural * x;
-    }
-}
-
-model! {
-    /// Den Hartog's oscillator: dry and viscous friction, here dry alone.
-    struct DenHartog {
-        state x = 1.0;
-        state v = 0.0;
-        param beta = 0.6 where beta > 0.0;
-        param level = 0.2 where level >= 0.0;
-        drive phi at beta;
-        friction F = Coulomb { level } opposing v;
-        der(x) = v;
-        der(v) = cos(phi) - x + F;
-    }
-}
+use crate::oscillators::{DenHartog, Forced};
 
 fn case(model: &System, dynamics: Dynamics, set: &[(&str, f64)]) -> Case {
     let info = model.info();

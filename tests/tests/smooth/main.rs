@@ -6,6 +6,7 @@ mod followed;
 mod layers;
 mod memory_laws;
 mod metamorphic;
+mod oscillators;
 mod response;
 mod shooting;
 mod stops;

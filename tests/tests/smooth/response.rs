@@ -11,37 +11,10 @@ use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::motion::Family;
 use stickslip::study::{Case, Dynamics, OrbitRecord, System};
-use stickslip_models::friction::{Coulomb, Jenkins};
+use stickslip_models::friction::Jenkins;
 use stickslip_tests::range::{place, range};
 
-model! {
-    /// A damped oscillator under a harmonic force.
-    struct Forced {
-        state x: m = 0.0;
-        state v: m/s = 0.0;
-        param zeta = 0.02 where zeta > 0.0;
-        param omega: rad/s = 1.3;
-        param load: N/kg = 2.0;
-        param natural: rad/s = 1.0 where natural > 0.0;
-        drive phi at omega;
-        der(x) = v;
-        der(v) = load * cos(phi) - 2 * zeta * natural * v - natural * natural * x;
-    }
-}
-
-model! {
-    /// Den Hartog's oscillator: dry friction alone.
-    struct DenHartog {
-        state x = 1.0;
-        state v = 0.0;
-        param beta = 0.6 where beta > 0.0;
-        param level = 0.2 where level >= 0.0;
-        drive phi at beta;
-        friction F = Coulomb { level } opposing v;
-        der(x) = v;
-        der(v) = cos(phi) - x + F;
-    }
-}
+use crate::oscillators::{DenHartog, Forced};
 
 model! {
     /// A turbine blade of two masses with an underplatform damper at the inner one.
@@ -91,6 +64,7 @@ fn close(found: Complex<f64>, expected: Complex<f64>, tolerance: f64, what: &str
 fn a_linear_response_is_its_closed_form_through_resonance() {
     let model = System::of::<Forced, _>();
     let mut case = Case::declared(model.info(), Dynamics::Smooth);
+    case.parameters[place(&model, "zeta")] = 0.02;
     case.along = Some(range(&model, "omega", 0.5, 2.0));
     case.harmonics = vec![1, 3];
     let case = case.at(0.5);
