@@ -15,6 +15,7 @@ mod passages;
 mod progress;
 mod request;
 mod resume;
+mod seal;
 mod section;
 mod spreadsheet;
 mod text;

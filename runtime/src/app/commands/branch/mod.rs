@@ -179,8 +179,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let shown = arguments.shown(asked.info)?;
     asked.case = arguments.of(asked.info, asked.case)?;
     let progress = Progress::along(&asked.output);
-    let question = Question::new(app.version, asked.info, &asked.case)
-        .exactly("`--harmonics`", &asked.case.harmonics);
+    let question = Question::new(app.version, asked.info, &asked.case);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
     let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);

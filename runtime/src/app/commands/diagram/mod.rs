@@ -114,8 +114,9 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let mut known = Known::default();
     let mut recall = |finding: &[u8]| {
         let (sweep, slice): (String, Slice) = postcard::from_bytes(finding).ok()?;
-        known.insert(&sweep, slice);
-        Some(())
+        slice
+            .is_of(info.states.len())
+            .then(|| known.insert(&sweep, slice))
     };
     let question = question(app, info, case, &diagram);
     let notes = Notes::open(output, &arguments.resume, "diagram", &question, &mut recall)?;
