@@ -46,7 +46,7 @@ pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
 pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen};
-pub use motion::Trajectory;
+pub use motion::{Envelope, Limits, Trajectory};
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::System;

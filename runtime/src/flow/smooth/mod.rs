@@ -67,7 +67,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     }
 
     fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
-        while record.time < time {
+        while record.time < time && !record.suffices() {
             let outcome = self.explicit_stretch(&record.field(&self.field), record, time);
             match outcome {
                 Ok(()) => {}
@@ -128,7 +128,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         record.work += work;
         verdict?;
         outcome?;
-        if !switched {
+        if !(switched || record.suffices()) {
             record.time = time;
         }
         Ok(())
@@ -141,7 +141,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         (kept, verdict): (Result<(), FlowError>, &mut Result<(), FlowError>),
     ) -> ControlFlow<()> {
         *verdict = kept.and_then(|()| self.check_direction(record));
-        if verdict.is_err() || switched {
+        if verdict.is_err() || switched || record.suffices() {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
@@ -155,7 +155,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                 growth: None,
             });
         }
-        while record.time < time {
+        while record.time < time && !record.suffices() {
             self.implicit_stretch(&record.field(&self.field), record, time)?;
         }
         Ok(())
@@ -181,7 +181,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         let mut switched = false;
         // When the integrator set out.
         let mut since = 0.0;
-        while outcome.is_ok() && !switched && radau.time() < rest - since {
+        while outcome.is_ok() && !switched && !record.suffices() && radau.time() < rest - since {
             outcome = match radau.step(rest - since) {
                 Ok(step) if self.jumps(&step) => {
                     since += step.time;
@@ -206,7 +206,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         }
         record.work += radau.work;
         record.implicit += radau.work.steps + radau.work.rejected;
-        if !switched {
+        if !(switched || record.suffices()) {
             record.time = time;
         }
         outcome
@@ -258,11 +258,11 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
             self.explicit(&mut record, time)?;
         }
-        if record.time < time {
+        if record.time < time && !record.suffices() {
             self.implicit(&mut record, time)?;
         }
         let velocity = record.field(&self.field).f(&record.motion.state);
-        record.passage(time, velocity)
+        record.passage(velocity)
     }
 
     fn velocity(&self, at: &Place<N, ()>) -> Result<Velocity<N>, FlowError> {
