@@ -34,9 +34,9 @@ impl Progress {
     }
 
     /// Work along a way, see [`Progress::reach`].
-    pub(super) fn along(output: &Output) -> Self {
+    pub(super) fn along(output: &Output, message: &'static str) -> Self {
         Self::shown(output, || {
-            let bar = ProgressBar::new(PARTS).with_message("looking for the first orbit");
+            let bar = ProgressBar::new(PARTS).with_message(message);
             let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}");
             style.map_or_else(|_| bar.clone(), |style| bar.clone().with_style(style))
         })
@@ -57,7 +57,7 @@ impl Progress {
             } else {
                 ProgressBar::hidden()
             },
-            _work: Work::begin(),
+            _work: Work::begin(output.last_words()),
         }
     }
 }

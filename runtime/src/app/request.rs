@@ -1,6 +1,7 @@
 //! What is asked of which model, and where the answer goes: the arguments that commands share, as a case.
 
 use super::arguments::Subject;
+use super::document::Document;
 use super::failure::{Failure, refuse};
 use super::offer::App;
 use super::output::Output;
@@ -30,20 +31,31 @@ pub(super) fn request<'a>(
     let along = range
         .map(|range| along(info, "--along", range))
         .transpose()?;
-    let mut case = Case::declared(info, dynamics(info, subject, along)?);
+    let saved = match &subject.start {
+        Some(Start::Saved(named)) => Some(named.of(info)?),
+        _ => None,
+    };
+    let saved = saved.as_ref();
+    let known = saved.and_then(|saved| saved.dynamics);
+    let mut case = Case::declared(info, dynamics(info, subject, along, known)?);
     case.along = along;
+    for &(index, value) in saved.into_iter().flat_map(|saved| &saved.parameters) {
+        case.parameters[index] = value;
+    }
     set(info, &subject.settings.set, &mut case)?;
     if let Some(along) = along {
         case = case.at(along.from);
     }
-    let start = subject.start.as_ref();
-    case.start = start.map(|given| begin(info, given)).transpose()?;
-    case.period = period;
+    case.start = match &subject.start {
+        Some(Start::Given(given)) => Some(begin(info, given)?),
+        _ => saved.map(|saved| saved.state.clone()),
+    };
+    case.period = period.or_else(|| saved?.period);
     case.accuracy = subject.accuracy.unwrap_or(case.accuracy);
     entry
         .check(&case)
         .map_err(|error| Failure::of(&error, info))?;
-    let output = Output::open(&subject.destination)?;
+    let output = Output::open(&subject.destination)?.about(Document::case(info, &case));
     if let Some(size) = superseded(subject, along) {
         output.note(format!(
             "note: the smoothing begins at the size {size}, as `--along` says"
@@ -172,16 +184,25 @@ fn dynamics(
     info: &ModelInfo,
     subject: &Subject,
     along: Option<Along>,
+    saved: Option<Dynamics>,
 ) -> Result<Dynamics, Failure> {
     let sized = along.filter(|along| along.design == Design::Smoothing);
     if let (true, Some(reason)) = (subject.exact, info.only_form()) {
         return refuse!("`--exact`: {reason}");
     }
     let Some(copy) = &subject.smooth else {
-        return match sized {
-            Some(along) => Err(kernel_missing("--along smooth=...", &along)),
-            None if info.contacts.is_empty() => Ok(Dynamics::Smooth),
-            None => Ok(Dynamics::Exact),
+        let smoothed = match saved.filter(|_| !subject.exact) {
+            Some(Dynamics::Smoothed(smoothing)) => Some(smoothing),
+            _ => None,
+        };
+        return match (smoothed, sized) {
+            (Some(Smoothing { kernel, .. }), Some(Along { from: size, .. })) => {
+                Ok(Dynamics::Smoothed(Smoothing { kernel, size }))
+            }
+            (None, Some(along)) => Err(kernel_missing("--along smooth=...", &along)),
+            _ if info.contacts.is_empty() => Ok(Dynamics::Smooth),
+            (Some(smoothing), None) => Ok(Dynamics::Smoothed(smoothing)),
+            (None, None) => Ok(Dynamics::Exact),
         };
     };
     let word = &copy.word;
@@ -226,9 +247,9 @@ fn superseded(subject: &Subject, along: Option<Along>) -> Option<f64> {
 }
 
 /// The declared start but for what is given.
-fn begin(info: &ModelInfo, given: &Start) -> Result<Vec<f64>, Failure> {
+fn begin(info: &ModelInfo, given: &[Assignment]) -> Result<Vec<f64>, Failure> {
     let mut start: Vec<f64> = info.states.iter().map(|state| state.start).collect();
-    for one in &given.0 {
+    for one in given {
         start[state(info, &one.name)?] = one.value;
     }
     Ok(start)

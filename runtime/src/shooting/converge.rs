@@ -5,6 +5,7 @@ use nalgebra::Complex;
 use super::anchor::{anchored, once_around, problem};
 use super::error::OrbitError;
 use super::guess::Guess;
+use super::least::{between, shorter};
 use super::neutral::{pins, suspect};
 use super::orbit::{Orbit, Solution};
 use super::pin::through;
@@ -143,7 +144,15 @@ pub(super) fn from(
         work += tight.1.work;
         error = difference(&loose.0, &tight.0);
     }
+    let blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     let tight = tight.0;
+    let long = guess.moved(&tight);
+    let flow = family.with_tolerance(fine).with_magnitude(&guess.magnitude);
+    let again = |guess: &Guess| Some(newton(guess, accuracy, fine, false).ok()?.0);
+    let shot = &tight.linearisation.extra;
+    if let Some(least) = shorter(flow.at(r)?.as_ref(), (&long, shot), blur, again)? {
+        return from(family, r, &least, search, anchor);
+    }
     let solution = Solution {
         shot: &tight.linearisation.extra,
         z: &tight.z,

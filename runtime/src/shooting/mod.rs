@@ -7,6 +7,7 @@ mod converge;
 mod error;
 mod guess;
 mod hopf;
+mod least;
 mod neutral;
 mod orbit;
 mod phase;

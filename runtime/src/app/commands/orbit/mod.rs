@@ -3,20 +3,26 @@
 mod certificate;
 mod record;
 
+use std::ops::ControlFlow;
+
 use clap::Args;
 
 use super::simulate;
+use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject};
 use crate::app::failure::Failure;
 use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
-use crate::app::output::{Answer, Output};
+use crate::app::output::Output;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
 use crate::app::section::{Cut, with_points};
+use crate::app::show::Show;
 use crate::app::text::number;
 use crate::shooting::{Certificate, Uncertified};
-use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, choose};
+use crate::study::{
+    Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, Trajectory, choose,
+};
 pub(super) use record::{columns, document, largest, shown};
 
 /// An estimate this many times above the accuracy asked for is worth a word.
@@ -37,6 +43,8 @@ pub(in crate::app) struct Arguments {
     cut: Cut,
     #[command(flatten)]
     harmonics: Harmonics,
+    #[command(flatten)]
+    show: Show,
     /// How near a true orbit is, by Newton and Kantorovich: a posteriori, not rigorous
     #[arg(long)]
     certify: bool,
@@ -47,6 +55,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     asked.case.harmonics = arguments.harmonics.of(asked.info);
     let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
     let section = arguments.cut.of(info)?;
+    let shown = arguments.show.quantities(info)?;
     let failed = |error| asked.failed(error);
     let progress = Progress::endless(output, "looking for a periodic orbit");
     let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
@@ -54,27 +63,39 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
-    let mut text = record::describe(info, case, &orbit);
-    if let Some(found) = &certificate {
-        text.push_str(&certificate::describe(info, found));
-    }
+    let motion = output
+        .is_kept()
+        .then(|| motion(&asked, &from, orbit.period));
+    let motion = motion.transpose()?;
     let reason = reason(arguments, &asked);
-    let document = document(info, &orbit).put("method", &reason);
-    let answer = Answer::new("orbit", text, document);
-    let span = Span::Period(orbit.period);
-    let mut answer = with_points(answer, &asked, &from, section, span)?;
-    if output.is_kept() {
-        let motion = entry.motion(&from, orbit.period).map_err(failed)?;
-        answer = simulate::drawn("orbit", answer, info, &motion);
-    }
-    drop(progress);
-    answer.text.push_str(&format!("\n  {reason}\n"));
+    let mut answer = Answer::new(
+        "orbit",
+        || record::describe(info, case, &orbit),
+        || document(info, &orbit).put("method", &reason),
+    );
     if let Some(found) = &certificate {
-        answer = answer.part("certificate", "", certificate::document(info, found));
+        answer = answer.words(|| certificate::describe(info, found));
+    }
+    let span = Span::Period(orbit.period);
+    answer = with_points(answer, &asked, &from, section, span)?;
+    drop(progress);
+    answer = answer.words(|| format!("\n  {reason}\n"));
+    if let Some(found) = &certificate {
+        answer = answer.part("certificate", || certificate::document(info, found));
+    }
+    if let Some(motion) = &motion {
+        answer = simulate::drawn("orbit", answer, (info, output), motion, &shown);
     }
     doubt(output, case, &orbit);
-    output.deliver(answer.part("work", "", orbit.work))?;
+    output.deliver(&answer.part("work", || orbit.work))?;
     verdict(certificate.as_ref())
+}
+
+/// The orbit once around, as it is drawn.
+fn motion(asked: &Request<'_>, from: &Case, period: f64) -> Result<Trajectory, Failure> {
+    let limits = simulate::limits(&asked.output, u64::MAX);
+    let mut watch = |_: &Trajectory| ControlFlow::Continue(());
+    asked.got(asked.entry.motion_within(from, period, limits, &mut watch))
 }
 
 /// The method that was chosen, and why.

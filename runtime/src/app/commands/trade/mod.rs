@@ -6,11 +6,11 @@ mod text;
 
 use clap::Args;
 
+use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject, Unresumable};
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::offer::App;
-use crate::app::output::Answer;
 use crate::app::progress::Progress;
 use crate::app::request::request;
 use crate::app::values::{Range, Reading};
@@ -74,13 +74,14 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     };
     let record = asked.got(asked.entry.trade(case, &scope, &mut watch))?;
     drop(progress);
-    let [errors, precisions] = sheet::sheets(info, &record);
-    let text = text::describe(info, case, &record, scope.accuracy);
-    let answer = Answer::new("trade", text, document::document(info, &record));
-    let answer = answer
-        .sheet("trade", errors)
-        .sheet("work-precision", precisions);
-    output.deliver(answer)?;
+    let answer = Answer::new(
+        "trade",
+        || text::describe(info, case, &record, scope.accuracy),
+        || document::document(info, &record),
+    )
+    .sheet("trade", || sheet::errors(info, &record))
+    .sheet("work-precision", || sheet::precisions(&record));
+    output.deliver(&answer)?;
     if record.is_interrupted() {
         let curves = record.ends.iter().flat_map(|end| &end.trade.curves);
         let count: usize = curves.map(|curve| curve.points.len()).sum();
