@@ -143,6 +143,14 @@ pub enum FlowError {
         /// Its rate.
         rate: f64,
     },
+    /// A drive that turns too often in a time for all its turns to be noted.
+    #[error("the drive turns {turns:.1e} times in the time {}: so many turns cannot be followed at once", brief(*.time))]
+    TooManyTurns {
+        /// How often.
+        turns: f64,
+        /// The time.
+        time: f64,
+    },
     /// The stops of an internal state that stand nowhere.
     #[error(
         "`{law}` stops `{state}` at {bound}, which must be a finite number above 0: give its parameters other values"

@@ -12,7 +12,7 @@ pub(crate) mod saltation;
 mod smooth;
 mod told;
 
-pub(crate) use drive::{standing, strobes};
+pub(crate) use drive::{countable, longest, standing, strobes};
 pub use error::{FlowError, SensitivityUndefined};
 pub use event::EventKind;
 pub use family::{ExactFamily, SmoothFamily};

@@ -128,6 +128,7 @@ pub(super) fn from(
     let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, factors)?;
     work += tight.1.work;
     let mut error = difference(&loose.0, &tight.0);
+    let mut blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     // A small error once around is a large one of an orbit that hardly attracts.
     for _ in 0..TIGHTENINGS {
         if error <= SLACK * accuracy {
@@ -143,8 +144,8 @@ pub(super) fn from(
         tight = tighter;
         work += tight.1.work;
         error = difference(&loose.0, &tight.0);
+        blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     }
-    let blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     let tight = tight.0;
     let long = guess.moved(&tight);
     let flow = family.with_tolerance(fine).with_magnitude(&guess.magnitude);

@@ -11,7 +11,7 @@ pub(super) use rest::check_stops;
 
 use std::ops::ControlFlow;
 
-use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want};
+use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want, countable};
 use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
@@ -253,6 +253,9 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         }
         check_stops(&self.field)?;
         self.within_laws(from.state)?;
+        if let (Some(phase), true) = (M::INFO.drive, want.extrema) {
+            countable(self.field.f(&from.state)[phase], time)?;
+        }
         let mut record = Record::new(from.state, want, M::INFO.drive);
         record.settle(&self.field);
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {

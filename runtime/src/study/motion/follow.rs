@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Modes, Passage, Place, Segment};
+use crate::poincare::longest;
 
 /// Numbers in the samples of a stretch.
 const NUMBERS: usize = 1 << 17;
@@ -118,9 +119,10 @@ pub(super) fn follow(
         ..Want::default()
     };
     let mut place = flow.place(start)?;
+    let most = longest(flow, &place)?;
     let (mut since, mut turned) = (0.0, 0.0);
     loop {
-        let passage = flow.advance(&place, time - since, want);
+        let passage = flow.advance(&place, (time - since).min(most), want);
         let passage = passage.map_err(|error| error.later(since))?;
         let until = since + passage.time;
         let over = time - until <= INSTANT * time;
