@@ -112,8 +112,6 @@ fn a_search_that_is_ended_prints_a_document() {
 
 #[test]
 fn a_drive_that_turns_too_often_is_told() {
-    let answer = stickslip(&words("orbit forced-belt --set omega=1e12"));
-    assert_eq!(answer.code, Some(1), "{}", answer.stderr);
     let answer = stickslip(&words("orbit forced-belt --start x=0.1 --period 1e9"));
     assert_eq!(answer.code, Some(1));
     assert!(answer.stderr.contains("so many turns"), "{}", answer.stderr);

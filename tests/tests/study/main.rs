@@ -5,5 +5,6 @@ mod coverage;
 mod hostile;
 mod laws;
 mod neutral;
+mod periods;
 mod proofs;
 mod trade;
