@@ -130,6 +130,6 @@ fn damaged_branches_are_refused_or_whole() {
 #[ignore = "long"]
 fn damaged_curves_are_refused_or_whole() {
     let line =
-        "branch belt-pair --along v_dr=0.14..0.12 --and beta=1.3..1.31 --accuracy 1e-10 --quiet";
+        "branch belt-pair --along v_dr=0.1..0.08 --and beta=1.3..1.31 --accuracy 1e-11 --quiet";
     holds("curves", line, ("branch.csv", 3), "curve.resume", FOLDERS);
 }

@@ -77,10 +77,7 @@ fn a_copy_keeps_its_friction() {
 #[test]
 fn special_points_and_rows_are_starts() {
     let out = folder("saved-branch");
-    let branch = told(
-        "branch belt-pair --along v_dr=0.14..0.125",
-        &["--out", &out],
-    );
+    let branch = told("branch belt-pair --along v_dr=0.09..0.08", &["--out", &out]);
     let file = format!("{out}/branch.json");
     let special = &branch["special"][0];
     let label = special["label"].as_str().unwrap();
@@ -92,7 +89,7 @@ fn special_points_and_rows_are_starts() {
     let there = told("orbit belt-pair", &["--start", &at("3")]);
     assert_eq!(there["parameters"], row["parameters"]);
     near(&there["period"], &row["period"], 1e-8);
-    let along = format!("v_dr={}..0.125", row["r"]);
+    let along = format!("v_dr={}..0.08", row["r"]);
     let rest = told(
         "branch belt-pair",
         &["--along", &along, "--start", &at("3")],

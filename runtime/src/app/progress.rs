@@ -2,6 +2,7 @@
 
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::interrupt::{self, Work};
@@ -11,7 +12,7 @@ use super::request::Request;
 use super::spreadsheet::Columns;
 use super::text::number;
 use crate::model::ModelInfo;
-use crate::study::Along;
+use crate::study::{Along, News};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Parts into which the way of a branch is divided.
@@ -47,6 +48,17 @@ impl Progress {
         self.bar.set_position((share * PARTS as f64) as u64);
         self.bar.set_message(message);
         interrupt::verdict()
+    }
+
+    /// Says what was found last.
+    pub(super) fn say(&self, message: String) {
+        self.bar.set_message(message);
+    }
+
+    /// Shows on what a search is working, after this message.
+    pub(super) fn news(&self, message: &'static str) -> News {
+        let bar = self.bar.clone();
+        Arc::new(move |words| bar.set_message(format!("{message}: {words}")))
     }
 
     fn shown(output: &Output, bar: impl FnOnce() -> ProgressBar) -> Self {

@@ -5,6 +5,7 @@ use super::document::Document;
 use super::failure::{Failure, refuse};
 use super::offer::App;
 use super::output::Output;
+use super::saved::Saved;
 use super::values::{Assignment, Range, SMOOTH, Start};
 use super::words::place;
 use crate::field::{Design, Smoothing};
@@ -35,7 +36,43 @@ pub(super) fn request<'a>(
         Some(Start::Saved(named)) => Some(named.of(info)?),
         _ => None,
     };
-    let saved = saved.as_ref();
+    let case = case(info, subject, along, saved.as_ref())?;
+    let case = Case {
+        period: period.or(case.period),
+        ..case
+    };
+    entry
+        .check(&case)
+        .map_err(|error| Failure::of(&error, info))?;
+    let output = Output::open(&subject.destination)?.about(Document::case(info, &case));
+    if let Some(size) = superseded(subject, along) {
+        output.note(format!(
+            "note: the smoothing begins at the size {size}, as `--along` says"
+        ));
+    }
+    if let (Some(saved), Some(along)) = (&saved, along)
+        && let Some(value) = elsewhere(saved, along)
+    {
+        let (name, from) = (along.name(info), along.from);
+        output.note(format!(
+            "note: what was saved lies at {name} = {value}, and is a guess at {name} = {from}, where `--along` begins"
+        ));
+    }
+    Ok(Request {
+        entry,
+        info,
+        case,
+        output,
+    })
+}
+
+/// What the arguments say of a case, and, where they are silent, what was saved.
+fn case(
+    info: &ModelInfo,
+    subject: &Subject,
+    along: Option<Along>,
+    saved: Option<&Saved>,
+) -> Result<Case, Failure> {
     let known = saved.and_then(|saved| saved.dynamics);
     let mut case = Case::declared(info, dynamics(info, subject, along, known)?);
     case.along = along;
@@ -50,23 +87,18 @@ pub(super) fn request<'a>(
         Some(Start::Given(given)) => Some(begin(info, given)?),
         _ => saved.map(|saved| saved.state.clone()),
     };
-    case.period = period.or_else(|| saved?.period);
+    case.period = saved.and_then(|saved| saved.period);
     case.accuracy = subject.accuracy.unwrap_or(case.accuracy);
-    entry
-        .check(&case)
-        .map_err(|error| Failure::of(&error, info))?;
-    let output = Output::open(&subject.destination)?.about(Document::case(info, &case));
-    if let Some(size) = superseded(subject, along) {
-        output.note(format!(
-            "note: the smoothing begins at the size {size}, as `--along` says"
-        ));
-    }
-    Ok(Request {
-        entry,
-        info,
-        case,
-        output,
-    })
+    Ok(case)
+}
+
+/// The value of what is followed where something was saved, if it is not where that begins.
+fn elsewhere(saved: &Saved, along: Along) -> Option<f64> {
+    let index = along.design.parameter()?;
+    let known = saved.parameters.iter().find(|(known, _)| *known == index);
+    known
+        .map(|(_, value)| *value)
+        .filter(|value| *value != along.from)
 }
 
 impl Request<'_> {
@@ -191,19 +223,7 @@ fn dynamics(
         return refuse!("`--exact`: {reason}");
     }
     let Some(copy) = &subject.smooth else {
-        let smoothed = match saved.filter(|_| !subject.exact) {
-            Some(Dynamics::Smoothed(smoothing)) => Some(smoothing),
-            _ => None,
-        };
-        return match (smoothed, sized) {
-            (Some(Smoothing { kernel, .. }), Some(Along { from: size, .. })) => {
-                Ok(Dynamics::Smoothed(Smoothing { kernel, size }))
-            }
-            (None, Some(along)) => Err(kernel_missing("--along smooth=...", &along)),
-            _ if info.contacts.is_empty() => Ok(Dynamics::Smooth),
-            (Some(smoothing), None) => Ok(Dynamics::Smoothed(smoothing)),
-            (None, None) => Ok(Dynamics::Exact),
-        };
+        return unsaid(info, sized, saved.filter(|_| !subject.exact));
     };
     let word = &copy.word;
     if subject.exact {
@@ -227,6 +247,23 @@ fn dynamics(
         _ => copy.sized()?,
     };
     Ok(Dynamics::Smoothed(smoothing))
+}
+
+/// How friction acts where nothing is said of it: as it did, or by its law.
+fn unsaid(
+    info: &ModelInfo,
+    sized: Option<Along>,
+    saved: Option<Dynamics>,
+) -> Result<Dynamics, Failure> {
+    match (saved, sized) {
+        (Some(Dynamics::Smoothed(saved)), Some(along)) => Ok(Dynamics::Smoothed(Smoothing {
+            size: along.from,
+            ..saved
+        })),
+        (_, Some(along)) => Err(kernel_missing("--along smooth=...", &along)),
+        _ if info.contacts.is_empty() => Ok(Dynamics::Smooth),
+        (saved, None) => Ok(saved.unwrap_or(Dynamics::Exact)),
+    }
 }
 
 /// That the size of a smoothing is followed which nobody has named.

@@ -49,5 +49,5 @@ pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen};
 pub use motion::{Envelope, Limits, Trajectory};
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
-pub use system::System;
+pub use system::{News, System};
 pub use trade::{End, TradeRecord};

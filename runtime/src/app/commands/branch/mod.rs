@@ -184,7 +184,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);
     let branch = asked.got(
         passages
-            .recorded(asked.entry)
+            .recorded(&asked.entry.telling(progress.news(FIRST)))
             .branch(&asked.case, &mut watch),
     )?;
     drop(progress);

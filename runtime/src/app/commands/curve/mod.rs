@@ -61,7 +61,7 @@ pub(in crate::app) fn perform(
         CurveFinding::Point(point) => points.reach(Some(point.q), point),
     };
     let curve = passages
-        .recorded(asked.entry)
+        .recorded(&asked.entry.telling(progress.news(branch::FIRST)))
         .curve(&asked.case, &scope, &mut watch);
     drop(progress);
     let curve = match curve {

@@ -15,6 +15,7 @@ use crate::app::request::request;
 use crate::app::resume::{Notes, Question};
 use crate::app::section::Cut;
 use crate::app::show::Show;
+use crate::app::text::number;
 use crate::app::values::{Reading, counted, one_of};
 use crate::model::ModelInfo;
 use crate::poincare::{Section, Surface};
@@ -123,7 +124,8 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let watch = |seen: Seen<'_>| {
         let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
         papers.take(&seen);
-        progress.reach(seen.share, String::new())
+        let name = papers.along.name(info);
+        progress.reach(seen.share, format!("{name} = {}", number(seen.slice.r, 6)))
     };
     let record = asked.got(asked.entry.diagram(case, &diagram, &known, &watch))?;
     drop(progress);

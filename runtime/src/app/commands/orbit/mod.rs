@@ -25,6 +25,8 @@ use crate::study::{
 };
 pub(super) use record::{columns, document, largest, shown};
 
+/// What is done before anything is found.
+const SEARCH: &str = "looking for a periodic orbit";
 /// An estimate this many times above the accuracy asked for is worth a word.
 const MISSED: f64 = 10.0;
 
@@ -57,16 +59,14 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let section = arguments.cut.of(info)?;
     let shown = arguments.show.quantities(info)?;
     let failed = |error| asked.failed(error);
-    let progress = Progress::endless(output, "looking for a periodic orbit");
-    let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
+    let progress = Progress::endless(output, SEARCH);
+    let entry = entry.telling(progress.news(SEARCH));
+    let (orbit, certificate) = find(&entry, case, arguments.certify).map_err(failed)?;
     let from = Case {
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
-    let motion = output
-        .is_kept()
-        .then(|| motion(&asked, &from, orbit.period));
-    let motion = motion.transpose()?;
+    let motion = drawn(&asked, &from, orbit.period)?;
     let reason = reason(arguments, &asked);
     let mut answer = Answer::new(
         "orbit",
@@ -91,11 +91,15 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     verdict(certificate.as_ref())
 }
 
-/// The orbit once around, as it is drawn.
-fn motion(asked: &Request<'_>, from: &Case, period: f64) -> Result<Trajectory, Failure> {
+/// The orbit once around, if it is drawn.
+fn drawn(asked: &Request<'_>, from: &Case, period: f64) -> Result<Option<Trajectory>, Failure> {
+    if !asked.output.is_kept() {
+        return Ok(None);
+    }
     let limits = simulate::limits(&asked.output, u64::MAX);
     let mut watch = |_: &Trajectory| ControlFlow::Continue(());
-    asked.got(asked.entry.motion_within(from, period, limits, &mut watch))
+    let motion = asked.entry.motion_within(from, period, limits, &mut watch);
+    asked.got(motion).map(Some)
 }
 
 /// The method that was chosen, and why.

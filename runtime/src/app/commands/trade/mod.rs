@@ -13,10 +13,14 @@ use crate::app::interrupt;
 use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::request::request;
+use crate::app::text::short;
 use crate::app::values::{Range, Reading};
 use crate::field::{Design, Kernel};
 use crate::study::trade::{Finding, Scope};
 use crate::study::{Case, Dynamics};
+
+/// What is done all the time.
+const MEASURING: &str = "measuring what smoothing costs";
 
 /// Measure what each smoothing gets wrong, and what it costs, against the exact system
 #[derive(Debug, Clone, Args)]
@@ -60,12 +64,13 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     if case.along.map(|along| along.design) == Some(Design::Smoothing) {
         return refuse!("`trade` goes through the sizes by itself: `--along` takes a parameter");
     }
-    let progress = Progress::endless(output, "measuring what smoothing costs");
+    let progress = Progress::endless(output, MEASURING);
     let mut errors = output.journal("trade", sheet::copies(info, 0, Kernel::Arctan).head());
     let mut precisions = output.journal("work-precision", sheet::precision_head());
     let mut watch = |end: usize, finding: Finding<'_>| {
         match finding {
             Finding::Copy(kernel, point) => {
+                progress.say(format!("{MEASURING}: {kernel}:{}", short(point.size)));
                 errors.add([sheet::copies(info, end, kernel).row(point)])
             }
             Finding::Precision(one) => precisions.add(sheet::precision_rows(end, one)),
