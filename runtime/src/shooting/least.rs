@@ -9,12 +9,15 @@ use super::guess::Guess;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
-use crate::motion::{Flow, Place, apart};
+use crate::motion::{Flow, Place, apart, half_extents};
 
 /// Laps that are looked for; a multiple of several of them is found in steps.
 const LAPS: [u32; 11] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31];
 /// A motion that is further than this from its start has not come back, in half extents.
 const NEAR: f64 = 0.05;
+/// Parts of a period that are tried where the whole leads nowhere, and how near to its start a motion comes after one.
+const PARTS: u32 = 12;
+const BACK: f64 = 1e-3;
 /// How many times as far as two runs a shorter orbit may be from the long one.
 const BLUR: f64 = 10.0;
 
@@ -54,6 +57,33 @@ pub(super) fn shorter(
         }
     }
     Ok(None)
+}
+
+/// Guesses of a part of a period, the shortest first, where the motion comes back after it: what is left to try where it
+/// cannot be followed for the whole as well as Newton's method needs it.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowError> {
+    let whole = flow.advance(&guess.place, guess.period, Default::default())?;
+    let magnitude = half_extents(&whole.calm.low, &whole.calm.high, &guess.magnitude);
+    let (mut place, mut time) = (guess.place.clone(), 0.0);
+    let mut found = Vec::new();
+    for laps in (2..=PARTS).rev() {
+        let part = Guess {
+            period: guess.period / f64::from(laps),
+            magnitude: magnitude.clone(),
+            ..guess.clone()
+        };
+        place = flow
+            .advance(&place, part.period - time, Default::default())?
+            .end;
+        time = part.period;
+        if gap(flow, &place.state, &part) <= BACK {
+            found.push(part);
+        }
+    }
+    Ok(found)
 }
 
 /// The place of a shot at a time.

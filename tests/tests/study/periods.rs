@@ -55,10 +55,13 @@ fn returns(system: &System, case: &Case, orbit: &OrbitRecord, laps: u32) -> bool
     let drive = system.info().drive;
     (0..end.len()).all(|j| {
         let gap = match end[j] - orbit.state[j] {
-            gap if drive == Some(j) => (gap / std::f64::consts::TAU).fract(),
+            turned if drive == Some(j) => {
+                let turns = turned / std::f64::consts::TAU;
+                turns - turns.round()
+            }
             gap => gap / (orbit.max[j] - orbit.min[j]),
         };
-        gap.abs() <= APART.max(1e2 * orbit.error_estimate) || (1.0 - gap).abs() <= APART
+        gap.abs() <= APART.max(1e2 * orbit.error_estimate)
     })
 }
 
