@@ -14,7 +14,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use super::failure::{Failure, INTERRUPTED};
-use super::output::print;
+use super::print::print;
 
 /// How the names of notes end.
 pub(super) const ENDING: &str = "resume";
