@@ -79,14 +79,13 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             magnitude,
             pins: Vec::new(),
         };
-        return converge(family, r, &guess, search).or_else(|error| {
-            let flow = loose(&guess.magnitude)?;
-            let parts = parts(flow.as_ref(), &guess).unwrap_or_default();
-            let found = parts
-                .iter()
-                .find_map(|part| converge(family, r, part, search).ok());
-            found.ok_or(error)
-        });
+        let flow = loose(&guess.magnitude)?;
+        let parts = parts(flow.as_ref(), &guess).unwrap_or_default();
+        let mut found = parts.iter().map(|part| converge(family, r, part, search));
+        return match found.find_map(Result::ok) {
+            Some(orbit) => Ok(orbit),
+            None => converge(family, r, &guess, search),
+        };
     }
     let mut failed = Failed::new(meant);
     let longest = meant.longest();
