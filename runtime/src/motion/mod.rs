@@ -90,6 +90,11 @@ pub trait Flow: Send + Sync {
         Vec::new()
     }
 
+    /// The magnitude at which a state that a law carries stops; infinite for any other.
+    fn stop(&self, _state: usize) -> f64 {
+        f64::INFINITY
+    }
+
     /// Whether the field stands for the system at this place.
     ///
     /// # Errors

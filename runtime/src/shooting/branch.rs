@@ -68,6 +68,7 @@ impl OrbitBranch {
             .with_magnitude(&guess.magnitude);
         let (mut problem, z) =
             problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
+        problem.centre(r).map_err(Failure::Evaluation)?;
         problem
             .float(&orbit.place, r)
             .map_err(Failure::Evaluation)?;

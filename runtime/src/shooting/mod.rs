@@ -2,6 +2,7 @@
 
 mod anchor;
 mod branch;
+mod centre;
 mod certificate;
 mod converge;
 mod error;

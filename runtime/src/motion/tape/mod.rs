@@ -162,6 +162,7 @@ impl Flow for TapedFlow {
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
         margins(at: &Place) -> Vec<(usize, f64)>;
         speeds(state: &[f64]) -> Vec<f64>;
+        stop(state: usize) -> f64;
         check(at: &Place) -> Result<(), FlowError>;
         read(at: &Place) -> Result<Reading, FlowError>;
         contacts(at: &Place) -> Result<Contacts, FlowError>;
