@@ -8,6 +8,7 @@ mod converge;
 mod error;
 mod guess;
 mod hopf;
+mod least;
 mod neutral;
 mod orbit;
 mod phase;

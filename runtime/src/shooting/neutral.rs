@@ -21,6 +21,8 @@ const CLOSED: f64 = 1e-6;
 const NEUTRAL: f64 = 1e-7;
 /// The same for a matrix that is known roughly.
 const SUSPECT: f64 = 1e-4;
+/// A motion that misses closing by more than this, sharply followed, does not close.
+const DRIFT: f64 = 1e-9;
 /// How far a neighbour is sought, in units of the condition, and how well it must close.
 const ASIDE: f64 = 1e-3;
 const NEIGHBOUR: f64 = 1e-8;
@@ -50,14 +52,28 @@ fn sharply(
 
 /// Whether a motion that comes back has neighbours that do so as well, whatever they are.
 pub(super) fn is_neutral(family: &Family, r: f64, guess: &Guess) -> bool {
-    sharply(family, r, guess).is_some_and(|(_, _, at)| {
+    sharply(family, r, guess).is_some_and(|(problem, _, at)| {
         let shot = &at.extra;
         let (monodromy, _) = shot.monodromy();
         let multipliers = floquet(&monodromy, &shot.velocity.f, None, 0, &[], 0, NEUTRAL);
         let one = Complex::new(1.0, 0.0);
         let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
-        multipliers.multipliers.iter().any(near)
+        multipliers.multipliers.iter().any(near) && !drifts(&at, &problem.scale())
     })
+}
+
+/// Whether a motion misses closing in a direction in which no correction of its start or its period helps: slowly, it
+/// goes on in that direction, and neither it nor its neighbours are periodic.
+fn drifts(at: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
+    let Some(svd) = svd(scaled(at, scale)) else {
+        return false;
+    };
+    let (Some(left), values) = (svd.u, svd.singular_values) else {
+        return false;
+    };
+    let lost = (0..values.len()).filter(|i| values[*i] <= SUSPECT * values.max());
+    lost.map(|i| left.column(i).dot(&at.residual).abs())
+        .any(|drift| drift > DRIFT)
 }
 
 /// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is

@@ -25,7 +25,6 @@ pub struct Special {
     /// The multipliers there.
     pub multipliers: Vec<Complex<f64>>,
     /// Where the orbit there begins.
-    #[serde(skip)]
     pub state: Vec<f64>,
     /// Its largest magnitude of each state.
     #[serde(skip)]

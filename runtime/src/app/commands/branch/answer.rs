@@ -1,12 +1,13 @@
 //! A branch, with those that leave it, in all forms.
 
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
+use crate::app::answer::Answer;
 use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};
-use crate::app::output::Answer;
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
 use crate::app::text::{followed, heading, number, timed};
@@ -18,23 +19,27 @@ use crate::study::{BranchRecord, Case, OrbitRecord, Special};
 
 /// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
 /// states.
-pub(in crate::app::commands) fn answer(
-    asked: &Request<'_>,
-    branch: &BranchRecord,
-    shown: &[usize],
-) -> Answer<'static> {
+pub(in crate::app::commands) fn answer<'a>(
+    asked: &'a Request<'_>,
+    branch: &'a BranchRecord,
+    shown: &'a [usize],
+) -> Answer<'a> {
     let (info, case) = (asked.info, &asked.case);
-    let text = describe(asked, branch, shown);
-    let answer = Answer::new("branch", text, document(info, case, branch))
-        .figure("branch", picture(asked, branch, shown));
-    let columns = orbit::columns(info, &branch.along, &case.harmonics);
+    let answer = Answer::new(
+        "branch",
+        || describe(asked, branch, shown),
+        || document(info, case, branch),
+    )
+    .figure("branch", || picture(asked, branch, shown));
+    let columns = Rc::new(orbit::columns(info, &branch.along, &case.harmonics));
     let all = branch.all().into_iter().enumerate();
     all.fold(answer, |answer, (number, one)| {
         let name = match number {
             0 => "branch".to_owned(),
             _ => format!("branch-{number}"),
         };
-        answer.sheet(name, columns.sheet(&one.points))
+        let columns = columns.clone();
+        answer.sheet(name, move || columns.sheet(&one.points))
     })
 }
 
@@ -194,7 +199,9 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Docu
         .range("along", &branch.along)
         .maybe("from", branch.from.as_ref())
         .list("points", &branch.points, orbit)
-        .put("special", &branch.special)
+        .list("special", &branch.special, |one| {
+            Document::of(info, one).by_state(&["state"])
+        })
         .ended(&branch.ended)
         .maybe("began", branch.began.as_ref().map(|ended| ended.word()))
         .list("branches", &branch.branches, |below| {
