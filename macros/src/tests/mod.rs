@@ -24,7 +24,7 @@ fn messages(declaration: &str, grammar: Grammar) -> Vec<String> {
     if let Some(written) = parse::declaration(tokens, grammar, &mut errors) {
         match grammar {
             Grammar::Model => drop(check::model(&written, &mut errors)),
-            Grammar::Law | Grammar::Memory => drop(check::law(&written, &mut errors)),
+            grammar => drop(check::law(&written, grammar, &mut errors)),
         }
     }
     let found = errors.finish().err().into_iter().flatten();

@@ -163,6 +163,8 @@ fn units(info: &ModelInfo) -> Value {
         .contacts
         .iter()
         .map(|contact| (contact.name, contact.unit));
+    let presses = info.presses.iter().map(|press| (press.name, press.unit));
+    let forces = forces.chain(presses);
     let observables = info.observables.iter().map(|line| (line.name, line.unit));
     let named = states.chain(parameters).chain(forces).chain(observables);
     let mut units: Map<String, Value> = named

@@ -180,7 +180,7 @@ fn dynamics(
     let Some(copy) = &subject.smooth else {
         return match sized {
             Some(along) => Err(kernel_missing("--along smooth=...", &along)),
-            None if info.contacts.is_empty() => Ok(Dynamics::Smooth),
+            None if !info.touches() => Ok(Dynamics::Smooth),
             None => Ok(Dynamics::Exact),
         };
     };
@@ -188,7 +188,7 @@ fn dynamics(
     if subject.exact {
         return refuse!("`--exact` and `--smooth {word}` exclude each other");
     }
-    if let Some(reason) = info.only_form() {
+    if let Some(reason) = info.only_form().or_else(|| info.unsmoothed()) {
         return refuse!("`--smooth {word}`: {reason}");
     }
     if info.contacts.is_empty() {

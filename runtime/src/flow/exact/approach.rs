@@ -20,7 +20,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let speeds = system.speeds(stepper.from().state());
         let (rates, length) = &mut self.rates;
         let modes = self.modes.as_slice().iter().enumerate();
-        for (i, mode) in modes.filter(|(i, _)| !system.is_idle(*i)) {
+        for (i, mode) in modes.filter(|(i, _)| system.is_straight(*i) && !system.is_idle(*i)) {
             let rate = mode.sign() * gradients[i].dot(stepper.from_slope().state());
             let bend = (rate - rates.as_ref()[i]) / *length;
             rates.as_mut()[i] = rate;

@@ -111,7 +111,8 @@ struct Line {
 fn lines(info: &ModelInfo, motion: &Trajectory) -> [Vec<Line>; 3] {
     let states = info.states.iter().map(|one| (one.name, one.unit));
     let observables = info.observables.iter().map(|one| (one.name, one.unit));
-    let forces = info.contacts.iter().map(|one| (one.name, one.unit));
+    let rubbing = info.contacts.iter().map(|one| (one.name, one.unit));
+    let forces = rubbing.chain(info.presses.iter().map(|one| (one.name, one.unit)));
     [
         along(states, &motion.states),
         along(observables, &motion.observables),
