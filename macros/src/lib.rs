@@ -27,11 +27,11 @@ pub fn model(declaration: TokenStream) -> TokenStream {
 /// Expands a friction law, as `stickslip::friction_law!` describes.
 #[proc_macro]
 pub fn friction_law(declaration: TokenStream) -> TokenStream {
-    expand::law(declaration.into(), parse::Grammar::Law).into()
+    expand::law(declaration.into()).into()
 }
 
 /// Expands a law of contacts that press, as `stickslip::press_law!` describes.
 #[proc_macro]
 pub fn press_law(declaration: TokenStream) -> TokenStream {
-    expand::law(declaration.into(), parse::Grammar::Press).into()
+    expand::press_law(declaration.into()).into()
 }

@@ -103,7 +103,7 @@ impl Arithmetic<'_> {
         let way_out = match self.grammar {
             Grammar::Model => {
                 "a jump of dry friction is a `friction` line, a wall or a gap is a `press` line: \
-                 `press N: N = Law { .. } closing gap;`"
+                 `press N = Law { .. } closing gap;`"
             }
             Grammar::Press => {
                 "a law of presses is one formula for all depths; that it never pulls is seen to where it is used"
@@ -125,11 +125,12 @@ impl Arithmetic<'_> {
         let message = match self.grammar {
             Grammar::Model if JUMPS.contains(&name) => format!(
                 "`{name}` is not smooth, and no switch is declared for its jump; \
-                 write dry friction as `friction F = Law {{ .. }} opposing speed;`"
+                 write dry friction as `friction F = Law {{ .. }} opposing speed;`, a wall or a gap as \
+                 `press N = Law {{ .. }} closing gap;`"
             ),
             Grammar::Model => format!(
                 "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line, \
-                 a wall or a gap is a `press` line: `press N: N = Law {{ .. }} closing gap;`; elsewhere {}",
+                 a wall or a gap is a `press` line: `press N = Law {{ .. }} closing gap;`; elsewhere {}",
                 smooth(name)
             ),
             Grammar::Press => format!(

@@ -8,7 +8,7 @@ use quote::quote;
 use super::lift::Lift;
 use super::shell::{Shell, generics};
 use super::tangent::{Slope, Slopes, Tangents};
-use super::{allowed, info, memory_law, page, press_law};
+use super::{allowed, info, memory_law, page, presses};
 use crate::check::{Force, Law, Parameter};
 use crate::formula::Formula;
 
@@ -46,7 +46,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
         }
         Force::Press(force) => {
             let kind = quote!(press::PressLaw<D>);
-            (kind, press_law::items(law, force, lift))
+            (kind, presses::items(law, force, lift))
         }
     };
     let fields = fields(&law.parameters);

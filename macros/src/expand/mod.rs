@@ -12,7 +12,7 @@ mod memory_law;
 mod model;
 mod page;
 mod pattern;
-mod press_law;
+mod presses;
 mod shell;
 mod stub;
 mod tangent;
@@ -42,8 +42,17 @@ pub(crate) fn model(tokens: TokenStream) -> TokenStream {
     with_errors(expanded, errors)
 }
 
-/// Expands `friction_law!`, or `press_law!` where that is the grammar.
-pub(crate) fn law(tokens: TokenStream, grammar: Grammar) -> TokenStream {
+/// Expands `friction_law!`.
+pub(crate) fn law(tokens: TokenStream) -> TokenStream {
+    law_in(Grammar::Law, tokens)
+}
+
+/// Expands `press_law!`.
+pub(crate) fn press_law(tokens: TokenStream) -> TokenStream {
+    law_in(Grammar::Press, tokens)
+}
+
+fn law_in(grammar: Grammar, tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
     let written = parse::declaration(tokens, grammar, &mut errors);
     let expanded = written.as_ref().map(|written| {

@@ -151,7 +151,7 @@ pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
 
 /// A `stop` line where none can be.
 const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`; a coordinate that meets a wall is pressed \
-     back by it: `press N: N = Law { .. } closing gap;`";
+     back by it: `press N = Law { .. } closing gap;`";
 
 pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStream) -> syn::Error {
     let word = written.to_string();

@@ -7,7 +7,6 @@ mod enclosed_cycles;
 mod ground;
 mod henon;
 mod metamorphic;
-mod press;
 mod properties;
 mod reach;
 mod reference;

@@ -5,7 +5,7 @@ use num_dual::Dual64;
 use super::constants::{GENERIC, generic_state};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
-use crate::press::{PressLaw, Pressed, pressing};
+use crate::press::{PressLaw, pressing};
 use crate::scalar::{Inline, Scalar};
 
 /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
@@ -63,36 +63,6 @@ pub(super) fn limits<M: Model<N>, D: Scalar, const N: usize>(
     };
     let _ = M::rhs(params, *state, &mut rule);
     rule.limits
-}
-
-/// The magnitude of the terms of what holds a press closed.
-pub(super) fn hold_terms<M: Model<N>, const N: usize>(
-    params: &M::Params<f64>,
-    state: &[f64; N],
-    press: usize,
-) -> f64 {
-    let mut rule = Terms { press, terms: 0.0 };
-    let _ = M::rhs(params, *state, &mut rule);
-    rule.terms
-}
-
-/// Notes the terms of what holds one press closed.
-struct Terms {
-    press: usize,
-    terms: f64,
-}
-
-impl ContactRule<f64> for Terms {
-    fn force<L: FrictionLaw<f64>>(&mut self, _: usize, _: &L, _: f64) -> f64 {
-        0.0
-    }
-
-    fn press<L: PressLaw<f64>>(&mut self, contact: usize, law: &L, gap: f64, rate: f64) -> f64 {
-        if contact == self.press {
-            self.terms = Pressed::new(law, gap, rate).terms;
-        }
-        0.0
-    }
 }
 
 /// Notes the largest force at rest and the limit of the sliding force at speed 0.

@@ -6,7 +6,8 @@ use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
 use super::mode::{Mode, Modes};
-use super::rest::{hold_terms, idle, layers, limits, loose};
+use super::pressed::{hold_terms, rough};
+use super::rest::{idle, layers, limits, loose};
 use super::rule::Branches;
 use super::strip::Strip;
 use crate::field::memory;
@@ -63,6 +64,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) corners: usize,
     /// Which contacts no force ever holds: where w = 0 nothing happens to them.
     pub(super) idle: M::PerContact<bool>,
+    /// Which presses have a force that is no power series in the depth.
+    rough: M::PerContact<bool>,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -82,6 +85,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             magnitude: memory::bounded::<M, N>(&plain, [1.0; N]),
             corners: memory::corners::<M, N>(&plain),
             idle: idle::<M, N>(&turned),
+            rough: rough::<M, N>(&turned),
             turned,
         }
     }
@@ -172,6 +176,11 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// Whether no force ever holds this contact: where w = 0 nothing happens to it.
     pub(crate) fn is_idle(&self, contact: usize) -> bool {
         self.idle.as_ref()[contact]
+    }
+
+    /// Whether the force of a press is no power series in the depth, as that of Hertz is not.
+    pub(crate) fn is_rough(&self, press: usize) -> bool {
+        self.rough.as_ref()[press]
     }
 
     /// The values of the parameters.

@@ -189,9 +189,14 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             }
             let pair = &models.as_ref()[contact];
             for (place, guard) in Guard::of(contact, *mode).enumerate() {
-                if !self.is_affine(guard) {
-                    let noise = SAMPLED_NOISE * self.terms(pair, place, guard);
-                    self.judge(guard, &pair[place].without_noise(noise), from, width);
+                let noise = SAMPLED_NOISE * self.terms(pair, place, guard);
+                let heard = pair[place].without_noise(noise);
+                // What never comes near to letting go has no minimum but that of its rounding errors.
+                let still = guard.side != 0.0
+                    && mode.is_of_press()
+                    && heard.derivative().magnitude() <= RESOLVED * heard.lower_bound();
+                if !still && !self.is_affine(guard) {
+                    self.judge(guard, &heard, from, width);
                 }
             }
         }
