@@ -16,6 +16,8 @@ pub(crate) struct Turning<const N: usize> {
     /// Where the state came to rest, if it rests.
     resting: [Option<(f64, [f64; N])>; N],
     found: Vec<Extremum<N>>,
+    /// Those of the last step, so that steps allocate nothing.
+    looks: Vec<Look<N>>,
 }
 
 /// The inside of a step.
@@ -46,25 +48,26 @@ impl<const N: usize> Turning<N> {
             sign: [0.0; N],
             resting: [None; N],
             found: Vec::new(),
+            looks: Vec::new(),
         }
     }
 
     /// Finds the extrema of every state inside a step, which is looked at here at least, its beginning first.
-    pub(crate) fn step(
-        &mut self,
-        looks: impl Iterator<Item = Look<N>> + Clone,
-        step: &mut impl Inside<N>,
-    ) {
+    pub(crate) fn step(&mut self, looks: impl Iterator<Item = Look<N>>, step: &mut impl Inside<N>) {
+        let mut seen = std::mem::take(&mut self.looks);
+        seen.clear();
+        seen.extend(looks);
         for index in 0..N {
-            let mut all = hidden(index, looks.clone(), step);
+            let mut all = hidden(index, &seen, step);
             if all.is_empty() {
-                self.follow(index, looks.clone(), step);
+                self.follow(index, &seen, step);
             } else {
-                all.extend(looks.clone());
+                all.extend_from_slice(&seen);
                 all.sort_by(|a, b| a.theta.total_cmp(&b.theta));
-                self.follow(index, all.into_iter(), step);
+                self.follow(index, &all, step);
             }
         }
+        self.looks = seen;
     }
 
     /// Notes where the phase of a drive begins anew in a step between these ends.
@@ -91,17 +94,10 @@ impl<const N: usize> Turning<N> {
         self.found
     }
 
-    fn follow(
-        &mut self,
-        index: usize,
-        looks: impl Iterator<Item = Look<N>>,
-        step: &mut impl Inside<N>,
-    ) {
+    fn follow(&mut self, index: usize, looks: &[Look<N>], step: &mut impl Inside<N>) {
         let (time, length) = step.span();
-        let (mut last, mut still) = (None::<Look<N>>, None::<Look<N>>);
-        let mut first = None;
+        let (mut last, mut still) = (None::<&Look<N>>, None::<&Look<N>>);
         for look in looks {
-            first.get_or_insert(look.state);
             let sign = look.sign(index);
             if sign == 0.0 {
                 still = Some(look);
@@ -113,7 +109,7 @@ impl<const N: usize> Turning<N> {
                 let place = match (rest, last) {
                     (Some(rest), _) => rest,
                     (None, Some(before)) => {
-                        let (theta, state) = polish(index, &before, &look, length, step);
+                        let (theta, state) = polish(index, before, look, length, step);
                         (time + theta * length, state)
                     }
                     // A corner between two steps, or an extremum just there.
@@ -127,8 +123,8 @@ impl<const N: usize> Turning<N> {
             self.sign[index] = sign;
             last = Some(look);
         }
-        if let (None, Some(first)) = (last, first) {
-            self.resting[index].get_or_insert((time, first));
+        if let (None, Some(first)) = (last, looks.first()) {
+            self.resting[index].get_or_insert((time, first.state));
         }
     }
 
@@ -145,16 +141,20 @@ impl<const N: usize> Turning<N> {
 /// Looks between those that have the same sign on both sides of a pair of extrema.
 fn hidden<const N: usize>(
     index: usize,
-    looks: impl Iterator<Item = Look<N>> + Clone,
+    looks: &[Look<N>],
     step: &mut impl Inside<N>,
 ) -> Vec<Look<N>> {
     let path = step.path(index);
-    let slope = path.derivative().without_noise(FLAT * path.magnitude());
+    let noise = FLAT * path.magnitude();
+    if path.most_turns(noise) < 2 {
+        return Vec::new();
+    }
+    let slope = path.derivative().without_noise(noise);
     let (changes, mut before) = (slope.sign_changes(), None);
     let mut more = Vec::new();
     for change in changes.iter() {
         let after = change.theta;
-        let seen = |from: f64| looks.clone().any(|l| from < l.theta && l.theta < after);
+        let seen = |from: f64| looks.iter().any(|l| from < l.theta && l.theta < after);
         if let Some(from) = before.replace(after).filter(|from| !seen(*from)) {
             more.extend(step.look(0.5 * (from + after)));
         }

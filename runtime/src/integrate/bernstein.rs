@@ -131,6 +131,20 @@ impl Bernstein {
         slope
     }
 
+    /// More often than this it does not turn (Descartes' rule for its slope); slopes of at most this size are none.
+    #[must_use]
+    pub fn most_turns(&self, noise: f64) -> usize {
+        let (mut last, mut turns) = (0.0, 0);
+        for pair in self.coefficients().windows(2) {
+            let slope = self.degree as f64 * (pair[1] - pair[0]);
+            if slope.abs() > noise {
+                turns += usize::from(last * slope < 0.0);
+                last = slope;
+            }
+        }
+        turns
+    }
+
     /// How far the parabola that fits at θ, where p falls, goes on to fall: p'²/2p''; infinite if p'' ≤ 0.
     #[must_use]
     pub fn depth(&self, theta: f64) -> f64 {

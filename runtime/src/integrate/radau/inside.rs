@@ -39,7 +39,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     pub(crate) fn looks(
         &self,
         accepted: &Accepted<N, S>,
-    ) -> impl Iterator<Item = Look<N>> + Clone + use<'f, F, N, S> {
+    ) -> impl Iterator<Item = Look<N>> + use<'f, F, N, S> {
         let beginning = Look {
             theta: 0.0,
             state: accepted.start,
