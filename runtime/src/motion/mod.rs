@@ -80,12 +80,13 @@ pub trait Flow: Send + Sync {
         Ok(None)
     }
 
-    /// For each sliding contact its number and its relative speed the way it slides: not positive beyond the mode.
+    /// For each sliding contact its number and its relative speed the way it slides, for each press its gap or depth: not
+    /// positive beyond the mode.
     fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
         Vec::new()
     }
 
-    /// The relative speed of every set-valued contact at a state; none for a smooth system.
+    /// The relative speed of every set-valued contact at a state, and the gap of every press; none for a smooth system.
     fn speeds(&self, _state: &[f64]) -> Vec<f64> {
         Vec::new()
     }
@@ -93,6 +94,12 @@ pub trait Flow: Send + Sync {
     /// The magnitude at which a state that a law carries stops; infinite for any other.
     fn stop(&self, _state: usize) -> f64 {
         f64::INFINITY
+    }
+
+    /// The same modes, those contacts loose, and only those, whose presses are open; what no longer is slides the way of
+    /// its speed.
+    fn loosened(&self, modes: Modes, _speeds: &[f64]) -> Modes {
+        modes
     }
 
     /// Whether the field stands for the system at this place.

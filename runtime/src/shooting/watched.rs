@@ -61,11 +61,14 @@ impl PeriodicPoint for Orbit {
             let (kind, value) = match event.kind {
                 EventKind::Crossing { margin, .. } => (Kind::CrossingSliding, margin),
                 EventKind::Landing { margin, .. } => (Kind::SwitchingSliding, margin),
+                EventKind::Nearest { margin } if event.mode.is_of_press() => {
+                    (Kind::Grazing, margin)
+                }
                 EventKind::Nearest { margin } if event.mode == ContactMode::Stick => {
                     (Kind::AddingSliding, margin)
                 }
                 EventKind::Nearest { margin } => (Kind::GrazingSliding, margin),
-                EventKind::Release { .. } => return None,
+                EventKind::Release { .. } | EventKind::Closing | EventKind::Opening => return None,
             };
             let contact = event.contact;
             Some(Margin {
@@ -82,6 +85,7 @@ impl PeriodicPoint for Orbit {
             let kind = match event.kind {
                 EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
                 EventKind::Release { .. } => Kind::AddingSliding,
+                EventKind::Closing | EventKind::Opening => Kind::Grazing,
                 EventKind::Nearest { .. } => return None,
             };
             (event.rate < 0.0).then_some(Margin {
