@@ -49,6 +49,12 @@ impl<P: ZeroProblem> Link<P> {
         &self.chord
     }
 
+    /// Distance of its ends, in scaled coordinates.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
     /// The point of the branch in the plane across the chord at this share of it, 0 < share < 1.
     ///
     /// # Errors

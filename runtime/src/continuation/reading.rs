@@ -5,11 +5,12 @@ use nalgebra::DVector;
 use super::ZeroProblem;
 use super::branch::{Branch, Started};
 use super::corrector::Failure;
+use super::crossing::Crossing;
 use super::detect::Monitors;
 use super::ending::Ending;
 use super::link::Link;
 use super::located::Located;
-use super::path::{Path, Watched};
+use super::path::{Border, Path, Watched};
 use super::point::Point;
 use super::range::Stop;
 use crate::field::Work;
@@ -60,6 +61,25 @@ pub trait Reader: Clone {
 
     /// The special point that these points lead to, where no step succeeds any more.
     fn explain(&self, _points: &[Self::Point]) -> Option<Located<Self::Point>> {
+        None
+    }
+
+    /// The point at which its equations become others that a branch comes to after its last point, and what continues it
+    /// there; `None` if it comes to none.
+    fn cross(
+        &self,
+        _branch: &Branch<Self::Problem>,
+        _last: &Self::Point,
+    ) -> Option<Crossing<Self::Problem, Self::Point>> {
+        None
+    }
+
+    /// The point between two others at which the equations become others, and what it is.
+    fn border(
+        &self,
+        _problem: &mut Self::Problem,
+        _ends: [&Self::Point; 2],
+    ) -> Option<Border<Self::Point>> {
         None
     }
 
@@ -134,6 +154,12 @@ impl<R: Reader> Reading<R> {
         R::work(&self.branch.problem)
     }
 
+    /// Goes on with another branch, its first point next; what it has cost so far is in its problem.
+    pub(super) fn go_on(&mut self, (branch, first): Started<R::Problem>) {
+        self.branch = branch;
+        self.first = Some(self.read(&first));
+    }
+
     fn read(&mut self, point: &Point<<R::Problem as ZeroProblem>::Extra>) -> R::Point {
         let total = self.work();
         let work = total.since(&self.counted);
@@ -193,5 +219,9 @@ impl<R: Reader> Path for Between<R> {
         };
         let (problem, chord) = (&self.link.problem, self.link.chord());
         Ok(self.reader.between(problem, &point, chord))
+    }
+
+    fn border(&mut self, ends: [&R::Point; 2]) -> Option<Border<R::Point>> {
+        self.reader.border(&mut self.link.problem, ends)
     }
 }

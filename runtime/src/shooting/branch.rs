@@ -3,13 +3,15 @@
 use nalgebra::DVector;
 
 use super::anchor::problem;
+use super::border::{between, cross};
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
-    Branch, Ending, Failure, Located, Monitors, Point, Reader, Reading, Settings, Started,
+    Border, Branch, Crossing, Ending, Failure, Located, Monitors, Point, Reader, Reading, Settings,
+    Started,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -134,6 +136,18 @@ impl Reader for Orbits {
         if found.kind == Kind::BranchPoint && found.point.loses_symmetry(family) == Ok(true) {
             found.kind = Kind::SymmetryBreaking;
         }
+    }
+
+    fn cross(
+        &self,
+        branch: &Branch<OrbitProblem>,
+        last: &Orbit,
+    ) -> Option<Crossing<OrbitProblem, Orbit>> {
+        cross(branch, last, self.accuracy)
+    }
+
+    fn border(&self, problem: &mut OrbitProblem, ends: [&Orbit; 2]) -> Option<Border<Orbit>> {
+        between(problem, ends, self.accuracy)
     }
 
     fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {

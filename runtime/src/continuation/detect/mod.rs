@@ -4,7 +4,7 @@ use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::monitor::{Monitor, Verdict};
-use super::path::{Path, Spot, Watched};
+use super::path::{Border, Path, Spot, Watched};
 use super::root::zero;
 
 /// Where a step is divided; the second where more directions are marginal at the first than at the ends.
@@ -146,7 +146,13 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         if before.share > from.share {
             self.step(from, before, halvings);
         }
-        if found.is_sharp() {
+        if let Some(Border { kind, point, share }) = found.border.clone() {
+            let at = Spot { share, point };
+            self.located.push(Located {
+                abrupt: true,
+                ..Located::between(kind, [before, after], at)
+            });
+        } else if found.is_sharp() {
             let kind = (self.monitors.change)(&found.before, &found.after);
             self.located.push(Located {
                 r: 0.5 * (before.point.r() + after.point.r()),
