@@ -12,8 +12,8 @@ const SETTLED: f64 = 0.01;
 const WIDE: f64 = 1e-6;
 /// Where in a bracket the next point is tried: in the middle, elsewhere if there is none.
 const TRIALS: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
-/// Part of a bracket beside a point of its own at which the regimes must be those on its two sides.
-const BESIDE: f64 = 1e-2;
+/// Share of the step that such a bracket may be: where r turns, it does not change much either.
+const APART: f64 = 1e-3;
 
 /// The points on both sides of a change of regime, each nearer to it than the one before.
 pub(super) struct Change<P> {
@@ -31,7 +31,9 @@ impl<P: Watched> Change<P> {
 
     /// Whether r is known well enough.
     pub(super) fn is_sharp(&self) -> bool {
-        self.border.is_some() || width(self.nearest()) <= WIDE
+        let [before, after] = self.nearest();
+        let narrow = width([before, after]) <= WIDE && after.share - before.share <= APART;
+        self.border.is_some() || narrow
     }
 }
 
@@ -52,9 +54,12 @@ pub(super) fn change<Q: Path>(
             break;
         }
         let due = iteration % EVERY == 0 && iteration <= SOUGHT;
-        if due && let Some((border, [before, after])) = of_its_own(path, ends) {
-            found.before.push(before);
-            found.after.push(after);
+        if due && let Some(mut border) = path.border([&ends[0].point, &ends[1].point]) {
+            let share = ends[0].share + border.share * (ends[1].share - ends[0].share);
+            border.share = share;
+            let [come, left] = border.points.clone();
+            found.before.push(Spot { share, point: come });
+            found.after.push(Spot { share, point: left });
             found.border = Some(border);
             break;
         }
@@ -75,28 +80,6 @@ pub(super) fn change<Q: Path>(
 fn width<P: Watched>([a, b]: [&Spot<P>; 2]) -> f64 {
     let r = a.point.r();
     (b.point.r() - r).abs() / r.abs().max(f64::MIN_POSITIVE)
-}
-
-/// The change as a point of its own, if beside it nothing else happens, and the points there.
-fn of_its_own<Q: Path>(
-    path: &mut Q,
-    [low, high]: [&Spot<Q::Point>; 2],
-) -> Option<(Border<Q::Point>, [Spot<Q::Point>; 2])> {
-    let border = path.border([&low.point, &high.point])?;
-    let width = high.share - low.share;
-    let share = low.share + border.share * width;
-    let mut beside = |share: f64, end: &Spot<Q::Point>| {
-        if share <= low.share || share >= high.share {
-            return Some(end.clone());
-        }
-        let point = path.at(share).ok()?;
-        point
-            .same_regime(&end.point)
-            .then_some(Spot { share, point })
-    };
-    let before = beside(share - BESIDE * width, low)?;
-    let after = beside(share + BESIDE * width, high)?;
-    Some((Border { share, ..border }, [before, after]))
 }
 
 fn try_between<Q: Path>(path: &mut Q, [low, high]: [&Spot<Q::Point>; 2]) -> Option<Spot<Q::Point>> {

@@ -49,6 +49,11 @@ impl<P: ZeroProblem> Link<P> {
         &self.chord
     }
 
+    /// The magnitude of r in which steps are measured.
+    pub(super) fn r_scale(&self) -> f64 {
+        self.r_scale
+    }
+
     /// Distance of its ends, in scaled coordinates.
     #[must_use]
     pub fn length(&self) -> f64 {

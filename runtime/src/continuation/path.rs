@@ -56,6 +56,11 @@ pub trait Path {
     /// No point could be found there.
     fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error>;
 
+    /// The point at a share of the way once more, more sharply; `None` where that cannot be done.
+    fn sharper(&mut self, _share: f64) -> Option<Self::Point> {
+        None
+    }
+
     /// The point between two others at which their regimes part, if it can be found as a point of its own.
     fn border(&mut self, _ends: [&Self::Point; 2]) -> Option<Border<Self::Point>> {
         None
@@ -67,10 +72,12 @@ pub trait Path {
 pub struct Border<P> {
     /// What happens there.
     pub kind: Kind,
-    /// The point.
-    pub point: P,
+    /// The point, as it is come to and as it is left.
+    pub points: [P; 2],
     /// Its place, as a share of the way between the two points between which it was found.
     pub share: f64,
+    /// Estimated error of r there.
+    pub error: f64,
 }
 
 /// A point and its place on a path.

@@ -40,8 +40,8 @@ pub trait Reader: Clone {
         self.read(problem, point, Work::default())
     }
 
-    /// Evaluates what lies between two points more sharply than the points.
-    fn sharpen(&self, _problem: &mut Self::Problem) {}
+    /// Evaluates what lies between two points more sharply than the points: `once_more` tells errors.
+    fn sharpen(&self, _problem: &mut Self::Problem, _once_more: i32) {}
 
     /// What is looked for.
     fn monitors(&self) -> Monitors<'_, Self::Point>;
@@ -79,6 +79,7 @@ pub trait Reader: Clone {
         &self,
         _problem: &mut Self::Problem,
         _ends: [&Self::Point; 2],
+        _r_scale: f64,
     ) -> Option<Border<Self::Point>> {
         None
     }
@@ -170,7 +171,7 @@ impl<R: Reader> Reading<R> {
     /// What lies between the last two points, these; `None` at the first.
     pub(super) fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
         let mut link = self.branch.link()?.clone();
-        self.reader.sharpen(&mut link.problem);
+        self.reader.sharpen(&mut link.problem, 0);
         Some(Between {
             counted: R::work(&link.problem),
             straight: self.reader.straight(ends),
@@ -221,7 +222,15 @@ impl<R: Reader> Path for Between<R> {
         Ok(self.reader.between(problem, &point, chord))
     }
 
+    fn sharper(&mut self, share: f64) -> Option<R::Point> {
+        self.reader.sharpen(&mut self.link.problem, 1);
+        let point = self.at(share).ok();
+        self.reader.sharpen(&mut self.link.problem, 0);
+        point
+    }
+
     fn border(&mut self, ends: [&R::Point; 2]) -> Option<Border<R::Point>> {
-        self.reader.border(&mut self.link.problem, ends)
+        let r_scale = self.link.r_scale();
+        self.reader.border(&mut self.link.problem, ends, r_scale)
     }
 }

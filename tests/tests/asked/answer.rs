@@ -5,15 +5,18 @@ use stickslip::study::{BranchRecord, Special};
 /// Distance of a special point from an end of a range, relative to its value, at which it may be on either side.
 const BORDERLINE: f64 = 1e-5;
 
+/// Error of one, relative to its value, whose error was not measured.
+const UNMEASURED: f64 = 1e-6;
+
 /// A branch as it was answered.
-pub struct Answer {
-    pub record: BranchRecord,
+pub(crate) struct Answer {
+    pub(crate) record: BranchRecord,
     /// The warning with which it ended.
-    pub undecided: Option<String>,
+    pub(crate) undecided: Option<String>,
 }
 
 impl Answer {
-    pub fn of(record: BranchRecord) -> Self {
+    pub(crate) fn of(record: BranchRecord) -> Self {
         let undecided = record.unlocated().map(|ended| ended.reason.clone());
         Self { record, undecided }
     }
@@ -27,7 +30,7 @@ impl Answer {
     fn within(&self, [low, high]: [f64; 2]) -> Vec<&Special> {
         let inside = |r: f64| r >= low && r <= high;
         let points = &self.record.points;
-        let left = points.iter().position(|point| !inside(point.r));
+        let left = points.iter().position(|point| !point.r.is_some_and(inside));
         let left = left.unwrap_or(points.len());
         let special = self.record.special.iter();
         special
@@ -37,7 +40,7 @@ impl Answer {
 }
 
 /// What one answer says and the other does not.
-pub fn compare(first: &Answer, other: &Answer, way: &str) -> Option<String> {
+pub(crate) fn compare(first: &Answer, other: &Answer, way: &str) -> Option<String> {
     let [a, b] = [first.range(), other.range()];
     let range = [a[0].max(b[0]), a[1].min(b[1])];
     let (one, two) = if way == "far end" {
@@ -56,7 +59,14 @@ pub fn compare(first: &Answer, other: &Answer, way: &str) -> Option<String> {
     missing.retain(|one| !borderline(one));
     extra.retain(|one| !borderline(one));
     let told = |all: &[&Special]| {
-        let one = |one: &&Special| format!("{} {:.10}", one.label, one.r);
+        let one = |one: &&Special| {
+            format!(
+                "{} {:.11} ({:.0e})",
+                one.label,
+                one.r,
+                one.error.unwrap_or(f64::NAN)
+            )
+        };
         all.iter().map(one).collect::<Vec<_>>().join(", ")
     };
     let ends = [first, other].map(|one| one.record.ended.reason.clone());
@@ -86,7 +96,8 @@ fn without<'a>(all: &[&'a Special], others: &[&'a Special]) -> Vec<&'a Special> 
     missing
 }
 
+/// One point, to the sum of its estimated errors.
 fn same(a: &Special, b: &Special) -> bool {
-    let gap = (a.r - b.r).abs();
-    a.kind == b.kind && gap <= 1e-6 * a.r.abs()
+    let error = |one: &Special| one.error.unwrap_or(UNMEASURED * one.r.abs());
+    a.kind == b.kind && (a.r - b.r).abs() <= error(a) + error(b)
 }

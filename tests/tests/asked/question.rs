@@ -41,7 +41,7 @@ model! {
 
 /// A branch that is asked for.
 #[derive(Debug, Clone)]
-pub struct Question {
+pub(crate) struct Question {
     system: System,
     case: Case,
     along: Along,
@@ -49,7 +49,7 @@ pub struct Question {
 
 impl Question {
     /// Random parameters of a random system, one of them followed.
-    pub fn random(dice: &mut Random) -> Self {
+    pub(crate) fn random(dice: &mut Random) -> Self {
         let systems = [
             System::of::<VanDerPol, _>,
             System::of::<BeltOscillator, _>,
@@ -87,7 +87,7 @@ impl Question {
     }
 
     /// The answer; `None` if there is no orbit to begin with.
-    pub fn answer(&self) -> Option<Answer> {
+    pub(crate) fn answer(&self) -> Option<Answer> {
         let case = Case {
             along: Some(self.along),
             ..self.case.clone()
@@ -105,21 +105,21 @@ impl Question {
     }
 
     /// The same at another accuracy.
-    pub fn at_accuracy(&self, accuracy: f64) -> Self {
+    pub(crate) fn at_accuracy(&self, accuracy: f64) -> Self {
         let mut other = self.clone();
         other.case.accuracy = accuracy;
         other
     }
 
     /// The same, up to this share of the way.
-    pub fn up_to(&self, share: f64) -> Self {
+    pub(crate) fn up_to(&self, share: f64) -> Self {
         let mut other = self.clone();
         other.along.to = self.along.from + share * (self.along.to - self.along.from);
         other
     }
 
     /// The same the other way round, if the branch went all the way.
-    pub fn reversed(&self, answer: &Answer) -> Option<Self> {
+    pub(crate) fn reversed(&self, answer: &Answer) -> Option<Self> {
         let last = answer.record.points.last()?;
         (answer.record.ended.word() == "reached-end").then(|| {
             let mut other = self.clone();
@@ -129,16 +129,17 @@ impl Question {
     }
 
     /// The same, begun with an orbit within.
-    pub fn from_within(&self, answer: &Answer, share: f64) -> Option<Self> {
+    pub(crate) fn from_within(&self, answer: &Answer, share: f64) -> Option<Self> {
         let points = &answer.record.points;
         let point = points.get((share * points.len() as f64) as usize)?;
         let (low, high) = (
             self.along.from.min(self.along.to),
             self.along.from.max(self.along.to),
         );
-        (point.r > low && point.r < high).then(|| {
+        let r = point.r.filter(|r| *r > low && *r < high);
+        r.map(|r| {
             let mut other = self.begin(&point.state, point.period);
-            other.case.beginning = Beginning::At(point.r);
+            other.case.beginning = Beginning::At(r);
             other
         })
     }

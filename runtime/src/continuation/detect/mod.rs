@@ -146,11 +146,11 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         if before.share > from.share {
             self.step(from, before, halvings);
         }
-        if let Some(Border { kind, point, share }) = found.border.clone() {
-            let at = Spot { share, point };
+        if let Some(Border { kind, error, .. }) = found.border {
             self.located.push(Located {
                 abrupt: true,
-                ..Located::between(kind, [before, after], at)
+                error,
+                ..Located::between(kind, [before, after], before.clone())
             });
         } else if found.is_sharp() {
             let kind = (self.monitors.change)(&found.before, &found.after);
@@ -177,15 +177,21 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 continue;
             }
             let mut at = zero(self.path, ends, &monitor.test, self.accuracy)?;
-            match monitor.verdict(points, &mut at.point) {
-                Some(Verdict::Special(kind)) => located.push(Located::between(kind, ends, at)),
-                Some(Verdict::Last(kind)) => located.push(Located {
-                    last: true,
-                    ..Located::between(kind, ends, at)
-                }),
-                Some(Verdict::Bound) => bound = Some(at),
-                None => {}
-            }
+            let (kind, last) = match monitor.verdict(points, &mut at.spot.point) {
+                Some(Verdict::Special(kind)) => (kind, false),
+                Some(Verdict::Last(kind)) => (kind, true),
+                Some(Verdict::Bound) => {
+                    bound = Some(at.spot);
+                    continue;
+                }
+                None => continue,
+            };
+            let error = at.error(self.path, &monitor.test, self.accuracy);
+            located.push(Located {
+                last,
+                error,
+                ..Located::between(kind, ends, at.spot)
+            });
         }
         Ok(Events { located, bound })
     }

@@ -42,6 +42,8 @@ pub struct Border {
     pub(super) held: [f64; 2],
     /// Distance in time, as a share of the period.
     away: f64,
+    /// When the short stretch begins and ends that belongs to it, if there is one.
+    brief: Option<[f64; 2]>,
 }
 
 impl Border {
@@ -65,6 +67,12 @@ impl Border {
     #[must_use]
     pub fn is_graze(&self) -> bool {
         self.condition == Condition::Touch && self.before() != Mode::Stick
+    }
+
+    /// Whether what is short of it is all that the words of these orbits differ by.
+    pub(super) fn parts(&self, orbit: &Orbit, other: &Orbit) -> bool {
+        let without = |brief| orbit.without(brief).has_word_of(other, 1);
+        self.brief.is_some_and(without)
     }
 
     /// The mode in which the contact comes to it.
@@ -156,6 +164,7 @@ impl<'a> Round<'a> {
             modes: [before.clone(), after.clone()],
             held: [0.0; 2],
             away: f64::INFINITY,
+            brief: None,
         };
         let Some(rate) = self.approach(flow, &mut border, event)? else {
             return Ok(None);
@@ -170,6 +179,11 @@ impl<'a> Round<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
+        let times = |own: &[usize]| match own {
+            [first, last] => Some([first, last].map(|i| self.orbit.events[*i].time)),
+            _ => None,
+        };
+        border.brief = times(&change.own);
         border.modes = change.modes;
         border.held = self.held(event, &change.own);
         Ok(Some(border))
@@ -216,7 +230,8 @@ impl<'a> Round<'a> {
         border.away = if switches {
             rate.abs() / bend
         } else {
-            (2.0 * value / bend).sqrt()
+            // Events are those of the last motion, one correction away from the orbit.
+            (2.0 * value.abs() / bend).sqrt()
         } / period;
         Ok((bend > 0.0).then_some(rate))
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::candidate::Border as Candidate;
 use super::located::{Edge, edge};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem,
@@ -40,8 +41,9 @@ pub(in crate::shooting) fn cross(
         let level = way.abs() <= NOISE * accuracy * last.r.abs();
         last.apart(&found.orbit) <= REACH && (level || slope.is_some_and(|slope| slope * way > 0.0))
     };
-    let found = edge(family, last, accuracy, &mut work, ahead)?;
-    let located = Located::at(found.kind, found.orbit.r, found.orbit.clone());
+    let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
+    let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());
+    located.error = found.error;
     let beyond = if found.border.drops {
         Beyond::Nothing
     } else {
@@ -138,21 +140,32 @@ fn set_out(
 /// The border between two neighbouring orbits of different words.
 pub(in crate::shooting) fn between(
     problem: &mut OrbitProblem,
-    [from, to]: [&Orbit; 2],
+    ends: [&Orbit; 2],
+    r_scale: f64,
     accuracy: f64,
 ) -> Option<Border<Orbit>> {
-    let whole = from.away(to);
+    let whole = ends[0].away(ends[1]);
     let inside = |found: &Edge| {
-        let [a, b] = [from, to].map(|end| found.orbit.away(end));
+        let [a, b] = ends.map(|end| found.orbit.away(end));
         a.max(b) <= BETWEEN * whole
     };
-    let mut sought = [from, to].into_iter();
-    let (family, work) = (problem.family.clone(), &mut problem.work);
-    let found = sought.find_map(|near| edge(&family, near, accuracy, work, inside))?;
-    let [a, b] = [from, to].map(|end| found.orbit.away(end));
+    let (family, scale) = (problem.family.clone(), problem.scale());
+    let found = [0, 1].into_iter().find_map(|i| {
+        let [near, other] = [ends[i], ends[1 - i]];
+        let parts = |border: &Candidate| border.parts(near, other);
+        edge(&family, near, accuracy, &mut problem.work, (parts, inside))
+    })?;
+    let phase = phase(problem, &found);
+    let side = |end: &Orbit, way: f64| {
+        let happens = end.has_word_of(&found.orbit, 1) == found.border.happens;
+        let direction = found.sides.direction(happens, &phase, &scale, r_scale)?;
+        Some(found.seen_from(end, happens, way * direction[direction.len() - 1]))
+    };
+    let [a, b] = ends.map(|end| found.orbit.away(end));
     Some(Border {
         kind: found.kind,
-        point: found.orbit,
+        points: [side(ends[0], -1.0)?, side(ends[1], 1.0)?],
         share: a / (a + b),
+        error: found.error,
     })
 }

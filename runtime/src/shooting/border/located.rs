@@ -1,16 +1,16 @@
 //! The border near to which orbits are, found as a point of its own.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::candidate::Border;
-use super::problem::{BorderProblem, BorderShot};
+use super::problem::BorderProblem;
 use super::sides::Sides;
 use crate::bifurcation::{Kind, floquet};
 use crate::continuation::{ZeroProblem, correct_at};
 use crate::field::Work;
 use crate::flow::Want;
 use crate::integrate::Tolerance;
-use crate::motion::{Derivatives, Family, sticking};
+use crate::motion::{Family, sticking};
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::problem::OrbitProblem;
 use crate::shooting::shot::Shot;
@@ -32,25 +32,30 @@ pub(in crate::shooting) struct Edge {
     pub(super) border: Border,
     /// What its normal form says.
     pub(super) sides: Sides,
+    /// Estimated error of r.
+    pub(super) error: f64,
 }
 
-/// The first border near to `orbit` that `fits`; the second number is the estimated error of its r.
+/// The first border near to `orbit`, of those that are `wanted`, that `fits`.
 pub(in crate::shooting) fn edge(
     family: &Family,
     orbit: &Orbit,
     accuracy: f64,
     work: &mut Work,
-    fits: impl Fn(&Edge) -> bool,
+    (wanted, fits): (impl Fn(&Border) -> bool, impl Fn(&Edge) -> bool),
 ) -> Option<Edge> {
     if !orbit.pins.is_empty() {
         return None;
     }
     let flow = family.at(orbit.r).ok()?;
     let near = Border::near(flow.as_ref(), orbit).ok()?;
-    near.into_iter().take(TRIED).find_map(|border| {
-        let found = converge(family, orbit, border, accuracy, work)?;
-        fits(&found).then_some(found)
-    })
+    near.into_iter()
+        .filter(wanted)
+        .take(TRIED)
+        .find_map(|border| {
+            let found = converge(family, orbit, border, accuracy, work)?;
+            fits(&found).then_some(found)
+        })
 }
 
 fn converge(
@@ -102,20 +107,20 @@ fn read(
     let (state, period, r) = (&z.as_slice()[..order], z[order], z[order + 1]);
     let at = problem.evaluate(z, 0.0).ok()?;
     let flow = family.with_magnitude(&near.magnitude()).at(r).ok()?;
-    let slopes = slopes(&at.jacobian, order);
+    // The slopes of what vanishes, up to a positive factor each.
+    let slopes = at.jacobian.rows(order, 2).into_owned();
     let sides = Sides::of(problem, flow.as_ref(), (state, period), &slopes).ok()?;
     let border = problem.border.clone();
-    let BorderShot { inwards, .. } = at.extra;
-    let map = sides.map(border.happens).clone();
     let mut passage = flow.advance(&sides.start, period, Want::EXTREMA).ok()?;
-    passage.derivatives = Some(map.clone());
+    passage.derivatives = Some(sides.map(border.happens).clone());
+    let residual = at.residual.norm();
     let shot = Shot {
         passages: vec![passage],
         velocity: flow.velocity(&sides.start).ok()?,
         start: sides.start.clone(),
         period,
         drive: flow.phase(),
-        closure: at.residual.norm(),
+        closure: residual,
         pins: Vec::new(),
     };
     let z = OrbitProblem::unknowns(std::slice::from_ref(&sides.start), period);
@@ -123,43 +128,38 @@ fn read(
         shot: &shot,
         z: &z,
         r,
-        residual: at.residual.norm(),
+        residual,
     };
-    let mut orbit = Orbit::read(family, solution, near.error_estimate, Work::default());
-    orbit.floquet = if border.drops {
-        near.floquet.clone()
-    } else {
-        judged(&map, near, &sides)
-    };
-    // Of what is about to happen, the orbit beside it knows more than the one that is there.
-    (orbit.events, orbit.segments) = (near.events.clone(), near.segments.clone());
-    orbit.heading.slope = near.heading.slope;
-    orbit.error_estimate = orbit
-        .error_estimate
-        .max(error / r.abs().max(f64::MIN_POSITIVE));
-    Some(Edge {
-        kind: border.kind(inwards),
-        orbit,
+    let mut edge = Edge {
+        kind: border.kind(at.extra.inwards),
+        orbit: Orbit::read(family, solution, near.error_estimate, Work::default()),
         border,
         sides,
-    })
+        error,
+    };
+    edge.orbit = edge.seen_from(near, edge.border.happens, near.heading.slope);
+    Some(edge)
 }
 
-fn judged(map: &Derivatives, near: &Orbit, sides: &Sides) -> crate::bifurcation::Floquet {
-    let stuck = near.segments.iter().map(|segment| sticking(&segment.modes));
-    let zeros = stuck.max().unwrap_or(0);
-    floquet(
-        &map.state,
-        &sides.velocity,
-        None,
-        zeros,
-        &[],
-        0,
-        near.error_estimate,
-    )
-}
-
-/// The slopes of what vanishes, up to a positive factor each.
-fn slopes(jacobian: &DMatrix<f64>, order: usize) -> DMatrix<f64> {
-    jacobian.rows(order, 2).into_owned()
+impl Edge {
+    /// The orbit as it is on the side of `near`; `slope` is the r-component of the tangent of the branch there.
+    pub(super) fn seen_from(&self, near: &Orbit, happens: bool, slope: f64) -> Orbit {
+        let map = self.sides.map(happens);
+        let stuck = near.segments.iter().map(|segment| sticking(&segment.modes));
+        let zeros = stuck.max().unwrap_or(0);
+        let accuracy = near.error_estimate;
+        let velocity = &self.sides.velocity;
+        let judged = || floquet(&map.state, velocity, None, zeros, &[], 0, accuracy);
+        let mut orbit = self.orbit.clone();
+        // Where force drops the map has no limit.
+        orbit.floquet = if self.border.drops {
+            near.floquet.clone()
+        } else {
+            judged()
+        };
+        // Of what is about to happen, the orbit beside it knows more than the one that is there.
+        (orbit.events, orbit.segments) = (near.events.clone(), near.segments.clone());
+        orbit.heading.slope = slope;
+        orbit
+    }
 }
