@@ -71,13 +71,18 @@ pub trait Flow: Send + Sync {
     /// The motion cannot be followed.
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError>;
 
-    /// The relative speed of a contact the way it slides in this mode, and its rate; `None` if there is
-    /// no such contact, or it sticks.
+    /// What ends the mode of a contact where it falls through zero, and its rate: the relative speed the way it slides, or
+    /// what the force of one that sticks lacks to its limit; `None` if there is no such contact.
     ///
     /// # Errors
     /// The forces are not determined there.
     fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
         Ok(None)
+    }
+
+    /// By what share of its limit at rest the force of a contact drops where it lets go; 0 if there is no such contact.
+    fn loosening(&self, _state: &[f64], _contact: usize) -> f64 {
+        0.0
     }
 
     /// For each sliding contact its number and its relative speed the way it slides, for each press its gap or depth: not
