@@ -1,4 +1,4 @@
-//! The declaration language of `stickslip`: [`model!`] and [`friction_law!`].
+//! The declaration language of `stickslip`: [`model!`], [`friction_law!`] and [`press_law!`].
 //!
 //! A declaration passes through three representations that never mix: as written (`syntax`),
 //! known good (`check`) and tokens (`expand`). Whatever is wrong is collected on the way.
@@ -28,4 +28,10 @@ pub fn model(declaration: TokenStream) -> TokenStream {
 #[proc_macro]
 pub fn friction_law(declaration: TokenStream) -> TokenStream {
     expand::law(declaration.into()).into()
+}
+
+/// Expands a law of contacts that press, as `stickslip::press_law!` describes.
+#[proc_macro]
+pub fn press_law(declaration: TokenStream) -> TokenStream {
+    expand::press_law(declaration.into()).into()
 }

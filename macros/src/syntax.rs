@@ -11,6 +11,7 @@ use crate::repeated::Repeated;
 /// The words that join the parts of a line.
 pub(crate) mod word {
     syn::custom_keyword!(at);
+    syn::custom_keyword!(closing);
     syn::custom_keyword!(opposing);
     syn::custom_keyword!(with);
 }
@@ -36,6 +37,7 @@ pub(crate) enum Line {
     Param(Value),
     Let(Rule),
     Friction(Friction),
+    Press(Friction),
     Derivative(Rule),
     Stick(Rule),
     Slip(Rule),
@@ -57,22 +59,27 @@ pub(crate) struct Value {
 }
 
 /// A word, a name and a formula: `let name = formula;`, `der(state) = formula;`, `stick = formula;`,
-/// `slip(speed) = formula;`, `force(speed) = formula;`, `stop state at formula;` or `drive phase at formula;`.
+/// `slip(speed) = formula;`, `force(speed) = formula;`, `force(depth, rate) = formula;`, `stop state at formula;` or
+/// `drive phase at formula;`.
 pub(crate) struct Rule {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) word: Ident,
     /// What the formula is of; for `stick`, that word.
     pub(crate) name: Ident,
+    /// The second of what it is of: the rate of a depth.
+    pub(crate) rate: Option<Ident>,
     pub(crate) formula: Formula,
 }
 
-/// `friction name: unit = Law { fields } opposing speed with states;`, the last part only where the law has memory.
+/// `friction name: unit = Law { fields } opposing speed with states;`, the last part only where the law has memory, or
+/// `press name: unit = Law { fields } closing gap;`.
 pub(crate) struct Friction {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) name: Ident,
     pub(crate) unit: Option<Unit>,
     pub(crate) law: Path,
     pub(crate) fields: Vec<Field>,
+    /// The relative speed; of a press, the gap.
     pub(crate) speed: Formula,
     /// The states that carry the internal states of the law.
     pub(crate) memory: Vec<Ident>,
@@ -148,6 +155,7 @@ lines_of! {
     params: Param(Value);
     lets: Let(Rule);
     frictions: Friction(Friction);
+    presses: Press(Friction);
     derivatives: Derivative(Rule);
     sticks: Stick(Rule);
     slips: Slip(Rule);
@@ -165,6 +173,7 @@ impl Line {
             Self::Param(_) => "param",
             Self::Let(_) => "let",
             Self::Friction(_) => "friction",
+            Self::Press(_) => "press",
             Self::Derivative(_) => "der",
             Self::Stick(_) => "stick",
             Self::Slip(_) => "slip",
@@ -179,7 +188,7 @@ impl Line {
     pub(crate) fn name(&self) -> Option<&Ident> {
         match self {
             Self::State(line) | Self::Param(line) => Some(&line.name),
-            Self::Friction(line) => Some(&line.name),
+            Self::Friction(line) | Self::Press(line) => Some(&line.name),
             Self::Broken(line) => line.name.as_ref(),
             _ => self.rule().map(|line| &line.name),
         }
@@ -191,21 +200,22 @@ impl Line {
                 Some(line)
             }
             Self::Force(line) | Self::Stop(line) | Self::Drive(line) => Some(line),
-            Self::State(_) | Self::Param(_) | Self::Friction(_) | Self::Broken(_) => None,
+            Self::State(_) | Self::Param(_) => None,
+            Self::Friction(_) | Self::Press(_) | Self::Broken(_) => None,
         }
     }
 
     /// The formulas of this line, from left to right.
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
         match self {
-            Self::Friction(line) => line.formulas().collect(),
+            Self::Friction(line) | Self::Press(line) => line.formulas().collect(),
             _ => self.rule().map(|line| &line.formula).into_iter().collect(),
         }
     }
 }
 
 impl Friction {
-    /// The fields of the law, and the speed.
+    /// The fields of the law, and the speed or the gap.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
         let fields = self.fields.iter().map(|field| &field.formula);
         fields.chain([&self.speed])

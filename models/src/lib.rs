@@ -7,6 +7,7 @@ pub mod closed_form;
 pub mod drill_string;
 pub mod forced_belt;
 pub mod friction;
+pub mod press;
 #[cfg(feature = "app")]
 pub mod reproduce;
 pub mod van_der_pol;

@@ -3,6 +3,7 @@
 use crate::friction::{FrictionLaw, LawInfo, LawParameter};
 use crate::memory::{MemoryLaw, MemoryLawInfo, same};
 use crate::model::Unit;
+use crate::press::{PressLaw, PressLawInfo};
 
 /// The data of the law that a function builds.
 ///
@@ -19,6 +20,14 @@ pub const fn info_of<L: FrictionLaw<f64>, const FIELDS: usize>(
 pub const fn memory_info_of<L: MemoryLaw<f64, S>, const FIELDS: usize, const S: usize>(
     _law: fn([f64; FIELDS]) -> L,
 ) -> &'static MemoryLawInfo {
+    L::INFO
+}
+
+/// The data of the law of presses that a function builds.
+#[must_use]
+pub const fn press_info_of<L: PressLaw<f64>, const FIELDS: usize>(
+    _law: fn([f64; FIELDS]) -> L,
+) -> &'static PressLawInfo {
     L::INFO
 }
 

@@ -2,6 +2,7 @@
 
 use crate::memory::{Answer, AnswerSlopes, MemoryLaw};
 use crate::model::{Bounds, ParameterError, Unit};
+use crate::press::{GapSlopes, PressLaw, pressing, pressing_slopes};
 use crate::scalar::Scalar;
 
 /// A dry friction law at given values of its parameters.
@@ -54,6 +55,12 @@ pub trait ContactRule<D: Scalar> {
     /// The force of contact number `contact`, whose relative speed is `speed`, as it stands in the equations.
     fn force<L: FrictionLaw<D>>(&mut self, contact: usize, law: &L, speed: D) -> D;
 
+    /// The force of contact number `contact`, which presses while its `gap` is negative; without a rule, as its law says.
+    #[inline]
+    fn press<L: PressLaw<D>>(&mut self, _contact: usize, law: &L, gap: D, rate: D) -> D {
+        pressing(law, gap, rate)
+    }
+
     /// Force and rates of a law with internal state, number `element` among those; they are not for a rule to decide.
     #[inline]
     fn recall<L: MemoryLaw<D, S>, const S: usize>(
@@ -79,6 +86,19 @@ pub trait SlopeRule {
         along: &L,
         speed: f64,
     ) -> ForceSlopes;
+
+    /// The force of contact number `contact`, which presses while its `gap` is negative, with its derivatives.
+    #[inline]
+    fn press<L: PressLaw<f64>>(
+        &mut self,
+        _contact: usize,
+        law: &L,
+        along: &L,
+        gap: f64,
+        rate: f64,
+    ) -> GapSlopes {
+        pressing_slopes(law, along, gap, rate)
+    }
 
     /// Force and rates of a law with internal state, with their derivatives.
     #[inline]

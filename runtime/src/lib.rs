@@ -5,7 +5,7 @@
 //! | modules | what lives there |
 //! |---|---|
 //! | [`scalar`], [`math`], [`suggest`] | numbers that carry derivatives, intervals, nearest names |
-//! | [`mod@model`], [`friction`], [`memory`] | what [`model!`] and [`friction_law!`] make of a declaration |
+//! | [`mod@model`], [`friction`], [`press`], [`memory`] | what [`model!`], [`friction_law!`] and [`press_law!`] make of a declaration |
 //! | [`field`] | the vector field: smoothed, or exact with its sticking forces; its derivatives, its work |
 //! | [`integrate`] | steps: explicit, implicit, with events |
 //! | [`flow`] | where a motion is after a time, how that depends on where it began; saltation |
@@ -44,6 +44,7 @@ pub mod memory;
 pub mod model;
 pub mod motion;
 pub mod poincare;
+pub mod press;
 #[cfg(feature = "app")]
 pub mod report;
 pub mod scalar;
@@ -60,6 +61,8 @@ pub use num_dual::DualSVec64;
 pub use stickslip_macros::friction_law;
 #[doc = include_str!("../docs/model.md")]
 pub use stickslip_macros::model;
+#[doc = include_str!("../docs/press_law.md")]
+pub use stickslip_macros::press_law;
 
 /// Defines the `main` of a program that studies the given models: `stickslip::app!(ModelA, ModelB);`.
 #[cfg(not(feature = "app"))]

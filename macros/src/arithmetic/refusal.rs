@@ -102,9 +102,11 @@ impl Arithmetic<'_> {
     pub(super) fn branch(&mut self, place: impl ToTokens) -> Kind {
         let way_out = match self.grammar {
             Grammar::Model => {
-                "a jump of dry friction is a `friction` line; a wall or a gap has no line of its own yet: a spring that \
-                 presses smoothly, `k * (d + sqrt(powi(d, 2) + powi(e, 2))) / 2` at the depth d, comes near it for a \
-                 small length e"
+                "a jump of dry friction is a `friction` line, a wall or a gap is a `press` line: \
+                 `press N = Law { .. } closing gap;`"
+            }
+            Grammar::Press => {
+                "a law of presses is one formula for all depths; that it never pulls is seen to where it is used"
             }
             Grammar::Law => "a law is one formula for all sliding speeds `s > 0`, and one for rest",
             Grammar::Memory => {
@@ -123,12 +125,17 @@ impl Arithmetic<'_> {
         let message = match self.grammar {
             Grammar::Model if JUMPS.contains(&name) => format!(
                 "`{name}` is not smooth, and no switch is declared for its jump; \
-                 write dry friction as `friction F = Law {{ .. }} opposing speed;`"
+                 write dry friction as `friction F = Law {{ .. }} opposing speed;`, a wall or a gap as \
+                 `press N = Law {{ .. }} closing gap;`"
             ),
             Grammar::Model => format!(
-                "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line; \
-                 a wall or a gap has no line of its own yet: {}",
+                "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line, \
+                 a wall or a gap is a `press` line: `press N = Law {{ .. }} closing gap;`; elsewhere {}",
                 smooth(name)
+            ),
+            Grammar::Press => format!(
+                "`{name}` is not smooth; a law of presses needs no largest and no magnitude: \
+                 the depth is positive, and that the force never pulls is seen to where the law is used"
             ),
             Grammar::Law => format!(
                 "`{name}` is not smooth; a law needs neither magnitude nor sign: \

@@ -85,6 +85,7 @@ const FAMILIAR: [(&str, [i32; 7]); 16] = [
 impl Dimension {
     pub(crate) const NONE: Self = Self([0; 7]);
     pub(crate) const FORCE: Self = Self::of([1, 1, -2, 0, 0, 0, 0]);
+    pub(crate) const LENGTH: Self = Self::of([1, 0, 0, 0, 0, 0, 0]);
     pub(crate) const SPEED: Self = Self::of([1, 0, -1, 0, 0, 0, 0]);
     pub(crate) const TIME: Self = Self::of([0, 0, 1, 0, 0, 0, 0]);
 

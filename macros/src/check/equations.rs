@@ -116,22 +116,37 @@ pub(super) fn check_one<'a>(lines: impl Iterator<Item = &'a Rule>, errors: &mut 
     }
 }
 
-/// The names that carry a friction force, directly or through `let` lines.
-struct Forces<'a>(HashSet<&'a Ident>);
+/// The names that carry a friction force, and those that carry a press, directly or through `let` lines.
+pub(super) struct Forces<'a> {
+    friction: HashSet<&'a Ident>,
+    presses: HashSet<&'a Ident>,
+}
+
+/// What a formula carries.
+#[derive(Clone, Copy, Default, PartialEq)]
+struct Load {
+    friction: bool,
+    press: bool,
+}
 
 impl<'a> Forces<'a> {
     /// Follows the lines from top to bottom; reports every product of forces to `errors`.
     fn of(written: &'a Declaration, errors: &mut Errors) -> Self {
-        let mut forces = Self(HashSet::new());
+        let mut forces = Self {
+            friction: HashSet::new(),
+            presses: HashSet::new(),
+        };
         for line in &written.lines {
-            let carries = match line {
-                Line::Friction(friction) => friction.memory.is_empty(),
-                Line::Let(quantity) => forces.enter(&quantity.formula, errors),
-                _ => false,
-            };
-            if let (true, Some(name)) = (carries, line.name()) {
-                forces.0.insert(name);
+            let mut load = Load::default();
+            match line {
+                Line::Friction(friction) => load.friction = friction.memory.is_empty(),
+                Line::Press(_) => load.press = true,
+                Line::Let(quantity) => load = forces.enter(&quantity.formula, errors),
+                _ => {}
             }
+            let name = line.name();
+            forces.friction.extend(name.filter(|_| load.friction));
+            forces.presses.extend(name.filter(|_| load.press));
         }
         for derivative in written.derivatives() {
             forces.enter(&derivative.formula, errors);
@@ -139,49 +154,69 @@ impl<'a> Forces<'a> {
         forces
     }
 
-    /// Whether a formula depends on forces, and linearly.
-    fn enter(&self, formula: &Formula, errors: &mut Errors) -> bool {
+    /// Whether a name is or contains a force of any kind.
+    pub(super) fn carries(&self, name: &Ident) -> bool {
+        self.friction.contains(name) || self.presses.contains(name)
+    }
+
+    /// The forces on which a formula depends, on those of friction linearly.
+    fn enter(&self, formula: &Formula, errors: &mut Errors) -> Load {
         if let Kind::Name(name) = &formula.kind {
-            return self.0.contains(name);
+            return Load {
+                friction: self.friction.contains(name),
+                press: self.presses.contains(name),
+            };
         }
         let parts = formula.parts().into_iter();
-        let parts: Vec<bool> = parts.map(|part| self.enter(part, errors)).collect();
+        let parts: Vec<Load> = parts.map(|part| self.enter(part, errors)).collect();
         let linear = match &formula.kind {
             Kind::Group(_) | Kind::Minus(_) => true,
             Kind::Binary(_, Operator::Add | Operator::Subtract, _) => true,
-            Kind::Binary(_, Operator::Multiply, _) => parts.contains(&false),
-            Kind::Binary(_, Operator::Divide, _) => !parts[1],
+            Kind::Binary(_, Operator::Multiply, _) => parts.contains(&Load::default()),
+            Kind::Binary(_, Operator::Divide, _) => parts[1] == Load::default(),
             _ => false,
         };
-        let depends = parts.contains(&true);
-        if depends && !linear {
+        let friction = parts.iter().any(|part| part.friction);
+        if friction && !linear {
             errors.at(formula, format!("`{formula}`: {NONLINEAR}"));
         }
-        depends && linear
+        Load {
+            friction: friction && linear,
+            press: parts.iter().any(|part| part.press),
+        }
     }
 }
 
 const NONLINEAR: &str = "friction forces must enter linearly, so that the sticking force can be solved for; \
      here one is multiplied by a force, stands in a denominator or inside a function";
 
-/// Friction forces enter the equations linearly.
-pub(super) fn check_forces_linear(written: &Declaration, errors: &mut Errors) {
-    Forces::of(written, errors);
+/// Friction forces enter the equations linearly: what carries them, and what carries a press.
+pub(super) fn check_forces_linear<'a>(written: &'a Declaration, errors: &mut Errors) -> Forces<'a> {
+    Forces::of(written, errors)
 }
 
 /// The speed of a contact and the fields of its law depend on no friction force.
-pub(super) fn check_laws_read_no_force(written: &Declaration, errors: &mut Errors) {
-    let mut elsewhere = Errors::new();
-    let forces = Forces::of(written, &mut elsewhere);
-    elsewhere.forget();
+pub(super) fn check_laws_read_no_force(
+    written: &Declaration,
+    forces: &Forces,
+    errors: &mut Errors,
+) {
     for friction in written.frictions() {
+        let own = &friction.name;
         for name in friction.formulas().flat_map(Formula::names) {
-            if *name != friction.name && forces.0.contains(name) {
-                let own = &friction.name;
+            if name != own && forces.friction.contains(name) {
                 errors.at(name, format!(
                     "`{name}` is or contains a friction force, and the law and speed of `{own}` cannot depend on one: \
-                     a normal force is a formula of states and parameters"
+                     a normal force is a formula of states and parameters, or a `press`"
                 ));
+            }
+        }
+        for name in friction.speed.names() {
+            if forces.presses.contains(name) {
+                errors.at(
+                    name,
+                    format!("`{name}` is or contains a press, and the speed of `{own}` cannot depend on one"),
+                );
             }
         }
     }

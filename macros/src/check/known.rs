@@ -16,7 +16,7 @@ pub(crate) struct Model<'a> {
     pub(crate) parameters: Vec<Parameter<'a>>,
     /// Whether the last of the states is the phase of a drive.
     pub(crate) driven: bool,
-    /// `let` and friction lines in the order in which they are computed.
+    /// `let`, friction and press lines in the order in which they are computed.
     pub(crate) steps: Vec<Step<'a>>,
 }
 
@@ -46,7 +46,7 @@ pub(crate) struct Unit {
 
 pub(crate) enum Step<'a> {
     Let(Let<'a>),
-    Friction(Box<Contact<'a>>),
+    Contact(Box<Contact<'a>>),
 }
 
 pub(crate) struct Let<'a> {
@@ -57,12 +57,14 @@ pub(crate) struct Let<'a> {
 
 pub(crate) struct Contact<'a> {
     pub(crate) line: &'a Friction,
-    /// Its number, among the contacts with internal state if it has such.
+    /// Its number, among the contacts with internal state if it has such; that of a press follows those of friction.
     pub(crate) place: usize,
+    /// Of a press, the rate of its gap.
+    pub(crate) rate: Option<Formula>,
     pub(crate) unit: Option<Unit>,
     /// The dimensions of the fields of its law, where they are known.
     pub(crate) fields: Vec<Option<Dimension>>,
-    /// The unit of the speed, where it is known.
+    /// The unit of the speed or the gap, where it is known.
     pub(crate) speed_unit: Option<Unit>,
     pub(crate) measures: Measures,
     /// The states that carry the internal states of its law, if that has such.
@@ -90,6 +92,8 @@ pub(crate) struct Law<'a> {
     pub(crate) parameters: Vec<Parameter<'a>>,
     pub(crate) lets: Vec<Let<'a>>,
     pub(crate) speed: &'a Ident,
+    /// The rate of its depth, if it is a law of presses: then `speed` is the depth.
+    pub(crate) rate: Option<&'a Ident>,
     /// The internal states, if it has such.
     pub(crate) states: Vec<LawState<'a>>,
     pub(crate) force: Force<'a>,
@@ -100,6 +104,8 @@ pub(crate) enum Force<'a> {
     Static(Whole<'a>, Whole<'a>),
     /// With internal state, at any speed.
     Memory(Whole<'a>),
+    /// Of a press, at any depth and rate.
+    Press(Whole<'a>),
 }
 
 pub(crate) struct LawState<'a> {
@@ -121,18 +127,24 @@ impl<'a> Model<'a> {
     pub(crate) fn lets(&self) -> impl Iterator<Item = &Let<'a>> {
         self.steps.iter().filter_map(|step| match step {
             Step::Let(quantity) => Some(quantity),
-            Step::Friction(_) => None,
+            Step::Contact(_) => None,
         })
     }
 
-    /// The contacts whose laws have no internal state.
+    /// The contacts that rub, with laws that have no internal state.
     pub(crate) fn contacts(&self) -> impl Iterator<Item = &Contact<'a>> {
-        self.frictions().filter(|contact| !contact.has_memory())
+        let all = self.all_contacts();
+        all.filter(|contact| !contact.has_memory() && !contact.is_press())
     }
 
     /// The contacts whose laws have internal state.
     pub(crate) fn memories(&self) -> impl Iterator<Item = &Contact<'a>> {
-        self.frictions().filter(|contact| contact.has_memory())
+        self.all_contacts().filter(|contact| contact.has_memory())
+    }
+
+    /// The contacts that press.
+    pub(crate) fn presses(&self) -> impl Iterator<Item = &Contact<'a>> {
+        self.all_contacts().filter(|contact| contact.is_press())
     }
 
     /// Whether a field of a law reads a state, itself or by what it is named.
@@ -146,15 +158,24 @@ impl<'a> Model<'a> {
                 moving.extend(step.computes());
             }
         }
-        let mut fields = self.frictions().flat_map(|contact| &contact.line.fields);
+        let mut fields = self.all_contacts().flat_map(|contact| &contact.line.fields);
         fields.any(|field| moves(&moving, &field.formula))
     }
 
-    fn frictions(&self) -> impl Iterator<Item = &Contact<'a>> {
+    fn all_contacts(&self) -> impl Iterator<Item = &Contact<'a>> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Friction(contact) => Some(contact.as_ref()),
+            Step::Contact(contact) => Some(contact.as_ref()),
             Step::Let(_) => None,
         })
+    }
+}
+
+impl<'a> Law<'a> {
+    /// What changes along a motion, in the order in which it is given to the law: the speed and the internal states, or
+    /// the depth and its rate.
+    pub(crate) fn moving(&self) -> impl Iterator<Item = &'a Ident> {
+        let states = self.states.iter().map(|state| &state.line.name);
+        std::iter::once(self.speed).chain(self.rate).chain(states)
     }
 }
 
@@ -162,14 +183,14 @@ impl<'a> Step<'a> {
     pub(crate) fn name(&self) -> &'a Ident {
         match self {
             Self::Let(quantity) => &quantity.line.name,
-            Self::Friction(contact) => &contact.line.name,
+            Self::Contact(contact) => &contact.line.name,
         }
     }
 
     pub(crate) fn docs(&self) -> &'a [Attribute] {
         match self {
             Self::Let(quantity) => &quantity.line.docs,
-            Self::Friction(contact) => &contact.line.docs,
+            Self::Contact(contact) => &contact.line.docs,
         }
     }
 
@@ -177,7 +198,7 @@ impl<'a> Step<'a> {
     pub(crate) fn computes(&self) -> Vec<&Ident> {
         let carriers = match self {
             Self::Let(_) => &[],
-            Self::Friction(contact) => contact.carriers.as_slice(),
+            Self::Contact(contact) => contact.carriers.as_slice(),
         };
         let rates = carriers.iter().map(|carrier| &carrier.rate);
         rates.chain([self.name()]).collect()
@@ -187,9 +208,10 @@ impl<'a> Step<'a> {
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
         match self {
             Self::Let(quantity) => vec![&quantity.line.formula],
-            Self::Friction(contact) => {
+            Self::Contact(contact) => {
                 let carriers = contact.carriers.iter().map(|carrier| &carrier.formula);
-                contact.line.formulas().chain(carriers).collect()
+                let lines = contact.line.formulas().chain(&contact.rate);
+                lines.chain(carriers).collect()
             }
         }
     }
@@ -198,5 +220,9 @@ impl<'a> Step<'a> {
 impl Contact<'_> {
     pub(crate) fn has_memory(&self) -> bool {
         !self.carriers.is_empty()
+    }
+
+    pub(crate) fn is_press(&self) -> bool {
+        self.rate.is_some()
     }
 }

@@ -98,6 +98,18 @@ pub(super) fn check_a_force(written: &Declaration, errors: &mut Errors) {
     check_one(written.forces(), errors);
 }
 
+/// A law of presses has one force.
+pub(super) fn check_a_press(written: &Declaration, errors: &mut Errors) {
+    let name = &written.header.name;
+    if written.forces().next().is_none() && !written.lost("force") {
+        errors.at(
+            name,
+            format!("law `{name}` has no force: add `force(d, v) = ...;` at the depth d that grows at the rate v"),
+        );
+    }
+    check_one(written.forces(), errors);
+}
+
 /// A law with a `force` line has internal state.
 pub(super) fn check_internal_state(written: &Declaration, errors: &mut Errors) {
     let lost = written

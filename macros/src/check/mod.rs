@@ -8,8 +8,10 @@ mod equations;
 mod known;
 mod memory;
 mod names;
+mod presses;
 mod reserved;
 mod resolve;
+mod slope;
 mod stops;
 mod units;
 
@@ -44,8 +46,10 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
     drive::check_one_drive(written, errors);
     drive::check_rate(written, &names, errors);
     drive::check_periodic(written, errors);
-    equations::check_laws_read_no_force(written, errors);
-    equations::check_forces_linear(written, errors);
+    let forces = equations::check_forces_linear(written, errors);
+    equations::check_laws_read_no_force(written, &forces, errors);
+    presses::check_presses_read_no_force(written, &forces, errors);
+    presses::check_gaps_move(written, &names, &forces, errors);
     bounds::check_bounds(written, errors);
     let units = Units::of(written, errors);
     units::check_drive(written, &units, errors);
@@ -61,15 +65,19 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
     }
 }
 
-/// Asks everything that a friction law must answer.
-pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<Law<'a>> {
+/// Asks everything that a law of this grammar must answer.
+pub(crate) fn law<'a>(
+    written: &'a Declaration,
+    grammar: Grammar,
+    errors: &mut Errors,
+) -> Option<Law<'a>> {
     let legible = errors.is_empty();
-    let names = Names::of(written, Grammar::Law);
+    let names = Names::of(written, grammar);
     reserved::check_reserved(written, &names, errors);
     names::check_declared_once(&names, errors);
     names::check_known(written, &names, errors);
     names::check_declared_above(written, errors);
-    if written.has_memory() {
+    if grammar != Grammar::Press && written.has_memory() {
         memory::check_no_rest(written, errors);
         memory::check_a_force(written, errors);
         memory::check_internal_state(written, errors);
@@ -79,6 +87,8 @@ pub(crate) fn law<'a>(written: &'a Declaration, errors: &mut Errors) -> Option<L
         stops::check_stopped_states(written, &names, errors);
         stops::check_one_stop_each(written, errors);
         stops::check_stops_stand_still(written, errors);
+    } else if grammar == Grammar::Press {
+        memory::check_a_press(written, errors);
     } else {
         names::check_rest_has_no_speed(written, errors);
         equations::check_stick_and_slip(written, errors);

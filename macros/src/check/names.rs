@@ -19,6 +19,7 @@ fn noun(keyword: &str) -> Option<&'static str> {
         "param" => Some("parameter"),
         "let" => Some("`let`"),
         "friction" => Some("friction force"),
+        "press" => Some("press"),
         "slip" => Some("sliding speed"),
         "force" => Some("relative speed"),
         "drive" => Some("phase of the drive"),
@@ -42,7 +43,7 @@ impl Names {
     pub(super) fn of(written: &Declaration, grammar: Grammar) -> Self {
         let unknown = written.broken().filter(|line| line.keyword.is_none());
         Self {
-            declared: written.lines.iter().filter_map(declared_by).collect(),
+            declared: written.lines.iter().flat_map(declared_by).collect(),
             doubtful: unknown.filter_map(|line| line.name.clone()).collect(),
             missing: arrays::missing(written)
                 .map(|element| element.name.clone())
@@ -76,9 +77,14 @@ impl Names {
     }
 }
 
-fn declared_by(line: &Line) -> Option<(Ident, &'static str)> {
-    let word = line.keyword().filter(|word| noun(word).is_some())?;
-    Some((line.name()?.clone(), word))
+fn declared_by(line: &Line) -> impl Iterator<Item = (Ident, &'static str)> {
+    let word = line.keyword().filter(|word| noun(word).is_some());
+    let rate = match line {
+        Line::Force(rule) => rule.rate.as_ref(),
+        _ => None,
+    };
+    let names = line.name().into_iter().chain(rate);
+    names.filter_map(move |name| Some((name.clone(), word?)))
 }
 
 /// Nothing is declared twice.
@@ -138,12 +144,13 @@ fn unknown(name: &Ident, names: &Names) -> String {
 
 /// `let` and friction lines are computed from top to bottom.
 pub(super) fn check_declared_above(written: &Declaration, errors: &mut Errors) {
-    let sequential = |line: &&Line| matches!(line, Line::Let(_) | Line::Friction(_));
+    let sequential =
+        |line: &&Line| matches!(line, Line::Let(_) | Line::Friction(_) | Line::Press(_));
     let steps: Vec<&Line> = written.lines.iter().filter(sequential).collect();
     for (i, line) in steps.iter().enumerate() {
         let later: Vec<Ident> = steps[i..]
             .iter()
-            .filter_map(|line| Some(declared_by(line)?.0))
+            .flat_map(|line| declared_by(line).map(|(name, _)| name))
             .collect();
         for name in line.formulas().into_iter().flat_map(Formula::names) {
             match later.iter().position(|declared| declared == name) {
@@ -206,7 +213,7 @@ pub(super) fn check_used(written: &Declaration, names: &Names, errors: &mut Erro
     };
     let whole = if names.in_model { "model" } else { "law" };
     for (name, word) in &names.declared {
-        let needed = matches!(*word, "param" | "friction" | "drive");
+        let needed = matches!(*word, "param" | "friction" | "press" | "drive");
         if needed && !used.contains(name) && !meant.contains(&name.unraw().to_string()) {
             let noun = noun(word).unwrap_or_default();
             errors.at(

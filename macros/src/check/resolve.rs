@@ -12,6 +12,7 @@ use super::known::{
     Carrier, Contact, Force, Law, LawState, Let, Measures, Model, Parameter, State, Step, Unit,
     Whole,
 };
+use super::presses::rate_of_gap;
 use super::units::Units;
 use crate::formula::Formula;
 use crate::syntax::{self, Declaration, Friction, Line, Rule, Value};
@@ -36,12 +37,14 @@ pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>
         formula: written.unabbreviated(&meanings),
         written,
     };
-    let (speed, force) = if let Some(force) = written.forces().next() {
-        (&force.name, Force::Memory(whole(&force.formula)))
+    let (speed, rate, force) = if let Some(force) = written.forces().next() {
+        let (rate, formula) = (force.rate.as_ref(), whole(&force.formula));
+        let force_of = rate.map_or(Force::Memory as fn(_) -> _, |_| Force::Press);
+        (&force.name, rate, force_of(formula))
     } else {
         let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
         let [stick, sliding] = [stick, slip].map(|line| whole(&line.formula));
-        (&slip.name, Force::Static(stick, sliding))
+        (&slip.name, None, Force::Static(stick, sliding))
     };
     let states = written.states().map(|line| {
         let rate = written.derivatives().find(|one| one.name == line.name)?;
@@ -58,13 +61,14 @@ pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>
         parameters: parameters(written, units),
         lets: written.lets().map(|line| quantity(line, units)).collect(),
         speed,
+        rate,
         states: states.collect::<Option<_>>()?,
         force,
     })
 }
 
-/// What the `let` lines of a law abbreviate.
-fn meanings(written: &Declaration) -> HashMap<&Ident, Formula> {
+/// What the `let` lines abbreviate.
+pub(super) fn meanings(written: &Declaration) -> HashMap<&Ident, Formula> {
     let mut meanings = HashMap::new();
     for line in written.lets() {
         let meaning = line.formula.unabbreviated(&meanings);
@@ -123,7 +127,8 @@ fn parameters<'a>(written: &'a Declaration, units: &Units) -> Vec<Parameter<'a>>
 }
 
 fn steps<'a>(written: &'a Declaration, units: &Units) -> Vec<Step<'a>> {
-    let (mut contacts, mut memories) = (0.., 0..);
+    let rubbing = written.frictions().filter(|line| line.memory.is_empty());
+    let (mut contacts, mut memories, mut presses) = (0.., 0.., rubbing.count()..);
     let step = |line: &'a Line| match line {
         Line::Let(line) => Some(Step::Let(quantity(line, units))),
         Line::Friction(line) => {
@@ -133,11 +138,25 @@ fn steps<'a>(written: &'a Declaration, units: &Units) -> Vec<Step<'a>> {
                 &mut memories
             };
             let contact = contact(line, places.next()?, units);
-            Some(Step::Friction(Box::new(contact)))
+            Some(Step::Contact(Box::new(contact)))
+        }
+        Line::Press(line) => {
+            let rate = rate_of_gap(line, written)?;
+            let contact = press(line, rate, presses.next()?, units);
+            Some(Step::Contact(Box::new(contact)))
         }
         _ => None,
     };
     written.lines.iter().filter_map(step).collect()
+}
+
+/// What a law of presses measures lengths by is the gap.
+fn press<'a>(line: &'a Friction, rate: Formula, place: usize, units: &Units) -> Contact<'a> {
+    let mut contact = contact(line, place, units);
+    let gap = contact.measures.speed;
+    contact.measures.speed = gap.map(|gap| gap.over(units.time));
+    contact.rate = Some(rate);
+    contact
 }
 
 fn contact<'a>(line: &'a Friction, place: usize, units: &Units) -> Contact<'a> {
@@ -147,6 +166,7 @@ fn contact<'a>(line: &'a Friction, place: usize, units: &Units) -> Contact<'a> {
     Contact {
         line,
         place,
+        rate: None,
         unit: unit(&line.name, line.unit.as_ref(), units),
         fields: fields
             .map(|field| units.of_formula(&field.formula))

@@ -40,8 +40,15 @@ impl Units {
         let mut units = Self { known, time };
         if !plain {
             for line in written.slips().chain(written.forces()) {
-                let speed = units.known.entry(line.name.clone());
-                speed.or_insert(Dimension::SPEED);
+                let (first, rate) = (line.name.clone(), line.rate.clone());
+                let of_first = match rate {
+                    Some(_) => Dimension::LENGTH,
+                    None => Dimension::SPEED,
+                };
+                units.known.entry(first).or_insert(of_first);
+                if let Some(rate) = rate {
+                    units.known.entry(rate).or_insert(Dimension::SPEED);
+                }
             }
             for drive in written.drives() {
                 units.known.insert(drive.name.clone(), Dimension::NONE);
@@ -179,7 +186,7 @@ impl Units {
 fn stated(written: &Declaration) -> impl Iterator<Item = (&Ident, &Unit)> {
     written.lines.iter().filter_map(|line| match line {
         Line::State(line) | Line::Param(line) => Some((&line.name, line.unit.as_ref()?)),
-        Line::Friction(line) => Some((&line.name, line.unit.as_ref()?)),
+        Line::Friction(line) | Line::Press(line) => Some((&line.name, line.unit.as_ref()?)),
         _ => None,
     })
 }
@@ -229,10 +236,10 @@ pub(super) fn check_drive(written: &Declaration, units: &Units, errors: &mut Err
     }
 }
 
-/// The fields and the speed of a contact agree in themselves.
+/// The fields of a contact, and its speed or gap, agree in themselves.
 pub(super) fn check_contacts(written: &Declaration, units: &Units, errors: &mut Errors) {
-    for friction in written.frictions() {
-        for formula in friction.formulas() {
+    for contact in written.frictions().chain(written.presses()) {
+        for formula in contact.formulas() {
             units.measure(formula, errors);
         }
     }

@@ -14,6 +14,7 @@ use crate::formula::tight;
 pub(super) fn assertions(model: &Model) -> TokenStream {
     let name = model.header.name.to_token_stream();
     let contacts = model.contacts().chain(model.memories());
+    let contacts = contacts.chain(model.presses());
     let assertions = contacts.flat_map(|contact| {
         let info = builder::info(&name, contact);
         let mut all = of_fields(contact, &info);
@@ -84,9 +85,10 @@ fn assertion(
     what: &str,
     whose: &str,
 ) -> Option<TokenStream> {
-    let (force, speed) = (&contact.line.name, &contact.line.speed);
+    let (force, measure) = (&contact.line.name, &contact.line.speed);
+    let kind = if contact.is_press() { "gap" } else { "speed" };
     let message = format!(
-        "unit mismatch: {what}, which is not the unit of {whose}, measured with the force `{force}` and the speed `{speed}`"
+        "unit mismatch: {what}, which is not the unit of {whose}, measured with the force `{force}` and the {kind} `{measure}`"
     );
     let [force, speed] = [contact.measures.force, contact.measures.speed]
         .map(|known| option(known.and_then(exponents)));

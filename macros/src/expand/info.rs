@@ -7,7 +7,7 @@ use syn::Attribute;
 use syn::ext::IdentExt;
 
 use super::doc::doc;
-use super::{builder, option};
+use super::{builder, option, pattern};
 use crate::check::{Contact, Force, Law, LawState, Let, Model, Parameter, State, Unit, Whole};
 use crate::syntax::{Bound, Bounds, Friction, Header};
 
@@ -22,6 +22,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
     let last = Literal::usize_unsuffixed(model.states.len().saturating_sub(1));
     let drive = option(model.driven.then(|| quote!(#last)));
     let memories = model.memories().map(|contact| friction(contact, model));
+    let presses = model.presses().map(press);
     let moving = model.moving();
     quote! {
         ::stickslip::model::ModelInfo {
@@ -33,6 +34,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
             drive: #drive,
             contacts: &[#(#contacts),*],
             memories: &[#(#memories),*],
+            presses: &[#(#presses),*],
             moving: #moving,
         }
     }
@@ -55,13 +57,24 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
                 };
             }
         }
+        Force::Press(force) => {
+            let [depth, rate] = [law.speed, law.rate.unwrap_or(law.speed)].map(text);
+            let force = force.written.to_string();
+            let lets = abbreviations(law);
+            quote! {
+                const INFO: &'static ::stickslip::press::PressLawInfo = &::stickslip::press::PressLawInfo {
+                    #head
+                    #parameters,
+                    abbreviations: &[#(#lets),*],
+                    depth: #depth,
+                    rate: #rate,
+                    force: #force,
+                };
+            }
+        }
         Force::Memory(force) => {
             let states = law.states.iter().map(law_state);
-            let lets = law.lets.iter().map(|quantity| {
-                let line = quantity.line;
-                let (name, formula) = (text(&line.name), line.formula.to_string());
-                quote!((#name, #formula))
-            });
+            let lets = abbreviations(law);
             let (speed, force) = (text(law.speed), force.written.to_string());
             quote! {
                 const INFO: &'static ::stickslip::memory::MemoryLawInfo = &::stickslip::memory::MemoryLawInfo {
@@ -75,6 +88,15 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
             }
         }
     }
+}
+
+/// The `let` lines of a law: name and right side, as written.
+fn abbreviations(law: &Law) -> impl Iterator<Item = TokenStream> {
+    law.lets.iter().map(|quantity| {
+        let line = quantity.line;
+        let (name, formula) = (text(&line.name), line.formula.to_string());
+        quote!((#name, #formula))
+    })
 }
 
 fn law_state(state: &LawState) -> TokenStream {
@@ -148,6 +170,8 @@ fn friction(contact: &Contact, model: &Model) -> TokenStream {
     let place = |name: &Ident| model.states.iter().position(|state| state.name == name);
     let states = line.memory.iter().filter_map(place);
     let states = states.map(Literal::usize_unsuffixed);
+    let presses = pattern::presses_of(contact, model).into_iter();
+    let presses = presses.map(Literal::usize_unsuffixed);
     quote! {
         ::stickslip::model::Friction {
             #named
@@ -156,6 +180,27 @@ fn friction(contact: &Contact, model: &Model) -> TokenStream {
             speed: #speed,
             speed_unit: #speed_unit,
             states: &[#(#states),*],
+            presses: &[#(#presses),*],
+        }
+    }
+}
+
+fn press(contact: &Contact) -> TokenStream {
+    let line = contact.line;
+    let named = named(&line.name, &line.docs, &contact.unit);
+    let law = builder::info(&quote!(Self), contact);
+    let (fields, gap, gap_unit) = (
+        fields(line),
+        line.speed.to_string(),
+        unit(&contact.speed_unit),
+    );
+    quote! {
+        ::stickslip::model::Press {
+            #named
+            law: #law,
+            fields: #fields,
+            gap: #gap,
+            gap_unit: #gap_unit,
         }
     }
 }

@@ -14,7 +14,7 @@ pub(super) fn tokens(model: &Model) -> TokenStream {
     let sizes = [
         model.states.len(),
         model.parameters.len(),
-        model.contacts().count(),
+        model.contacts().chain(model.presses()).count(),
         model.lets().count(),
     ];
     let sizes = sizes.map(Literal::usize_unsuffixed);

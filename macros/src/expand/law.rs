@@ -8,7 +8,7 @@ use quote::quote;
 use super::lift::Lift;
 use super::shell::{Shell, generics};
 use super::tangent::{Slope, Slopes, Tangents};
-use super::{allowed, info, memory_law, page};
+use super::{allowed, info, memory_law, page, presses};
 use crate::check::{Force, Law, Parameter};
 use crate::formula::Formula;
 
@@ -23,8 +23,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
     let structure = shell.structure(&generics, &quote!(D));
     let uses = shell.uses(&generics);
     let quantity = |name: &Ident| {
-        let moves = name == law.speed || law.states.iter().any(|state| state.line.name == *name);
-        if moves {
+        if law.moving().any(|moving| moving == name) {
             quote!(__moving.#name)
         } else {
             quote!(self.#name)
@@ -44,6 +43,10 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
             let count = Literal::usize_unsuffixed(law.states.len());
             let kind = quote!(memory::MemoryLaw<D, #count>);
             (kind, memory_law::items(law, force, lift))
+        }
+        Force::Press(force) => {
+            let kind = quote!(press::PressLaw<D>);
+            (kind, presses::items(law, force, lift))
         }
     };
     let fields = fields(&law.parameters);
@@ -117,23 +120,28 @@ fn items<'l>(law: &'l Law<'_>, formulas: [&Formula; 2], lift: Lift<'l>) -> Token
     }
 }
 
-/// Speed and internal states as fields, which nothing can capture.
+/// Speed and internal states, or depth and rate, as fields, which nothing can capture.
 pub(super) fn opening(law: &Law) -> TokenStream {
-    let states = law.states.iter().map(|state| &state.line.name);
-    let (speed, names): (_, Vec<&Ident>) = (law.speed, states.collect());
-    let places = (0..names.len()).map(Literal::usize_unsuffixed);
+    let (first, names) = (law.speed, law.moving().skip(1).collect::<Vec<&Ident>>());
+    let values = (0..names.len()).map(|place| {
+        let place = Literal::usize_unsuffixed(place);
+        match law.rate {
+            Some(_) => quote!(__rate),
+            None => quote!(__memory[#place]),
+        }
+    });
     quote! {
-        struct __Moving<D> { #speed: D, #(#names: D),* }
-        let __moving = __Moving { #speed: __speed, #(#names: __memory[#places]),* };
+        struct __Moving<D> { #first: D, #(#names: D),* }
+        let __moving = __Moving { #first: __speed, #(#names: #values),* };
     }
 }
 
-/// The first of the directions in which a law is differentiated; its internal states follow.
+/// The first of the directions in which a law is differentiated; its internal states, or the rate of its depth, follow.
 pub(super) const SPEED: usize = 0;
 
 /// The last of these directions: along given derivatives of its fields.
 pub(super) fn along(law: &Law) -> usize {
-    law.states.len() + 1
+    law.moving().count()
 }
 
 /// What differentiates the formulas of a law in these directions.
@@ -143,8 +151,7 @@ pub(super) fn tangents<'l>(law: &'l Law<'_>, lift: Lift<'l>) -> Tangents<'l> {
         let slope = Slope::of(quote!(__along.#name));
         (name, Slopes::from([(along(law), slope)]))
     });
-    let states = law.states.iter().map(|state| &state.line.name);
-    let moving = std::iter::once(law.speed).chain(states).enumerate();
+    let moving = law.moving().enumerate();
     let moving = moving.map(|(direction, name)| (name, Slopes::from([(direction, Slope::One)])));
     let known: HashMap<&Ident, Slopes> = fields.chain(moving).collect();
     Tangents::new(lift, known)

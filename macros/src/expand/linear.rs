@@ -55,8 +55,8 @@ fn follow<'m>(step: &'m Step<'_>, model: &Model, tangents: &mut Tangents<'m>) {
             let quantity = tangents.formula(&quantity.line.formula);
             vec![(tangents.value(&quantity), quantity.slopes)]
         }
-        Step::Friction(contact) if contact.has_memory() => answer(contact, model, tangents),
-        Step::Friction(contact) => vec![force(contact, model, tangents)],
+        Step::Contact(contact) if contact.has_memory() => answer(contact, model, tangents),
+        Step::Contact(contact) => vec![force(contact, model, tangents)],
     };
     for (name, (value, slopes)) in step.computes().into_iter().zip(computed) {
         let place = whole::field(name);
@@ -96,15 +96,25 @@ fn answer(contact: &Contact, model: &Model, tangents: &mut Tangents) -> Vec<(Tok
     computed
 }
 
-/// A friction force by the chain rule: through the speed, the fields of its law, and the rule that decides it.
+/// A force by the chain rule: through the speed, or the gap and its rate, the fields of its law, and the rule that decides
+/// it.
 fn force(contact: &Contact, model: &Model, tangents: &mut Tangents) -> (TokenStream, Slopes) {
     let asked = Asked::of(contact, tangents);
     let design = design(model);
     let slopes = asked.along(design, tangents);
-    let by_speed = scalar(quote!(#slopes.by_speed));
+    let by_first = match asked.rate {
+        Some(_) => quote!(#slopes.by_gap),
+        None => quote!(#slopes.by_speed),
+    };
+    let by_speed = scalar(by_first);
     let mut total: Slopes = asked.speed.slopes.clone();
     for slope in total.values_mut() {
         *slope = tangents.times(slope, &by_speed);
+    }
+    if let Some(rate) = &asked.rate {
+        let by_rate = scalar(quote!(#slopes.by_rate));
+        let through = tangents.scaled(&rate.slopes, &by_rate);
+        total = tangents.sum(total, &through);
     }
     let own = tangents.bind(quote!(#slopes.along + #slopes.by_design));
     let mut through = Slopes::from([(design, Slope::of(quote!(#own)))]);
@@ -122,7 +132,10 @@ struct Asked<'a> {
     fields: Vec<Quantity>,
     /// The internal states of the law, if it has such.
     states: Vec<Quantity>,
+    /// The speed, or the gap.
     speed: Quantity,
+    /// The rate of the gap, if it is a press.
+    rate: Option<Quantity>,
 }
 
 impl<'a> Asked<'a> {
@@ -132,6 +145,7 @@ impl<'a> Asked<'a> {
             .map(|field| tangents.formula(&field.formula))
             .collect();
         let speed = tangents.formula(&contact.line.speed);
+        let rate = contact.rate.as_ref().map(|rate| tangents.formula(rate));
         let (builder, values) = (
             builder::name(contact),
             fields.iter().map(|field| tangents.value(field)),
@@ -146,6 +160,7 @@ impl<'a> Asked<'a> {
             fields,
             states: states.collect(),
             speed,
+            rate,
         }
     }
 
@@ -166,6 +181,10 @@ impl<'a> Asked<'a> {
         let along = quote!(Self::#builder::<f64>([#(#along),*]));
         let place = Literal::usize_unsuffixed(self.contact.place);
         let speed = tangents.value(&self.speed);
+        if let Some(rate) = &self.rate {
+            let rate = tangents.value(rate);
+            return tangents.bind(quote!(__contacts.press(#place, &#law, &#along, #speed, #rate)));
+        }
         if !self.contact.has_memory() {
             return tangents.bind(quote!(__contacts.force(#place, &#law, &#along, #speed)));
         }

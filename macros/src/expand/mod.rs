@@ -12,6 +12,7 @@ mod memory_law;
 mod model;
 mod page;
 mod pattern;
+mod presses;
 mod shell;
 mod stub;
 mod tangent;
@@ -43,11 +44,20 @@ pub(crate) fn model(tokens: TokenStream) -> TokenStream {
 
 /// Expands `friction_law!`.
 pub(crate) fn law(tokens: TokenStream) -> TokenStream {
+    law_in(Grammar::Law, tokens)
+}
+
+/// Expands `press_law!`.
+pub(crate) fn press_law(tokens: TokenStream) -> TokenStream {
+    law_in(Grammar::Press, tokens)
+}
+
+fn law_in(grammar: Grammar, tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::new();
-    let written = parse::declaration(tokens, Grammar::Law, &mut errors);
+    let written = parse::declaration(tokens, grammar, &mut errors);
     let expanded = written.as_ref().map(|written| {
-        let good = check::law(written, &mut errors);
-        good.map_or_else(|| stub::law(written), |good| law::tokens(&good))
+        let good = check::law(written, grammar, &mut errors);
+        good.map_or_else(|| stub::law(written, grammar), |good| law::tokens(&good))
     });
     with_errors(expanded, errors)
 }

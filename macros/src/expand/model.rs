@@ -119,7 +119,7 @@ fn line(step: &Step, lift: &Lift) -> TokenStream {
             let (name, formula) = (&line.name, lift.formula(&line.formula));
             quote!(__quantities.#name = #formula;)
         }
-        Step::Friction(contact) => force(contact, lift),
+        Step::Contact(contact) => force(contact, lift),
     }
 }
 
@@ -134,6 +134,10 @@ fn force(contact: &Contact, lift: &Lift) -> TokenStream {
     let fields = fields.map(|field| lift.formula(&field.formula));
     let law = quote!(&Self::#law::<#scalar>([#(#fields),*]));
     let (name, speed) = (&line.name, lift.formula(&line.speed));
+    if let Some(rate) = &contact.rate {
+        let rate = lift.formula(rate);
+        return quote!(__quantities.#name = __contacts.press(#place, #law, #speed, #rate,););
+    }
     if !contact.has_memory() {
         return quote!(__quantities.#name = __contacts.force(#place, #law, #speed,););
     }

@@ -13,8 +13,9 @@ use crate::formula::{Formula, last_word};
 /// The attributes that follow a model's own documentation.
 pub(super) fn of_model(model: &Model) -> TokenStream {
     let equations = typeset::aligned(equations(model));
-    let (friction, states) = (friction(model), states(model));
-    let page = format!("\n# Equations\n\n{equations}\n\n{friction}# States\n\n{states}");
+    let friction = section("Friction", model.contacts().chain(model.memories()));
+    let (presses, states) = (section("Presses", model.presses()), states(model));
+    let page = format!("\n# Equations\n\n{equations}\n\n{friction}{presses}# States\n\n{states}");
     attributes(&page, &lines(model).join("\n"))
 }
 
@@ -32,6 +33,13 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
             let rows = lets(&law.lets).chain(law.states.iter().map(rate));
             let rows = rows.chain(law.states.iter().filter_map(stop));
             rows.chain([force]).collect()
+        }
+        Force::Press(force) => {
+            let rate = law.rate.unwrap_or(speed);
+            let both = format!("{}<mo>,</mo>{}", typeset::name(speed), typeset::name(rate));
+            let shown = typeset::applied("force", &both);
+            let force = Row::of(&format!("force({speed}, {rate})"), shown, force.written);
+            lets(&law.lets).chain([force]).collect()
         }
     };
     let (lines, sides): (Vec<_>, Vec<_>) =
@@ -99,13 +107,21 @@ fn equations(model: &Model) -> impl Iterator<Item = (String, String)> {
 }
 
 /// One item for each contact.
-fn friction(model: &Model) -> String {
-    let items = model.contacts().chain(model.memories()).map(contact);
-    let items: Vec<String> = items.collect();
+fn section<'m>(title: &str, contacts: impl Iterator<Item = &'m Contact<'m>>) -> String {
+    let items: Vec<String> = contacts.map(contact).collect();
     if items.is_empty() {
         return String::new();
     }
-    format!("# Friction\n\n{}\n\n", items.join("\n"))
+    format!("# {title}\n\n{}\n\n", items.join("\n"))
+}
+
+/// The word before the speed or the gap of a contact.
+fn word(contact: &Contact) -> &'static str {
+    if contact.is_press() {
+        "closing"
+    } else {
+        "opposing"
+    }
 }
 
 fn contact(contact: &Contact) -> String {
@@ -119,11 +135,12 @@ fn contact(contact: &Contact) -> String {
         .as_ref()
         .map(|unit| format!(" in `{}`", unit.text));
     format!(
-        "* <math>{}</math>{} is `{}` with {}, opposing {}",
+        "* <math>{}</math>{} is `{}` with {}, {} {}",
         typeset::name(&line.name),
         unit.unwrap_or_default(),
         last_word(&line.law),
         fields.collect::<Vec<_>>().join(", "),
+        word(contact),
         typeset::inline(&line.speed),
     )
 }
@@ -154,12 +171,14 @@ fn row(state: &State) -> String {
 fn lines(model: &Model) -> Vec<String> {
     let steps = model.steps.iter().map(|step| match step {
         Step::Let(Let { line, .. }) => format!("{} = {}", line.name, line.formula),
-        Step::Friction(contact) => {
+        Step::Contact(contact) => {
             let line = contact.line;
             let (law, fields) = (last_word(&line.law), info::fields(line));
             format!(
-                "{} = {law} {{ {fields} }} opposing {}",
-                line.name, line.speed
+                "{} = {law} {{ {fields} }} {} {}",
+                line.name,
+                word(contact),
+                line.speed
             )
         }
     });

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::check::Model;
+use crate::check::{Contact, Model, Step};
 use crate::formula::{Formula, Kind};
 
 /// In place i the index j where the equation is `der(i) = j`, plainly another state.
@@ -53,6 +53,23 @@ pub(super) fn stands_still(formula: &Formula, model: &Model) -> bool {
     read_by(&[formula], &reads(model)).is_empty()
 }
 
+/// The numbers of the presses that the law of a contact reads, itself or by what it is named.
+pub(super) fn presses_of(contact: &Contact, model: &Model) -> Vec<usize> {
+    let mut presses: HashMap<&Ident, HashSet<usize>> = HashMap::new();
+    for step in &model.steps {
+        let read = match step {
+            Step::Contact(press) if press.is_press() => HashSet::from([press.place]),
+            _ => read_by(&step.formulas(), &presses),
+        };
+        presses.insert(step.name(), read);
+    }
+    let fields = contact.line.fields.iter();
+    let fields: Vec<&Formula> = fields.map(|field| &field.formula).collect();
+    let mut read: Vec<usize> = read_by(&fields, &presses).into_iter().collect();
+    read.sort_unstable();
+    read
+}
+
 fn read_by(formulas: &[&Formula], reads: &HashMap<&Ident, HashSet<usize>>) -> HashSet<usize> {
     let names = formulas.iter().flat_map(|formula| formula.names());
     names
@@ -66,7 +83,8 @@ fn read_by(formulas: &[&Formula], reads: &HashMap<&Ident, HashSet<usize>>) -> Ha
 pub(super) fn needed<'m>(model: &'m Model<'_>) -> HashSet<&'m Ident> {
     let rates = model.states.iter().map(|state| state.rate.as_ref());
     let mut needed: HashSet<&Ident> = rates.flat_map(Formula::names).collect();
-    needed.extend(model.contacts().map(|contact| &contact.line.name));
+    let contacts = model.contacts().chain(model.presses());
+    needed.extend(contacts.map(|contact| &contact.line.name));
     for step in model.steps.iter().rev() {
         if step.computes().iter().any(|name| needed.contains(name)) {
             needed.extend(step.formulas().into_iter().flat_map(Formula::names));

@@ -8,6 +8,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::{law as laws, model as models};
 use crate::check::{self, is_field};
 use crate::formula::{Formula, Kind, Number};
+use crate::parse::Grammar;
 use crate::repeated::Repeated;
 use crate::syntax::{Declaration, Line, Rule, Value};
 
@@ -23,10 +24,13 @@ pub(super) fn model(written: &Declaration) -> TokenStream {
 }
 
 /// A law without force.
-pub(super) fn law(written: &Declaration) -> TokenStream {
+pub(super) fn law(written: &Declaration, grammar: Grammar) -> TokenStream {
     let mut least = least(written, &["param", "state"]);
     let speed = zero(&format_ident!("__speed"));
-    if written.has_memory() {
+    if grammar == Grammar::Press {
+        let rate = Some(format_ident!("__rate"));
+        least.lines.push(Line::Force(Rule { rate, ..speed }));
+    } else if written.has_memory() {
         least.lines.push(Line::Force(speed));
     } else {
         least.lines.push(Line::Stick(zero(&written.header.name)));
@@ -80,6 +84,7 @@ fn zero(name: &Ident) -> Rule {
         docs: Vec::new(),
         word: name.clone(),
         name: name.clone(),
+        rate: None,
         formula: Formula {
             kind: Kind::Number(nothing()),
             source: nothing().source,

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Attribute, Path, Token, braced};
+use syn::{Attribute, Path, Token, braced, parenthesized};
 
 use super::docs::{docs, name, undocumented};
 use super::shape::{no_keyword, shape, shaped, unknown_keyword};
@@ -37,6 +37,7 @@ impl Reader<'_> {
             (_, "state") => Ok(vec![Line::State(law_state(docs, input)?)]),
             (_, "param") => Ok(vec![Line::Param(law_param(docs, input)?)]),
             (_, "friction") => Ok(vec![Line::Friction(self.friction(docs, input)?)]),
+            (_, "press") => Ok(vec![Line::Press(self.press(docs, input)?)]),
             _ => Ok(vec![self.rule(docs, keyword, input)?]),
         })
     }
@@ -47,12 +48,18 @@ impl Reader<'_> {
         if !matches!(text.as_str(), "let" | "drive") {
             undocumented(&docs)?;
         }
+        let mut rate = None;
         let (line, name, formula): (fn(Rule) -> Line, _, _) = match text.as_str() {
             "let" => (Line::Let, self.declared(input)?, self.moving_side(input)?),
             "drive" => (Line::Drive, name(input)?, self.at(input)?),
             "stop" => (Line::Stop, name(input)?, self.at(input)?),
             "stick" => (Line::Stick, word.clone(), self.right_side(input)?),
             "slip" => (Line::Slip, self.argument(input)?, self.right_side(input)?),
+            "force" if self.place.grammar == Grammar::Press => {
+                let (depth, growth) = two_names(input)?;
+                rate = Some(growth);
+                (Line::Force, depth, self.right_side(input)?)
+            }
             "force" => (Line::Force, self.argument(input)?, self.moving_side(input)?),
             _ => (
                 Line::Derivative,
@@ -64,27 +71,46 @@ impl Reader<'_> {
             docs,
             word,
             name,
+            rate,
             formula,
         }))
     }
 
     fn friction(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Friction> {
+        let mut line = self.force_of(docs, input, |input| {
+            input.parse::<word::opposing>().map(drop)
+        })?;
+        line.memory = self.memory_if_stated(input)?;
+        Ok(line)
+    }
+
+    fn press(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Friction> {
+        self.force_of(docs, input, |input| {
+            input.parse::<word::closing>().map(drop)
+        })
+    }
+
+    /// `name: unit = Law { fields } word formula`
+    fn force_of(
+        &mut self,
+        docs: Vec<Attribute>,
+        input: ParseStream,
+        word: impl FnOnce(ParseStream) -> syn::Result<()>,
+    ) -> syn::Result<Friction> {
         let name = self.declared(input)?;
         let unit = value::unit_if_stated(input)?;
         input.parse::<Token![=]>()?;
         let law = input.call(Path::parse_mod_style)?;
         let fields = self.fields(input)?;
-        input.parse::<word::opposing>()?;
-        let speed = self.formula(input)?;
-        let memory = self.memory_if_stated(input)?;
+        word(input)?;
         Ok(Friction {
             docs,
             name,
             unit,
             law,
             fields,
-            speed,
-            memory,
+            speed: self.formula(input)?,
+            memory: Vec::new(),
         })
     }
 
@@ -151,7 +177,7 @@ impl Reader<'_> {
     fn moving_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
         input.parse::<Token![=]>()?;
         let grammar = match self.place.grammar {
-            Grammar::Model => Grammar::Model,
+            grammar @ (Grammar::Model | Grammar::Press) => grammar,
             Grammar::Law | Grammar::Memory => Grammar::Memory,
         };
         self.formula_in(grammar, input)
@@ -180,6 +206,19 @@ impl Reader<'_> {
         };
         Ok(arithmetic.read(&input.parse()?))
     }
+}
+
+/// `(depth, rate)`
+fn two_names(input: ParseStream) -> syn::Result<(Ident, Ident)> {
+    let inside;
+    parenthesized!(inside in input);
+    let depth = name(&inside)?;
+    inside.parse::<Token![,]>()?;
+    let rate = name(&inside)?;
+    if !inside.is_empty() {
+        return Err(inside.error("expected the depth and its rate, and nothing more"));
+    }
+    Ok((depth, rate))
 }
 
 fn law_state(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Value> {

@@ -23,6 +23,8 @@ pub(crate) enum Grammar {
     Law,
     /// Lines of a law in which the internal state and its kinks may stand.
     Memory,
+    /// A law of a contact that presses.
+    Press,
 }
 
 /// Reads a declaration; without a struct and its name there is none.

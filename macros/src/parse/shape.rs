@@ -27,6 +27,10 @@ fn lines(grammar: Grammar) -> &'static [(&'static str, &'static str)] {
                 "friction",
                 "friction F: N = Law { field: value } opposing v - v_belt;",
             ),
+            (
+                "press",
+                "press N: N = Law { field: value } closing y - y_wall;",
+            ),
             ("drive", "drive phi at omega;"),
             ("der", DER),
         ],
@@ -39,6 +43,11 @@ fn lines(grammar: Grammar) -> &'static [(&'static str, &'static str)] {
             ("der", DER),
             ("stop", "stop z at limit;"),
             ("force", "force(w) = stiffness * z;"),
+        ],
+        Grammar::Press => &[
+            ("param", "param stiffness: N/m where stiffness > 0.0;"),
+            ("let", LET),
+            ("force", "force(d, v) = stiffness * d + damping * v;"),
         ],
     }
 }
@@ -141,9 +150,8 @@ pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
 }
 
 /// A `stop` line where none can be.
-const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`; a coordinate that meets a wall has no line \
-     of its own yet: a spring that presses smoothly, `k * (d + sqrt(powi(d, 2) + powi(e, 2))) / 2` at the depth d, comes \
-     near it for a small length e";
+const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`; a coordinate that meets a wall is pressed \
+     back by it: `press N = Law { .. } closing gap;`";
 
 pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStream) -> syn::Error {
     let word = written.to_string();

@@ -138,7 +138,8 @@ fn a_mistake_in_a_loop_is_told_once() {
         ),
         [
             "`signum` is not smooth, and no switch is declared for its jump; \
-             write dry friction as `friction F = Law { .. } opposing speed;`"
+             write dry friction as `friction F = Law { .. } opposing speed;`, a wall or a gap as \
+             `press N = Law { .. } closing gap;`"
         ]
     );
     assert_eq!(

@@ -66,7 +66,7 @@ fn laws_read_no_force() {
         of_belt("let stretched =", second),
         [
             "`F` is or contains a friction force, and the law and speed of `G` cannot depend on one: \
-          a normal force is a formula of states and parameters"
+          a normal force is a formula of states and parameters, or a `press`"
         ]
     );
 }

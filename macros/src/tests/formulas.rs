@@ -24,12 +24,13 @@ fn smooth_formulas_are_accepted() {
 #[test]
 fn kinks_are_shown_the_way_out() {
     let friction = "is not smooth, and no switch is declared for its jump; \
-         write dry friction as `friction F = Law { .. } opposing speed;`";
+         write dry friction as `friction F = Law { .. } opposing speed;`, a wall or a gap as \
+             `press N = Law { .. } closing gap;`";
     assert_eq!(told("x.signum()"), [format!("`signum` {friction}")]);
     let wall = |name: &str, near: &str| {
         [format!(
-            "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line; \
-             a wall or a gap has no line of its own yet: {near} for a small e"
+            "`{name}` is not smooth, and no switch is declared for its kink; dry friction is a `friction` line, \
+             a wall or a gap is a `press` line: `press N = Law {{ .. }} closing gap;`; elsewhere {near} for a small e"
         )]
     };
     let smaller = "`(x - sqrt(powi(x, 2) + powi(e, 2))) / 2` comes near the smaller of x and 0";
@@ -50,9 +51,8 @@ fn kinks_are_shown_the_way_out() {
 #[test]
 fn branches_are_shown_the_way_out() {
     let way_out = "equations must be smooth: a branch has a jump that no switch declares; \
-         a jump of dry friction is a `friction` line; a wall or a gap has no line of its own yet: a spring that \
-         presses smoothly, `k * (d + sqrt(powi(d, 2) + powi(e, 2))) / 2` at the depth d, comes near it for a \
-         small length e";
+         a jump of dry friction is a `friction` line, a wall or a gap is a `press` line: \
+         `press N = Law { .. } closing gap;`";
     assert_eq!(told("if x > 0.0 { k } else { 0.0 }"), [way_out]);
     assert_eq!(told("match x { _ => k }"), [way_out]);
     assert_eq!(told("(x > 0.0) * k"), [way_out]);

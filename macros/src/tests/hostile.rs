@@ -17,9 +17,10 @@ const INPUTS: u32 = 1500;
 const LAW: &str = "pub struct Law { param limit: N where limit >= 0.0; param decay: s/m = 1.0; stick = limit; \
                    slip(s) = limit / (1.0 + decay * s) - powi(s, 2) * exp(-s); }";
 
-const WORDS: [&str; 24] = [
+const WORDS: [&str; 26] = [
     "state", "param", "friction", "opposing", "let", "der", "where", "struct", "pub", "x", "v",
     "s", "F", "m", "N", "stick", "slip", "powi", "exp", "D", "self", "r#fn", "Law", "default",
+    "press", "closing",
 ];
 const SIGNS: &str = "+-*/=<>;:,.^!&|#@?$%~'";
 const DELIMITERS: [Delimiter; 4] = [
@@ -171,10 +172,11 @@ fn nth<'a>(tokens: &'a mut Vec<Token>, number: &mut usize) -> Option<&'a mut Vec
     })
 }
 
-/// Both macros on the same tokens: something must come out, be it errors, and be it soon.
+/// All macros on the same tokens: something must come out, be it errors, and be it soon.
 fn answered(tokens: &TokenStream) {
     let clock = Instant::now();
-    let out = [expand::model(tokens.clone()), expand::law(tokens.clone())];
+    let all = [expand::model as fn(_) -> _, expand::law, expand::press_law];
+    let out = all.map(|expand| expand(tokens.clone()));
     let time = clock.elapsed();
     assert!(time < Duration::from_secs(5), "{time:?} for {tokens}");
     // What is no declaration of the one kind or the other is at least told so.

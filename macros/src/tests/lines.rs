@@ -10,7 +10,7 @@ fn a_line_begins_with_a_keyword() {
     assert_eq!(
         of_belt("param k", "constant k"),
         [
-            "`constant` does not begin a line; a line begins with `state`, `param`, `let`, `friction`, `drive` or `der`"
+            "`constant` does not begin a line; a line begins with `state`, `param`, `let`, `friction`, `press`, `drive` or `der`"
         ]
     );
     assert_eq!(

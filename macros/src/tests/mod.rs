@@ -9,6 +9,7 @@ mod hostile;
 mod lines;
 mod memory;
 mod names;
+mod press;
 mod tokens;
 mod units;
 
@@ -24,7 +25,7 @@ fn messages(declaration: &str, grammar: Grammar) -> Vec<String> {
     if let Some(written) = parse::declaration(tokens, grammar, &mut errors) {
         match grammar {
             Grammar::Model => drop(check::model(&written, &mut errors)),
-            Grammar::Law | Grammar::Memory => drop(check::law(&written, &mut errors)),
+            grammar => drop(check::law(&written, grammar, &mut errors)),
         }
     }
     let found = errors.finish().err().into_iter().flatten();
@@ -39,6 +40,11 @@ fn of_model(lines: &str) -> Vec<String> {
 /// The messages for a law with these lines.
 fn of_law(lines: &str) -> Vec<String> {
     messages(&format!("pub struct L {{ {lines} }}"), Grammar::Law)
+}
+
+/// The messages for a law of presses with these lines.
+fn of_press(lines: &str) -> Vec<String> {
+    messages(&format!("pub struct L {{ {lines} }}"), Grammar::Press)
 }
 
 /// The messages for a belt oscillator in which one piece of text is replaced by another.
@@ -95,7 +101,8 @@ fn several_mistakes_are_reported_at_once() {
             "expected a number such as `1.0`; the line has the form `state x: m = 1.0;`",
             "expected a name; the line has the form `param k: N/m = 1.0 where k > 0.0;`",
             "`signum` is not smooth, and no switch is declared for its jump; \
-             write dry friction as `friction F = Law { .. } opposing speed;`",
+             write dry friction as `friction F = Law { .. } opposing speed;`, a wall or a gap as \
+             `press N = Law { .. } closing gap;`",
             "unknown name `mas`; declare it with `state`, `param` or `let`",
             "default 1.0 of `k` breaks its own bound `k < 0.0`",
         ]

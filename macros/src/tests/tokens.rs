@@ -135,12 +135,17 @@ fn mutilated(tokens: &TokenStream) -> Vec<TokenStream> {
 fn no_mutilated_declaration_is_lost() {
     let belt = format!("pub struct M {{ {} }}", super::BELT);
     let law = "pub struct L { param a: N where 0 <= a < 1e3; stick = a; slip(s) = a / (1.0 + s); }";
+    let press = "pub struct L { param a: N/m where 0 <= a < 1e3; let b = a; force(d, v) = b * d * (1.0 + v); }";
+    let rattle = "pub struct M { state y: m = 0.0; state v: m/s = 0.0; param k: N/m = 1.0; param m: kg = 1.0; \
+                  press N: N = Law { stiffness: k } closing y - sin(y / 1.0); der(y) = v; der(v) = N / m; }";
     let cases = [
         (
             belt.as_str(),
             crate::expand::model as fn(TokenStream) -> TokenStream,
         ),
         (law, crate::expand::law),
+        (press, crate::expand::press_law),
+        (rattle, crate::expand::model),
     ];
     for (declaration, expand) in cases {
         let tokens: TokenStream = declaration.parse().expect("the test is made of tokens");

@@ -229,7 +229,7 @@ fn dynamics(
     if subject.exact {
         return refuse!("`--exact` and `--smooth {word}` exclude each other");
     }
-    if let Some(reason) = info.only_form() {
+    if let Some(reason) = info.only_form().or_else(|| info.unsmoothed()) {
         return refuse!("`--smooth {word}`: {reason}");
     }
     if info.contacts.is_empty() {
@@ -261,7 +261,7 @@ fn unsaid(
             ..saved
         })),
         (_, Some(along)) => Err(kernel_missing("--along smooth=...", &along)),
-        _ if info.contacts.is_empty() => Ok(Dynamics::Smooth),
+        _ if !info.touches() => Ok(Dynamics::Smooth),
         (saved, None) => Ok(saved.unwrap_or(Dynamics::Exact)),
     }
 }

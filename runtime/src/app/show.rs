@@ -49,12 +49,11 @@ pub(super) fn quantities(info: &ModelInfo) -> impl Iterator<Item = Quantity> {
     };
     let states = info.states.iter().map(|one| (one.name, one.unit));
     let observables = info.observables.iter().map(|one| (one.name, one.unit));
-    let forces = info.contacts.iter().map(|one| (one.name, one.unit));
     let states = states.enumerate().map(kind(Kind::State));
     let observables = observables.enumerate().map(kind(Kind::Observable));
     states
         .chain(observables)
-        .chain(forces.enumerate().map(kind(Kind::Force)))
+        .chain(info.forces().enumerate().map(kind(Kind::Force)))
 }
 
 impl Show {

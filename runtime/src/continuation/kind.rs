@@ -19,6 +19,8 @@ words! {
         CrossingSliding = "crossing-sliding",
         /// A sliding contact comes to rest for a moment.
         GrazingSliding = "grazing-sliding",
+        /// A gap closes for a moment, or opens for one.
+        Grazing = "grazing",
         /// A contact comes to rest at the edge of where it can stick.
         SwitchingSliding = "switching-sliding",
         /// A sticking contact reaches the limit of its force for a moment.
@@ -62,6 +64,7 @@ impl Kind {
             Self::SymmetryBreaking => "SB",
             Self::CrossingSliding => "CS",
             Self::GrazingSliding => "GS",
+            Self::Grazing => "GR",
             Self::SwitchingSliding => "SS",
             Self::AddingSliding => "AS",
             Self::VanishingSegment => "VS",

@@ -31,8 +31,8 @@ impl Graze {
         };
         let near = orbit.events.iter().filter_map(|event| {
             let value = margin(&event.kind, event.rate)?;
-            let stuck =
-                matches!(event.kind, EventKind::Nearest { .. }) && event.mode == Mode::Stick;
+            let stuck = matches!(event.kind, EventKind::Nearest { .. })
+                && (event.mode == Mode::Stick || event.mode.is_of_press());
             (!stuck).then_some((value, event))
         });
         let (_, event) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;

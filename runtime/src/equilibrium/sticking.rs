@@ -95,6 +95,7 @@ impl Sought<'_> {
                 let stick = contact.stick.value;
                 match mode {
                     Mode::Stick => stick > 0.0 && contact.force.value.abs() <= stick,
+                    Mode::Loose => true,
                     sliding => contact.speed.value * sliding.sign() > 0.0,
                 }
             })

@@ -9,6 +9,7 @@ use crate::math::enclosure::Enclosure;
 use crate::math::interval::Interval;
 use crate::memory::{Answer, MemoryLaw};
 use crate::model::Model;
+use crate::press::PressLaw;
 use crate::scalar::Inline;
 
 /// A field over a box.
@@ -28,6 +29,12 @@ pub enum Unenclosed {
         "the relative speed of `{name}` may vanish there, and a contact at rest has a set of forces"
     )]
     MayStick {
+        /// Name of the contact's force.
+        name: &'static str,
+    },
+    /// A contact that may press or not.
+    #[error("the gap of `{name}` may open or close there, and so its force may begin or end")]
+    MayTouch {
         /// Name of the contact's force.
         name: &'static str,
     },
@@ -78,7 +85,7 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
     /// The field over all states between these.
     ///
     /// # Errors
-    /// A contact may stick there, or a law has internal state.
+    /// A contact may stick or let go there, or a law with internal state may be at a kink.
     pub fn over(&self, states: &[Interval; N]) -> Result<Enclosed<N>, Unenclosed> {
         let mut rule = Rule {
             friction: &self.friction,
@@ -88,8 +95,12 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
         let coordinates = std::array::from_fn(|j| Enclosure::coordinate(states[j], j));
         let field = M::rhs(&self.params, coordinates, &mut rule);
         if let Some(contact) = rule.at_rest {
-            let name = M::INFO.contacts.get(contact).map_or("?", |c| c.name);
-            return Err(Unenclosed::MayStick { name });
+            let name = M::INFO.contact(contact).unwrap_or("?");
+            return Err(if contact < M::INFO.contacts.len() {
+                Unenclosed::MayStick { name }
+            } else {
+                Unenclosed::MayTouch { name }
+            });
         }
         if let Some(element) = rule.at_kink {
             let name = M::INFO.memories.get(element).map_or("?", |m| m.name);
@@ -121,6 +132,7 @@ impl<M: Model<N>, const N: usize> ContactRule<Enclosure<N>> for Rule<'_, M, N> {
             Friction::Sliding(modes) => match modes.as_slice().get(contact) {
                 Some(Mode::SlideForward) if speed > 0.0 => -law.slip(speed),
                 Some(Mode::SlideBackward) if speed < 0.0 => law.slip(-speed),
+                Some(Mode::Loose) => Enclosure::from(0.0),
                 _ => {
                     self.at_rest.get_or_insert(contact);
                     Enclosure::from(0.0)
@@ -129,6 +141,32 @@ impl<M: Model<N>, const N: usize> ContactRule<Enclosure<N>> for Rule<'_, M, N> {
             Friction::Smoothed(smoothing) => smoothed(law, smoothing, speed),
             Friction::Absent => Enclosure::from(0.0),
         }
+    }
+
+    fn press<L: PressLaw<Enclosure<N>>>(
+        &mut self,
+        contact: usize,
+        law: &L,
+        gap: Enclosure<N>,
+        rate: Enclosure<N>,
+    ) -> Enclosure<N> {
+        let nothing = Enclosure::from(0.0);
+        let mode = match self.friction {
+            Friction::Sliding(modes) => modes.as_slice().get(contact).copied(),
+            Friction::Smoothed(_) | Friction::Absent => None,
+        };
+        match mode {
+            Some(Mode::Open) if gap > 0.0 => return nothing,
+            Some(Mode::Closed) if gap < 0.0 => {
+                let force = law.force(-gap, -rate);
+                if force > 0.0 {
+                    return force;
+                }
+            }
+            _ => {}
+        }
+        self.at_rest.get_or_insert(contact);
+        nothing
     }
 
     fn recall<L: MemoryLaw<Enclosure<N>, S>, const S: usize>(

@@ -24,7 +24,11 @@ pub enum EventKind {
         /// Others were as near to their limits: the lowest number was chosen.
         tied: bool,
     },
-    /// It came nearest to an event that did not happen: a local minimum of |w| or of stick − |λ|.
+    /// A gap closed, and the contact presses.
+    Closing,
+    /// The force of a contact that pressed has fallen to zero, and it is open.
+    Opening,
+    /// It came nearest to an event that did not happen: a local minimum of |w|, of stick − |λ|, or of a gap.
     Nearest {
         /// That minimum.
         margin: f64,

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::formula::{Part, evaluate};
-use super::info::{Contact, Memory, ModelInfo};
+use super::info::{Contact, Memory, ModelInfo, Press};
 use super::values::brief;
 
 /// What is known by name, as far as it is known.
@@ -35,6 +35,9 @@ impl ModelInfo {
         }
         for contact in self.contacts {
             of_contact(contact, known)?;
+        }
+        for press in self.presses {
+            of_press(press, known)?;
         }
         for memory in self.memories {
             of_memory(memory, known, state)?;
@@ -92,6 +95,24 @@ fn of_contact(contact: &Contact, known: &Known<'_>) -> Result<(), (String, Part)
         format!("slip(s) of {} at {force}", law.name)
     })?;
     Ok(())
+}
+
+fn of_press(press: &Press, known: &Known<'_>) -> Result<(), (String, Part)> {
+    let (force, law) = (press.name, press.law);
+    let mut own = fields((force, law.name, press.fields), known)?;
+    let Some(gap) = value(press.gap, known, || format!("{force} = .. closing .."))? else {
+        return Ok(());
+    };
+    own.insert(law.depth, gap.abs());
+    own.insert(law.rate, 0.0);
+    let at = |line: &str| format!("{line} of {} at {force}", law.name);
+    for (name, formula) in law.abbreviations {
+        if let Some(value) = value(formula, &own, || at(&format!("let {name}")))? {
+            own.insert(name, value);
+        }
+    }
+    let line = || at(&format!("force({}, {})", law.depth, law.rate));
+    value(law.force, &own, line).map(drop)
 }
 
 fn of_memory(memory: &Memory, known: &Known<'_>, state: &[f64]) -> Result<(), (String, Part)> {

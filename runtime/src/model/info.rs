@@ -4,6 +4,7 @@ use super::bounds::{Bounds, ParameterError};
 use super::unit::Unit;
 use crate::friction::LawInfo;
 use crate::memory::MemoryLawInfo;
+use crate::press::PressLawInfo;
 
 /// A model as data: what it is called, what it holds, what may be asked of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,10 +24,12 @@ pub struct ModelInfo {
     /// Place among the states of the phase of a drive, if there is one: it advances at a rate of the parameters alone,
     /// and 2π more of it is the same.
     pub drive: Option<usize>,
-    /// Contacts in the order of declaration.
+    /// Contacts that rub in the order of declaration.
     pub contacts: &'static [Contact],
     /// Friction with internal state in the order of declaration.
     pub memories: &'static [Memory],
+    /// Contacts that press in the order of declaration; among all contacts their numbers follow those that rub.
+    pub presses: &'static [Press],
     /// Whether a field of a law reads a state, so that it may leave its bounds along a motion.
     pub moving: bool,
 }
@@ -93,6 +96,27 @@ pub struct Friction<L: 'static> {
     pub speed_unit: Option<Unit>,
     /// Numbers of the model's states that carry the internal states of the law, in the order of the law.
     pub states: &'static [usize],
+    /// Numbers, among all contacts, of the presses that the fields of the law read.
+    pub presses: &'static [usize],
+}
+
+/// A `press` line as data, and its law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Press {
+    /// Name of the force as declared.
+    pub name: &'static str,
+    /// Documentation as written.
+    pub doc: &'static str,
+    /// Unit of the force, where one is stated.
+    pub unit: Option<Unit>,
+    /// The law that acts.
+    pub law: &'static PressLawInfo,
+    /// The fields of the law, as written.
+    pub fields: &'static str,
+    /// The gap, as written.
+    pub gap: &'static str,
+    /// Unit of the gap, where the units stated elsewhere decide it.
+    pub gap_unit: Option<Unit>,
 }
 
 /// A `friction` line whose law has no internal state.
@@ -105,7 +129,7 @@ impl ModelInfo {
     /// Why friction has neither an exact form nor smooth copies, where all of it has internal state.
     #[must_use]
     pub fn only_form(&self) -> Option<String> {
-        let first = self.memories.first().filter(|_| self.contacts.is_empty())?;
+        let first = self.memories.first().filter(|_| !self.touches())?;
         let names: Vec<&str> = self.memories.iter().map(|memory| memory.name).collect();
         Some(format!(
             "the law of {} has internal state (`{}`): it is an ordinary differential equation, without a force at rest \
@@ -113,6 +137,36 @@ impl ModelInfo {
             names.join(", "),
             first.law.name
         ))
+    }
+
+    /// Whether there are contacts with modes: that stick and slide, or press and let go.
+    #[must_use]
+    pub const fn touches(&self) -> bool {
+        !self.contacts.is_empty() || !self.presses.is_empty()
+    }
+
+    /// Name of the force of a contact that rubs or presses, by its number.
+    #[must_use]
+    pub fn contact(&self, number: usize) -> Option<&'static str> {
+        let rubs = self.contacts.iter().map(|contact| contact.name);
+        let presses = self.presses.iter().map(|press| press.name);
+        rubs.chain(presses).nth(number)
+    }
+
+    /// Why no smooth copy stands for the model, where none does.
+    #[must_use]
+    pub fn unsmoothed(&self) -> Option<String> {
+        let press = self.presses.first()?;
+        Some(format!(
+            "`{}` presses and lets go, and no smoothing rounds that yet",
+            press.name
+        ))
+    }
+
+    /// Name and unit of the force of each contact, then of each press: the order in which motions report them.
+    pub fn forces(&self) -> impl Iterator<Item = (&'static str, Option<Unit>)> {
+        let rubs = self.contacts.iter().map(|one| (one.name, one.unit));
+        rubs.chain(self.presses.iter().map(|one| (one.name, one.unit)))
     }
 
     /// Whether a law of the model has an internal state with stops.

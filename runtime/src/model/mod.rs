@@ -9,7 +9,7 @@ mod values;
 
 pub use crate::linear::Linear;
 pub use bounds::{Bound, Bounds, ParameterError, within_reach};
-pub use info::{Contact, Friction, Memory, ModelInfo, Observable, Parameter, State};
+pub use info::{Contact, Friction, Memory, ModelInfo, Observable, Parameter, Press, State};
 pub use unit::Unit;
 pub use values::{Values, brief, listed};
 
@@ -23,7 +23,7 @@ use crate::scalar::{Inline, Lanes, Scalar};
 pub trait Model<const N: usize>: Copy + Default + fmt::Debug + Send + Sync + 'static {
     /// The parameters over any scalar, in the order of declaration: `[D; P]`.
     type Params<D: Scalar>: Inline<D>;
-    /// One value for each contact: `[T; C]`.
+    /// One value for each contact that rubs, and after those for each that presses: `[T; C]`.
     type PerContact<T: Copy + Send + Sync>: Inline<T>;
     /// One value for each `let` line: `[f64; K]`.
     type Observables: Inline<f64>;

@@ -18,7 +18,8 @@ pub(crate) fn place<M: Model<N>, const N: usize>(at: &Place) -> flow::Place<N, M
 }
 
 pub(crate) fn fixed_modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<M, N> {
-    Modes::from_fn(|i| modes.get(i).copied().unwrap_or(Mode::Stick))
+    let held = Modes::<M, N>::held();
+    Modes::from_fn(|i| modes.get(i).copied().unwrap_or(held.as_slice()[i]))
 }
 
 fn modes<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> super::Modes {
@@ -81,6 +82,10 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         ExactFlow::touch(self, &place(at), contact)
     }
 
+    fn loosening(&self, state: &[f64], contact: usize) -> f64 {
+        ExactFlow::loosening(self, &fixed(state), contact)
+    }
+
     fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
         let (speeds, rounding) = self.speeds(&fixed(&at.state));
         let signs = at.modes.iter().map(|mode| mode.sign());
@@ -93,6 +98,10 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
 
     fn speeds(&self, state: &[f64]) -> Vec<f64> {
         self.system().speeds(&fixed(state)).as_ref().to_vec()
+    }
+
+    fn loosened(&self, of: super::Modes, speeds: &[f64]) -> super::Modes {
+        modes(&self.system().loosened(fixed_modes(&of), speeds))
     }
 
     fn check(&self, at: &Place) -> Result<(), FlowError> {
@@ -116,7 +125,7 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         Ok(Contacts {
             f: DVector::from_fn(N, |i, _| field[i].value),
             jacobian: DMatrix::from_fn(N, N, |i, j| field[i].slopes[j]),
-            all: (0..M::INFO.contacts.len()).map(contact).collect(),
+            all: (0..self.system().contacts()).map(contact).collect(),
         })
     }
 }

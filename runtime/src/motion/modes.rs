@@ -25,8 +25,12 @@ pub fn spelt(modes: &[Mode]) -> String {
 #[must_use]
 pub fn word(info: &ModelInfo, segments: &[Segment]) -> String {
     let name = |(mode, contact): &(Mode, usize)| {
-        let force = info.contacts.get(*contact);
-        format!("{mode}({})", force.map_or("?", |contact| contact.name))
+        let letter = if *mode == Mode::Closed {
+            "close".to_owned()
+        } else {
+            mode.to_string()
+        };
+        format!("{letter}({})", info.contact(*contact).unwrap_or("?"))
     };
     let names: Vec<String> = letters(segments).iter().map(name).collect();
     names.join(" ")
@@ -38,9 +42,7 @@ fn letters(segments: &[Segment]) -> Vec<(Mode, usize)> {
     for (i, segment) in segments.iter().enumerate() {
         let before = &segments[(i + count - 1) % count].modes;
         for (contact, (mode, old)) in segment.modes.iter().zip(before).enumerate() {
-            if mode != old {
-                letters.push((*mode, contact));
-            }
+            letters.extend(letter(*old, *mode).map(|letter| (letter, contact)));
         }
     }
     if letters.is_empty() {
@@ -50,12 +52,27 @@ fn letters(segments: &[Segment]) -> Vec<(Mode, usize)> {
     least_rotation(letters)
 }
 
+/// The letter for a change of mode, if it has one: a contact that is pressed again slides as it did, and how the gap of a
+/// press opens after its force has vanished is no event.
+fn letter(old: Mode, new: Mode) -> Option<Mode> {
+    match (old, new) {
+        (old, new) if old == new => None,
+        (Mode::Parted, Mode::Open) | (_, Mode::Loose) => None,
+        (Mode::Loose, Mode::SlideForward | Mode::SlideBackward) => None,
+        (_, Mode::Parted) => Some(Mode::Open),
+        _ => Some(new),
+    }
+}
+
 fn least_rotation(letters: Vec<(Mode, usize)>) -> Vec<(Mode, usize)> {
     let rank = |&(mode, contact): &(Mode, usize)| {
         let order = match mode {
             Mode::Stick => 0,
             Mode::SlideBackward => 1,
             Mode::SlideForward => 2,
+            Mode::Loose => 3,
+            Mode::Closed => 4,
+            Mode::Open | Mode::Parted => 5,
         };
         (order, contact)
     };

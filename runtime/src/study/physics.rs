@@ -45,8 +45,8 @@ pub(super) trait Physics: Send + Sync {
 pub(super) struct Of<M, const N: usize>(PhantomData<fn() -> M>);
 
 impl<M: Model<N>, const N: usize> Of<M, N> {
-    /// Whether there is friction to be exact about. What only such a model needs is not compiled for the others.
-    const RUBS: bool = !M::INFO.contacts.is_empty();
+    /// Whether there are contacts to be exact about. What only such a model needs is not compiled for the others.
+    const TOUCHES: bool = M::INFO.touches();
 
     pub(super) const fn new() -> Self {
         Self(PhantomData)
@@ -72,7 +72,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         let design = case.design();
         // Only a condition by itself keeps what follows from being compiled where it is false.
         #[allow(clippy::collapsible_if)]
-        if const { Self::RUBS } {
+        if const { Self::TOUCHES } {
             if case.dynamics == Dynamics::Exact {
                 let family = ExactFamily {
                     model,
@@ -108,7 +108,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
 
     fn stiffness(&self, case: &Case, at: &[f64]) -> f64 {
         let system = ExactSystem::<M, N>::new(&model(case), None);
-        let affine = system.affine(&fixed(at), &Modes::from_fn(|_| Mode::Stick));
+        let affine = system.affine(&fixed(at), &Modes::held());
         let of = |i: usize| affine.compliance.as_ref()[i].as_ref()[i] * affine.stick.as_ref()[i];
         (0..M::INFO.contacts.len()).map(of).fold(0.0, f64::max)
     }
@@ -119,7 +119,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         orbit: &Orbit,
         copy: Smoothing,
     ) -> Result<Prediction, PredictError> {
-        if const { Self::RUBS } {
+        if const { Self::TOUCHES } {
             predict(&Rubbed::<M, N>::new(model(case)), orbit, copy)
         } else {
             Err(PredictError::NeverSticks)

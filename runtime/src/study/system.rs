@@ -94,9 +94,9 @@ impl System {
         self.physics.laws(case, &self.start(case), see);
     }
 
-    /// Whether friction acts as declared, by set-valued laws.
-    pub(super) fn rubs(&self, case: &Case) -> bool {
-        case.dynamics == Dynamics::Exact && !self.info().contacts.is_empty()
+    /// Whether contacts act as declared, with modes.
+    pub(super) fn touches(&self, case: &Case) -> bool {
+        case.dynamics == Dynamics::Exact && self.info().touches()
     }
 
     /// The flows that the case is about, along its design variable.

@@ -16,6 +16,7 @@ fn mistakes_are_explained() {
         "lines",
         "memory",
         "names",
+        "press",
         "units",
     ] {
         cases.compile_fail(format!("tests/compile_fail/{topic}/*.rs"));

@@ -22,6 +22,8 @@ pub(crate) struct Constants<M: Model<N>, const N: usize> {
     pub(crate) compliance: Square<M, f64, N>,
     /// Which contacts act on the speed of another, or are acted on: where the matrix is not diagonal.
     coupled: M::PerContact<bool>,
+    /// Which speeds and gaps are affine: all speeds are.
+    straight: M::PerContact<bool>,
 }
 
 impl<M: Model<N>, const N: usize> Constants<M, N> {
@@ -29,24 +31,33 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     pub(super) fn find(params: &M::Params<M::Lanes>) -> Option<Self> {
         let [first, second] = GENERIC.map(|seed| Self::at(params, &generic_state::<M, N>(seed)));
         let (first, second) = (first?, second?);
-        let same =
-            |a: &M::PerContact<Strip<N>>, b: &M::PerContact<Strip<N>>| a.as_ref() == b.as_ref();
-        (same(&first.gradient, &second.gradient) && same(&first.input, &second.input))
-            .then_some(first)
+        let rubbing = M::INFO.contacts.len();
+        let same = |i: usize| first.gradient.as_ref()[i] == second.gradient.as_ref()[i];
+        let pushes_alike = first.input.as_ref() == second.input.as_ref();
+        let straight = |i: usize| same(i) && first.straight.as_ref()[i];
+        (pushes_alike && (0..rubbing).all(straight)).then_some(Self {
+            straight: Inline::from_fn(straight),
+            ..first
+        })
+    }
+
+    /// Whether a speed or gap is affine, so that its gradient is known.
+    pub(super) fn is_straight(&self, contact: usize) -> bool {
+        self.straight.as_ref()[contact]
     }
 
     fn at(params: &M::Params<M::Lanes>, state: &[f64; N]) -> Option<Self> {
-        let modes = Modes::from_fn(|_| Mode::Stick);
+        let modes = Modes::held();
         let lanes: [M::Lanes; N] = std::array::from_fn(|i| M::Lanes::state(state[i], i));
         let direction = std::array::from_fn(|i| M::Lanes::constant(generic(i, 0.713)));
         let bend = speed_rates::<M, M::Lanes, N>(params, &lanes, &modes, &direction);
-        let straight = bend.as_ref().iter().all(|rate| flat(rate).is_some());
         let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
         let _ = M::rhs(params, lanes, &mut rule);
         let gradient: M::PerContact<Strip<N>> =
             Inline::from_fn(|i| rule.speed.as_ref()[i].slopes().0.into());
         let mut forces: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
-        for (contact, slot) in forces.as_mut().iter_mut().enumerate() {
+        let rubbing = forces.as_mut().iter_mut().take(M::INFO.contacts.len());
+        for (contact, slot) in rubbing.enumerate() {
             let column = input::<M, M::Lanes, N>(params, &lanes, &modes, contact);
             let mut entries = [0.0; N];
             for (entry, b) in entries.iter_mut().zip(&column) {
@@ -59,11 +70,12 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         });
         let acts = |i: usize, j: usize| compliance.as_ref()[i].as_ref()[j] != 0.0;
         let others = |i: usize| (0..M::INFO.contacts.len()).filter(move |&j| j != i);
-        straight.then_some(Self {
+        Some(Self {
             gradient,
             input: forces,
             coupled: Inline::from_fn(|i| others(i).any(|j| acts(i, j) || acts(j, i))),
             compliance,
+            straight: Inline::from_fn(|i| flat(&bend.as_ref()[i]).is_some()),
         })
     }
 

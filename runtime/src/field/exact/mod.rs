@@ -4,6 +4,7 @@ mod affine;
 mod columns;
 mod constants;
 mod mode;
+mod pressed;
 mod rest;
 mod rule;
 mod solve;

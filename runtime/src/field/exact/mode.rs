@@ -1,4 +1,4 @@
-//! How a contact moves: sliding one way or the other, or sticking.
+//! How a contact moves: sliding one way or the other, or sticking; pressing, or open.
 
 use std::fmt;
 
@@ -16,6 +16,14 @@ pub enum Mode {
     SlideBackward,
     /// w = 0, held by a force within the limit at rest.
     Stick,
+    /// No force, whatever w is: what presses it is open.
+    Loose,
+    /// A press whose gap is open.
+    Open,
+    /// A press whose gap is closed, and whose force pushes.
+    Closed,
+    /// A press whose force has fallen to zero before its gap opened: its law would pull.
+    Parted,
 }
 
 impl Mode {
@@ -29,14 +37,32 @@ impl Mode {
         }
     }
 
-    /// Sign of w: 1, −1, or 0 while sticking.
+    /// Sign of w, or of the gap of a press: 1, −1, or 0 where the mode says nothing of it.
     #[must_use]
     pub fn sign(self) -> f64 {
         match self {
-            Self::SlideForward => 1.0,
-            Self::SlideBackward => -1.0,
-            Self::Stick => 0.0,
+            Self::SlideForward | Self::Open => 1.0,
+            Self::SlideBackward | Self::Closed | Self::Parted => -1.0,
+            Self::Stick | Self::Loose => 0.0,
         }
+    }
+
+    /// Whether there is a force: that of a press that is closed, or of a contact that is not loose.
+    #[must_use]
+    pub fn acts(self) -> bool {
+        !matches!(self, Self::Loose | Self::Open | Self::Parted)
+    }
+
+    /// Whether it is the mode of a press.
+    #[must_use]
+    pub fn is_of_press(self) -> bool {
+        matches!(self, Self::Open | Self::Closed | Self::Parted)
+    }
+
+    /// Whether it is that of a contact that sticks or slides.
+    #[must_use]
+    pub fn rubs(self) -> bool {
+        matches!(self, Self::SlideForward | Self::SlideBackward | Self::Stick)
     }
 }
 
@@ -46,6 +72,10 @@ impl fmt::Display for Mode {
             Self::SlideForward => "slip+",
             Self::SlideBackward => "slip-",
             Self::Stick => "stick",
+            Self::Loose => "loose",
+            Self::Open => "open",
+            Self::Closed => "closed",
+            Self::Parted => "parted",
         })
     }
 }
@@ -58,6 +88,15 @@ impl<M: Model<N>, const N: usize> Modes<M, N> {
     #[must_use]
     pub fn from_fn(mode: impl FnMut(usize) -> Mode) -> Self {
         Self(Inline::from_fn(mode))
+    }
+
+    /// Every contact that rubs sticks, and every press is open.
+    #[must_use]
+    pub fn held() -> Self {
+        Self::from_fn(|i| match M::INFO.contacts.get(i) {
+            Some(_) => Mode::Stick,
+            None => Mode::Open,
+        })
     }
 
     /// In the order of declaration of the contacts.

@@ -3,6 +3,7 @@
 use super::mode::Mode;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
+use crate::press::{PressLaw, Pressed};
 use crate::scalar::{Inline, Scalar};
 
 /// Forces of the sliding contacts by their laws, of the sticking ones as given.
@@ -11,6 +12,7 @@ pub(super) struct Branches<'a, M: Model<N>, D: Scalar, const N: usize> {
     given: M::PerContact<D>,
     pub(super) speed: M::PerContact<D>,
     pub(super) force: M::PerContact<D>,
+    /// The largest force at rest; of a press that is not open, what holds it closed while it is positive.
     pub(super) stick: M::PerContact<D>,
 }
 
@@ -45,11 +47,29 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
             Mode::SlideForward => -slip(law, speed),
             Mode::SlideBackward => slip(law, -speed),
             Mode::Stick => self.given.as_ref()[contact],
+            _ => D::from(0.0),
         };
         self.speed.as_mut()[contact] = speed;
         self.force.as_mut()[contact] = force;
         self.stick.as_mut()[contact] = law.stick();
         force
+    }
+
+    /// A press is a contact whose gap stands where others have their speed.
+    #[inline]
+    fn press<L: PressLaw<D>>(&mut self, contact: usize, law: &L, gap: D, rate: D) -> D {
+        let mode = self.modes.get(contact).copied().unwrap_or(Mode::Open);
+        self.speed.as_mut()[contact] = gap;
+        if mode == Mode::Open || !mode.is_of_press() {
+            return D::from(0.0);
+        }
+        let pressed = Pressed::new(law, gap, rate);
+        self.stick.as_mut()[contact] = pressed.hold;
+        if mode == Mode::Closed {
+            self.force.as_mut()[contact] = pressed.force;
+            return pressed.force;
+        }
+        D::from(0.0)
     }
 }
 

@@ -6,7 +6,8 @@ use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
 use super::mode::{Mode, Modes};
-use super::rest::{idle, layers, limits};
+use super::pressed::{hold_terms, rough};
+use super::rest::{idle, layers, limits, loose};
 use super::rule::Branches;
 use super::strip::Strip;
 use crate::field::memory;
@@ -63,6 +64,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) corners: usize,
     /// Which contacts no force ever holds: where w = 0 nothing happens to them.
     pub(super) idle: M::PerContact<bool>,
+    /// Which presses have a force that is no power series in the depth.
+    rough: M::PerContact<bool>,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -82,6 +85,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             magnitude: memory::bounded::<M, N>(&plain, [1.0; N]),
             corners: memory::corners::<M, N>(&plain),
             idle: idle::<M, N>(&turned),
+            rough: rough::<M, N>(&turned),
             turned,
         }
     }
@@ -92,10 +96,10 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         self
     }
 
-    /// Number of contacts.
+    /// Number of contacts, those that press included.
     #[must_use]
     pub fn contacts(&self) -> usize {
-        M::INFO.contacts.len()
+        M::INFO.contacts.len() + M::INFO.presses.len()
     }
 
     /// Checks what does not depend on the state.
@@ -103,7 +107,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// # Errors
     /// A force that never opposes its speed.
     pub fn check(&self) -> Result<(), ContactError> {
-        let all = Modes::from_fn(|_| Mode::Stick);
+        let all = Modes::held();
         match &self.constants {
             Some(constants) => opposing::<M, N>(&constants.compliance, &all),
             None => Ok(()),
@@ -113,6 +117,12 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// w_y of each contact, if none depends on the state.
     pub(crate) fn gradients(&self) -> Option<&[Strip<N>]> {
         self.constants.as_ref().map(|c| c.gradient.as_ref())
+    }
+
+    /// Whether the speed or gap of a contact is known to be affine.
+    pub(crate) fn is_straight(&self, contact: usize) -> bool {
+        let constants = self.constants.as_ref();
+        constants.is_some_and(|constants| constants.is_straight(contact))
     }
 
     /// Usual magnitude of a contact's relative speed, as far as that of the states tells.
@@ -133,12 +143,45 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
 
     /// stick and slip(0⁺) of every contact.
     pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
-        limits::<M, f64, N>(&self.plain, state)
+        limits::<M, f64, N>(&self.plain, state, &|_| None)
+    }
+
+    /// The magnitude of the terms of what holds a press closed.
+    pub(crate) fn terms_of_hold(&self, state: &[f64; N], press: usize) -> f64 {
+        hold_terms::<M, N>(&self.plain, state, press)
+    }
+
+    /// The modes with those contacts loose, and only those, whose presses are open and which hold with no force then;
+    /// what is loose no longer slides the way it moves.
+    pub(crate) fn loosened(&self, mut modes: Modes<M, N>, speeds: &[f64]) -> Modes<M, N> {
+        let reads = |i: usize| !M::INFO.contacts[i].presses.is_empty();
+        if !(0..M::INFO.contacts.len()).any(reads) {
+            return modes;
+        }
+        let before = modes;
+        let open = |i: usize| !before.as_slice()[i].acts();
+        let loose = loose::<M, N>(&self.turned, open);
+        for i in (0..M::INFO.contacts.len()).filter(|&i| reads(i)) {
+            let is_loose = before.as_slice()[i] == Mode::Loose;
+            let unloaded =
+                loose.as_ref()[i] && M::INFO.contacts[i].presses.iter().any(|&i| open(i));
+            match (unloaded, is_loose) {
+                (true, false) => modes.set(i, Mode::Loose),
+                (false, true) => modes.set(i, Mode::sliding(speeds[i])),
+                _ => {}
+            }
+        }
+        modes
     }
 
     /// Whether no force ever holds this contact: where w = 0 nothing happens to it.
     pub(crate) fn is_idle(&self, contact: usize) -> bool {
         self.idle.as_ref()[contact]
+    }
+
+    /// Whether the force of a press is no power series in the depth, as that of Hertz is not.
+    pub(crate) fn is_rough(&self, press: usize) -> bool {
+        self.rough.as_ref()[press]
     }
 
     /// The values of the parameters.
@@ -243,7 +286,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
 
     /// The relative speed of every contact, without its friction.
     pub(crate) fn speeds(&self, state: &[f64; N]) -> M::PerContact<f64> {
-        let modes = Modes::<M, N>::from_fn(|_| Mode::Stick);
+        let modes = Modes::<M, N>::held();
         let mut rule = Branches::<M, f64, N>::free(modes.as_slice());
         let _ = M::rhs(&self.plain, *state, &mut rule);
         rule.speed
@@ -251,7 +294,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
 
     /// The relative speed of every contact, with its derivatives.
     pub(crate) fn linear_speeds(&self, state: &[f64; N]) -> M::PerContact<M::Lanes> {
-        let modes = Modes::<M, N>::from_fn(|_| Mode::Stick);
+        let modes = Modes::<M, N>::held();
         let lanes = std::array::from_fn(|i| M::Lanes::state(state[i], i));
         let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
         let _ = M::rhs(&self.lanes, lanes, &mut rule);

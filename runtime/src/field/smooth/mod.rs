@@ -56,12 +56,16 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     /// `smoothing` may be left out for models without friction only; models with friction then have no contact to ask.
     ///
     /// # Errors
-    /// The smoothing would falsify a law at these parameters.
+    /// The smoothing would falsify a law at these parameters, or a contact presses and lets go.
     pub fn new(
         model: &M,
         smoothing: Option<Smoothing>,
         design: Design,
     ) -> Result<Self, SmoothingError> {
+        if let Some(press) = M::INFO.presses.first() {
+            let press = press.name;
+            return Err(SmoothingError::Press { press });
+        }
         let values = model.values();
         let smoothing = smoothing.unwrap_or(UNUSED);
         accept::<M, N>(&values, &smoothing)?;

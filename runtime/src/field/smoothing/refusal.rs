@@ -26,6 +26,14 @@ pub enum SmoothingError {
         /// The word given for the size.
         word: String,
     },
+    /// A contact presses and lets go, which no kernel smooths.
+    #[error(
+        "`{press}` presses and lets go, and no smoothing rounds that yet: ask for the exact dynamics"
+    )]
+    Press {
+        /// The force.
+        press: &'static str,
+    },
     /// A sign type would drop the static peak of the law, or a bump has none to stand on.
     #[error("{}", unsuited(*.kernel, law, contact, *.stick, *.slip))]
     Unsuited {

@@ -1,7 +1,9 @@
 //! Step lengths before a landing: beyond the surface a law is only continued, and a step that goes far
 //! there is rejected anyway.
 
+use super::ExactFlow;
 use super::run::{Run, Steps};
+use crate::field::exact::Mode;
 use crate::flow::saltation::Tracked;
 use crate::model::Model;
 
@@ -9,23 +11,49 @@ use crate::model::Model;
 const OVERSHOOT: f64 = 1.02;
 /// Part of the length that the integrator proposes below which no prediction shortens a step.
 const SHORTEST: f64 = 0.1;
+/// Part of the longest step so far below which no step is shortened where a force has a root, whose derivatives err by the
+/// power 3/2 of the first step.
+const FINEST: f64 = 1e-6;
+/// Part of the time until a gap opens that such a step may last.
+const GRADED: f64 = 0.5;
 
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// The longest step worth trying: a little beyond the predicted stop of any sliding contact.
     pub(super) fn approach(&mut self, stepper: &Steps<'_, 'f, M, V, N>) -> f64 {
-        let (system, mut limit) = (&self.flow.system, f64::INFINITY);
+        let (system, mut limit) = (&self.flow.system, self.graded(stepper));
         let (Some(gradients), Some(proposal)) = (system.gradients(), stepper.proposal()) else {
             return limit;
         };
         let speeds = system.speeds(stepper.from().state());
         let (rates, length) = &mut self.rates;
         let modes = self.modes.as_slice().iter().enumerate();
-        for (i, mode) in modes.filter(|(i, _)| !system.is_idle(*i)) {
+        for (i, mode) in modes.filter(|(i, _)| system.is_straight(*i) && !system.is_idle(*i)) {
             let rate = mode.sign() * gradients[i].dot(stepper.from_slope().state());
             let bend = (rate - rates.as_ref()[i]) / *length;
             rates.as_mut()[i] = rate;
             let time = first_zero(mode.sign() * speeds.as_ref()[i], rate, bend);
             limit = limit.min((OVERSHOOT * time).max(SHORTEST * proposal));
+        }
+        limit
+    }
+}
+
+impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+    /// The longest step while a press is closed whose force is no power series in its depth: as long as the time since
+    /// its gap closed, or half of that until it opens, so that the roots there cost derivatives no digits.
+    fn graded(&self, stepper: &Steps<'_, 'f, M, V, N>) -> f64 {
+        let (system, mut limit) = (&self.flow.system, f64::INFINITY);
+        for press in ExactFlow::<M, N>::presses() {
+            if self.modes.as_slice()[press] != Mode::Closed || !system.is_rough(press) {
+                continue;
+            }
+            let at = stepper.from().state();
+            if let Ok(moving) = system.moving(at, &self.modes) {
+                let gap = moving.speed.as_ref()[press];
+                let time = (gap.re / gap.eps).abs();
+                let share = if gap.eps < 0.0 { 1.0 } else { GRADED };
+                limit = limit.min((share * time).max(FINEST * self.longest));
+            }
         }
         limit
     }

@@ -1,5 +1,6 @@
 //! How a motion begins: on surfaces or off them, sticking or departing.
 
+use super::press::Vanishing;
 use super::run::Run;
 use super::settle::Rest;
 use super::switch::ROUNDING;
@@ -15,14 +16,17 @@ const WRONG_SIDE: f64 = 1e-6;
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Decides how the motion begins: on surfaces or off them, sticking or departing.
     pub(super) fn depart(&mut self) -> Result<(), FlowError> {
-        let before = self.modes;
         self.put_on_surface()?;
         let state = *self.carried.state();
+        self.flow.check_gaps(&state, &self.modes, self.time)?;
+        let rounded = |_| Some(Vanishing::Rounded);
+        let presses = self.flow.with_presses(&state, self.modes, rounded)?;
+        let before = presses.modes;
         let speeds = self.flow.system.speeds(&state);
         let scales = self.flow.speed_scales(&state);
         let mut resting: M::PerContact<bool> = Inline::from_fn(|_| false);
         let modes = before.as_slice().iter().enumerate();
-        for (i, mode) in modes.filter(|(i, _)| !self.flow.system.is_idle(*i)) {
+        for (i, mode) in modes.filter(|(i, mode)| mode.rubs() && !self.flow.system.is_idle(*i)) {
             let speed = speeds.as_ref()[i];
             // Against fixed ground a speed is its own only term: what is usual then tells rounding errors.
             let scale = scales.as_ref()[i].max(self.flow.system.usual_speed(i));
@@ -45,7 +49,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
                 0.0
             }
         });
-        let verdict = Rest {
+        let mut verdict = Rest {
             system: &self.flow.system,
             arrival: self.flow.arrival,
             state,
@@ -58,6 +62,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             let_go,
         }
         .settle()?;
+        presses.note(&mut verdict);
         self.take(&verdict, &Inline::from_fn(|_| 0.0))
     }
 }

@@ -21,17 +21,19 @@ const CHECKS: [f64; 2] = [0.27, 0.62];
 pub(super) struct Guard {
     /// Number of the contact.
     pub(super) contact: usize,
-    /// The force limit that a sticking contact meets: stick − side·λ; 0 for the speed of a sliding one.
+    /// The force limit that a sticking contact meets: stick − side·λ; 0 for the speed of a sliding one, and for the gap of
+    /// a press, 1 for what holds that closed.
     pub(super) side: f64,
 }
 
 impl Guard {
     /// The guards of a contact in this mode.
     pub(super) fn of(contact: usize, mode: Mode) -> impl Iterator<Item = Self> {
-        let sides: &[f64] = if mode == Mode::Stick {
-            &[1.0, -1.0]
-        } else {
-            &[0.0]
+        let sides: &[f64] = match mode {
+            Mode::Stick => &[1.0, -1.0],
+            Mode::SlideForward | Mode::SlideBackward | Mode::Open => &[0.0],
+            Mode::Closed | Mode::Parted => &[0.0, 1.0],
+            Mode::Loose => &[],
         };
         sides.iter().map(move |&side| Self { contact, side })
     }
@@ -43,10 +45,11 @@ impl Guard {
         at: &Snapshot<M, D, N>,
     ) -> D {
         let i = self.contact;
-        if self.side == 0.0 {
-            at.speed.as_ref()[i] * modes.as_slice()[i].sign()
-        } else {
-            at.stick.as_ref()[i] - at.force.as_ref()[i] * self.side
+        match modes.as_slice()[i] {
+            mode if self.side == 0.0 => at.speed.as_ref()[i] * mode.sign(),
+            Mode::Closed => at.stick.as_ref()[i],
+            Mode::Parted => -at.stick.as_ref()[i],
+            _ => at.stick.as_ref()[i] - at.force.as_ref()[i] * self.side,
         }
     }
 }
@@ -102,21 +105,19 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
         let mut sampled = false;
         let modes = self.modes.as_slice().iter().enumerate();
         for (i, mode) in modes.filter(|(i, _)| !self.system.is_idle(*i)) {
-            match gradients {
-                Some(gradients) if *mode != Mode::Stick => {
-                    let sign = mode.sign();
-                    let along = self
-                        .dense
-                        .along(self.speeds.as_ref()[i], |term| gradients[i].dot(term));
-                    let oriented = if sign > 0.0 { along } else { along.negated() };
-                    let guard = Guard {
-                        contact: i,
-                        side: 0.0,
-                    };
-                    let noise = NOISE * self.scales.as_ref()[i].max(oriented.magnitude());
-                    self.judge(guard, &oriented.without_noise(noise), 0.0, 1.0);
+            for guard in Guard::of(i, *mode) {
+                match gradients {
+                    Some(gradients) if self.is_affine(guard) => {
+                        let sign = mode.sign();
+                        let along = self
+                            .dense
+                            .along(self.speeds.as_ref()[i], |term| gradients[i].dot(term));
+                        let oriented = if sign > 0.0 { along } else { along.negated() };
+                        let noise = NOISE * self.scales.as_ref()[i].max(oriented.magnitude());
+                        self.judge(guard, &oriented.without_noise(noise), 0.0, 1.0);
+                    }
+                    _ => sampled = true,
                 }
-                _ => sampled = true,
             }
         }
         if sampled {
@@ -183,17 +184,36 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             return Ok(());
         }
         for (contact, mode) in self.modes.as_slice().iter().enumerate() {
-            if self.is_sampled(contact, *mode) {
-                let pair = &models.as_ref()[contact];
-                let terms =
-                    pair[0].magnitude() + pair[1].magnitude() + self.scales.as_ref()[contact];
-                for (place, guard) in Guard::of(contact, *mode).enumerate() {
-                    let heard = pair[place].without_noise(SAMPLED_NOISE * terms);
+            if self.system.is_idle(contact) {
+                continue;
+            }
+            let pair = &models.as_ref()[contact];
+            for (place, guard) in Guard::of(contact, *mode).enumerate() {
+                let noise = SAMPLED_NOISE * self.terms(pair, place, guard);
+                let heard = pair[place].without_noise(noise);
+                // What never comes near to letting go has no minimum but that of its rounding errors.
+                let still = guard.side != 0.0
+                    && mode.is_of_press()
+                    && heard.derivative().magnitude() <= RESOLVED * heard.lower_bound();
+                if !still && !self.is_affine(guard) {
                     self.judge(guard, &heard, from, width);
                 }
             }
         }
         Ok(())
+    }
+
+    /// The magnitude of the terms of a guard of `pair`.
+    fn terms(&self, pair: &[Bernstein; 2], place: usize, guard: Guard) -> f64 {
+        let scale = self.scales.as_ref()[guard.contact];
+        let mode = self.modes.as_slice()[guard.contact];
+        if !mode.is_of_press() {
+            pair[0].magnitude() + pair[1].magnitude() + scale
+        } else if guard.side == 0.0 {
+            pair[place].magnitude() + scale
+        } else {
+            pair[place].magnitude()
+        }
     }
 
     fn resolved(&self, models: &Models<M, N>, from: f64, width: f64) -> Result<bool, ContactError> {
@@ -213,16 +233,17 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
         self.system.snapshot(&self.dense.state(theta), self.modes)
     }
 
-    /// Whether the guards of a contact in this mode are not known to be affine.
-    fn is_sampled(&self, contact: usize, mode: Mode) -> bool {
-        let affine = mode != Mode::Stick && self.system.gradients().is_some();
-        !affine && !self.system.is_idle(contact)
+    /// Whether a guard is known to be affine.
+    fn is_affine(&self, guard: Guard) -> bool {
+        guard.side == 0.0 && self.system.is_straight(guard.contact)
     }
 
+    /// The guards that are not, each with its place among those of its contact.
     fn each_sampled(&self, mut visit: impl FnMut(usize, Guard)) {
         for (i, mode) in self.modes.as_slice().iter().enumerate() {
-            if self.is_sampled(i, *mode) {
-                for (place, guard) in Guard::of(i, *mode).enumerate() {
+            if !self.system.is_idle(i) {
+                let guards = Guard::of(i, *mode).enumerate();
+                for (place, guard) in guards.filter(|(_, guard)| !self.is_affine(*guard)) {
                     visit(place, guard);
                 }
             }

@@ -10,6 +10,7 @@ mod glide;
 mod guard;
 mod observe;
 mod passing;
+mod press;
 mod reading;
 mod release;
 mod run;
@@ -24,6 +25,7 @@ use crate::integrate::explicit::Settings;
 use crate::integrate::{Motion, Tolerance};
 use crate::model::{Model, ModelInfo, ParamId};
 use crate::scalar::{Inline, Lanes};
+use press::Vanishing;
 use run::Run;
 pub use settle::Arrival;
 use settle::Rest;
@@ -111,14 +113,22 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let speeds = self.system.speeds(&state);
         let scales = self.speed_scales(&state);
         let speed = |i: usize| speeds.as_ref()[i];
+        let slides = Modes::from_fn(|i| match M::INFO.contacts.get(i) {
+            Some(_) => Mode::sliding(speed(i)),
+            None => Mode::Open,
+        });
+        let rounded = |_| Some(Vanishing::Rounded);
+        let slides = self.with_presses(&state, slides, rounded)?.modes;
         let resting: M::PerContact<bool> = Inline::from_fn(|i| {
-            !self.system.is_idle(i) && speed(i).abs() <= NO_SPEED * scales.as_ref()[i]
+            slides.as_slice()[i].rubs()
+                && !self.system.is_idle(i)
+                && speed(i).abs() <= NO_SPEED * scales.as_ref()[i]
         });
         let before = Modes::from_fn(|i| {
             if resting.as_ref()[i] {
                 Mode::Stick
             } else {
-                Mode::sliding(speed(i))
+                slides.as_slice()[i]
             }
         });
         let verdict = Rest {
@@ -152,7 +162,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             let rest = speeds.as_ref()[i] - terms().sum::<f64>();
             terms().map(f64::abs).sum::<f64>() + rest.abs()
         };
-        if let Some(gradients) = self.system.gradients() {
+        let bent = Self::presses().any(|press| !self.system.is_straight(press));
+        if let (Some(gradients), false) = (self.system.gradients(), bent) {
             return Inline::from_fn(|i| scale(i, &gradients[i]));
         }
         let lanes = self.system.linear_speeds(state);

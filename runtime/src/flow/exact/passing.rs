@@ -134,6 +134,11 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
                 modes = self.after;
             } else {
                 modes.set(contact, self.after.as_slice()[contact]);
+                for (i, rubs) in M::INFO.contacts.iter().enumerate() {
+                    if rubs.presses.contains(&contact) {
+                        modes.set(i, self.after.as_slice()[i]);
+                    }
+                }
             }
             let after = system.snapshot(&self.state, &modes)?.field;
             let (gradient, design) = guard.value(&self.before, &linear).slopes();

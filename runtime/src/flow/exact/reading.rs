@@ -5,9 +5,10 @@ use crate::field::exact::Modes;
 use crate::flow::{FlowError, Place};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
+use crate::press::PressLaw;
 
 impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
-    /// Friction forces and `let` lines.
+    /// The forces of all contacts and `let` lines.
     pub(crate) fn reading(
         &self,
         at: &Place<N, Modes<M, N>>,
@@ -25,6 +26,10 @@ struct Given<'a>(&'a [f64]);
 
 impl ContactRule<f64> for Given<'_> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, _speed: f64) -> f64 {
+        self.0.get(contact).copied().unwrap_or(0.0)
+    }
+
+    fn press<L: PressLaw<f64>>(&mut self, contact: usize, _law: &L, _gap: f64, _rate: f64) -> f64 {
         self.0.get(contact).copied().unwrap_or(0.0)
     }
 }

@@ -20,6 +20,8 @@ use crate::scalar::Inline;
 pub(super) const NO_TIME: f64 = 1e-10;
 /// Trial steps through which derivatives are worth carrying.
 const DIFFERENTIATED: u64 = 50_000;
+/// Part of the passage that its first step may be.
+const FIRST: f64 = 1e-3;
 /// Steps on end that may advance the time by no more than [`NO_TIME`] of the passage.
 const CREEP: u64 = 20_000;
 
@@ -38,6 +40,8 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     pub(super) work: Work,
     /// Rate of each |w| at the beginning of the last step, and the length of that step.
     pub(super) rates: (M::PerContact<f64>, f64),
+    /// The longest step so far; before the first one what may be one.
+    pub(super) longest: f64,
     segment_from: f64,
     segments: Vec<Segment<Modes<M, N>>>,
     pub(super) extrema: Extrema<N>,
@@ -70,6 +74,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             events: Vec::new(),
             work: Work::default(),
             rates: (Inline::from_fn(|_| 0.0), f64::NAN),
+            longest: FIRST * span,
             segment_from: 0.0,
             segments: Vec::new(),
             extrema: Extrema::new(),
@@ -232,6 +237,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let drift = field.correction(end.state(), &self.flow.system.speeds(end.state()));
         end.state_mut().add(-1.0, &drift);
         let length = stepper.length();
+        self.longest = self.longest.max(length);
         stepper.commit_at(end);
         self.carried = end;
         if strike.is_none() {

@@ -45,8 +45,11 @@ pub(super) struct Note {
     pub(super) ambiguous: bool,
     /// Whether another contact was as near to its limit.
     pub(super) tied: bool,
-    /// Order of the lowest derivative of w that does not vanish where it leaves; 0 if it does not.
+    /// Order of the lowest derivative of w, or of the guard of a press, that does not vanish where it leaves; 0 if it does
+    /// not.
     pub(super) departure: usize,
+    /// Side of that guard; 0 for w and for the gap of a press.
+    pub(super) side: f64,
 }
 
 /// The modes with which a motion goes on.

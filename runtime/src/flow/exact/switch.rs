@@ -1,9 +1,10 @@
 //! What happens at an event: which contacts switch, and into which modes.
 
 use super::guard::{Departure, Guard, Sighting};
+use super::press::{Presses, Vanishing};
 use super::run::Run;
 use super::settle::{EDGE, Rest, Verdict};
-use crate::field::exact::{ExactField, Mode};
+use crate::field::exact::{ExactField, Mode, Modes};
 use crate::flow::saltation::Tracked;
 use crate::flow::{Event, EventKind, FlowError};
 use crate::integrate::explicit::Stepper;
@@ -46,7 +47,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         for (i, mode) in modes.filter(|(i, _)| !system.is_idle(*i)) {
             for guard in Guard::of(i, *mode) {
                 let value = guard.value(&self.modes, &at);
-                let scale = if guard.side == 0.0 {
+                let scale = if mode.is_of_press() && guard.side != 0.0 {
+                    system.terms_of_hold(state, i)
+                } else if guard.side == 0.0 {
                     // Against fixed ground w is its only term: what it has lost in the step is what was rounded.
                     scales.as_ref()[i].max(stepper.length() * value.eps.abs())
                 } else {
@@ -61,7 +64,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 if was_awaited {
                     grazes = awaited.depth <= GRAZE * tolerated;
                 }
-                if was_awaited || at_once {
+                // Where a gap opens, what held it closed may fall with it.
+                let opens = mode.is_of_press() && fallen.as_ref()[i].is_some();
+                if (was_awaited || at_once) && !opens {
                     fallen.as_mut()[i] = Some(guard);
                     rates.as_mut()[i] = value.eps;
                 }
@@ -79,23 +84,50 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// Passes to the modes after an event.
     pub(super) fn switch(&mut self, strike: &Strike<M, N>) -> Result<(), FlowError> {
         let fallen = strike.fallen.as_ref();
-        let before = self.modes;
-        let verdict = Rest {
+        let presses = self.switched_presses(strike)?;
+        let before = presses.modes;
+        let lands = |i: usize| self.lands(i, &before);
+        let mut verdict = Rest {
             system: &self.flow.system,
             arrival: self.flow.arrival,
             state: *self.carried.state(),
             time: self.time,
             before,
             resting: Inline::from_fn(|i| {
-                fallen[i].is_some() || before.as_slice()[i] == Mode::Stick
+                let mode = before.as_slice()[i];
+                mode == Mode::Stick || (mode.rubs() && (fallen[i].is_some() || lands(i)))
             }),
             let_go: Inline::from_fn(|i| fallen[i].map_or(0.0, |guard| -guard.side)),
         }
         .settle()?;
+        presses.note(&mut verdict);
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
         self.take(&verdict, &strike.rates)?;
         self.count_chatter(strike.first)
+    }
+
+    /// Whether a contact that was loose has no relative speed where it is pressed again.
+    fn lands(&self, contact: usize, pressed: &Modes<M, N>) -> bool {
+        let state = self.carried.state();
+        self.modes.as_slice()[contact] == Mode::Loose
+            && pressed.as_slice()[contact].rubs()
+            && self.flow.system.speeds(state).as_ref()[contact].abs()
+                <= ROUNDING * self.flow.speed_scales(state).as_ref()[contact]
+    }
+
+    /// The modes after the guards of presses have fallen, other contacts as they are or no longer loose.
+    fn switched_presses(&self, strike: &Strike<M, N>) -> Result<Presses<M, N>, FlowError> {
+        let vanishing = |press: usize| {
+            let guard = strike.fallen.as_ref()[press]?;
+            Some(if guard.side == 0.0 {
+                Vanishing::Gap
+            } else {
+                Vanishing::Hold
+            })
+        };
+        let state = self.carried.state();
+        self.flow.with_presses(state, self.modes, vanishing)
     }
 
     /// Takes the modes that were decided after guards fell at these rates, and notes what changed.
@@ -110,6 +142,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             let note = verdict.notes.as_ref()[contact];
             let (margin, ambiguous) = (note.margin, note.ambiguous);
             let kind = match (old, new) {
+                (Mode::Parted, Mode::Open) | (_, Mode::Loose) => continue,
+                (Mode::Loose, Mode::SlideForward | Mode::SlideBackward) => continue,
+                (_, Mode::Closed) => EventKind::Closing,
+                (_, Mode::Open | Mode::Parted) => EventKind::Opening,
                 (_, Mode::Stick) => EventKind::Landing { margin, ambiguous },
                 (Mode::Stick, _) => EventKind::Release { tied: note.tied },
                 _ => EventKind::Crossing {
@@ -136,7 +172,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     fn note_departures(&mut self, verdict: &Verdict<M, N>) -> Result<(), FlowError> {
         let order = |i: usize| verdict.notes.as_ref()[i].departure;
         self.departure = Inline::from_fn(|i| Departure {
-            side: 0.0,
+            side: verdict.notes.as_ref()[i].side,
             order: order(i),
         });
         if self.modes.sticking().next().is_none() {

@@ -164,8 +164,10 @@ impl Flow for TapedFlow {
         place(state: &[f64]) -> Result<Place, FlowError>;
         velocity(at: &Place) -> Result<Velocity, FlowError>;
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+        loosening(state: &[f64], contact: usize) -> f64;
         margins(at: &Place) -> Vec<(usize, f64)>;
         speeds(state: &[f64]) -> Vec<f64>;
+        stop(state: usize) -> f64;
         check(at: &Place) -> Result<(), FlowError>;
         read(at: &Place) -> Result<Reading, FlowError>;
         contacts(at: &Place) -> Result<Contacts, FlowError>;

@@ -12,7 +12,7 @@ use crate::equilibrium::{
 };
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
-use crate::motion::{Family, Place};
+use crate::motion::{Family, Flow, Place};
 use crate::study::ended::Ended;
 use crate::study::error::StudyError;
 use crate::study::label::labels;
@@ -31,14 +31,14 @@ impl System {
         self.may_rest(case)?;
         let places = starts(&self.start(case));
         let (family, flow) = (self.family(case), self.at(case)?);
-        let modes = |y: &[f64]| sliding_modes(&*flow, y);
+        let modes = |y: &[f64]| sliding_modes(&*flow, self.info(), y);
         let sliding = find(&family, self.beginning(case), &places, modes);
         let mut found: Vec<_> = sliding
             .into_iter()
             .map(|one| self.record(case, one.place, &one.spectrum))
             .collect();
-        if self.rubs(case) {
-            let modes = sticking_modes(self.info().contacts.len());
+        if self.touches(case) {
+            let modes = sticking_modes(&*flow, self.info());
             let sets = sticking_sets(&*flow, &places, &modes).into_iter();
             found.extend(sets.map(|set| self.set_record(case, set)));
         }
@@ -127,9 +127,10 @@ impl System {
     /// A proof that the equilibrium exists, in the mode in which its contacts slide there.
     fn proof(&self, case: &Case, found: &EquilibriumRecord) -> Result<Proof, Unproven> {
         // Without a flow no contact is known to slide, and nothing is proven.
-        let modes = self.rubs(case).then(|| {
+        let modes = self.touches(case).then(|| {
             let flow = self.at(case);
-            flow.map_or_else(|_| Vec::new(), |flow| sliding_mode(&*flow, &found.state))
+            let mode = |flow: Box<dyn Flow>| sliding_mode(&*flow, self.info(), &found.state);
+            flow.map_or_else(|_| Vec::new(), mode)
         });
         prove(&*self.enclosure(case, modes.as_deref()), &found.state)
     }
@@ -137,7 +138,7 @@ impl System {
     fn first(&self, case: &Case, family: &Family) -> Result<Place, StudyError> {
         let places = starts(&self.start(case));
         let flow = self.at(case)?;
-        let modes = |y: &[f64]| sliding_modes(&*flow, y);
+        let modes = |y: &[f64]| sliding_modes(&*flow, self.info(), y);
         let r = self.beginning(case);
         let found = places
             .iter()
@@ -214,11 +215,15 @@ fn ended(info: &ModelInfo, walked: &Walked<EquilibriumPoint, FlowError>, along: 
     let mut ended = Ended::of(&walked.ending, along);
     if let Ending::At(Kind::BoundaryEquilibrium, _) = walked.ending {
         let margin = walked.points.last().and_then(EquilibriumPoint::margin);
-        let contact = margin.and_then(|(contact, _)| info.contacts.get(contact));
-        let name = contact.map_or("?", |contact| contact.name);
-        ended.reason = format!(
-            "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
-        );
+        let contact = margin.map_or(usize::MAX, |(contact, _)| contact);
+        let name = info.contact(contact).unwrap_or("?");
+        ended.reason = if contact < info.contacts.len() {
+            format!(
+                "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
+            )
+        } else {
+            format!("the gap of `{name}` reaches zero, and with it this way of pressing ends")
+        };
     }
     ended
 }

@@ -16,32 +16,67 @@ pub(in crate::study) fn spelt(info: &ModelInfo, modes: &Modes) -> Option<String>
     (!modes.is_empty()).then(|| word(info, &[segment]))
 }
 
-/// The modes in which every contact slides as it does at `state`.
-pub(in crate::study) fn sliding_mode(flow: &dyn Flow, state: &[f64]) -> Modes {
-    flow.speeds(state).into_iter().map(Mode::sliding).collect()
+/// The modes in which every contact slides, and presses or not, as it does at `state`; of a smooth flow, none.
+pub(in crate::study) fn sliding_mode(flow: &dyn Flow, info: &ModelInfo, state: &[f64]) -> Modes {
+    let measures = flow.speeds(state);
+    flow.loosened(sliding(info, &measures, 0), &measures)
 }
 
-/// The modes in which every contact slides, first those in which it does at `state`; of a smooth flow, the only ones.
-pub(in crate::study) fn sliding_modes(flow: &dyn Flow, state: &[f64]) -> Vec<Modes> {
-    let speeds = flow.speeds(state);
-    let count = speeds.len();
+/// The modes in which no contact sticks, first those in which it does not at `state`; of a smooth flow, the only ones.
+pub(in crate::study) fn sliding_modes(
+    flow: &dyn Flow,
+    info: &ModelInfo,
+    state: &[f64],
+) -> Vec<Modes> {
+    let measures = flow.speeds(state);
+    let count = measures.len();
     let turns = if count > COMBINED { 1 } else { 1 << count };
-    let turned = |k: usize, i: usize| if k >> i & 1 == 0 { 1.0 } else { -1.0 };
-    let slides = |k: usize, i: usize| Mode::sliding(turned(k, i) * speeds[i]);
-    (0..turns)
-        .map(|k| (0..count).map(|i| slides(k, i)).collect())
-        .collect()
+    let mut all: Vec<Modes> = Vec::new();
+    for turned in 0..turns {
+        let modes = flow.loosened(sliding(info, &measures, turned), &measures);
+        if !all.contains(&modes) {
+            all.push(modes);
+        }
+    }
+    all
 }
 
-/// The modes of `count` contacts of which at least one sticks: in every combination, or all of them.
-pub(in crate::study) fn sticking_modes(count: usize) -> Vec<Modes> {
-    const LETTERS: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
-    if count > COMBINED {
-        return vec![vec![Mode::Stick; count]];
+/// The modes of sliding at these speeds and of pressing at these gaps, those with a bit of `turned` the other way.
+fn sliding(info: &ModelInfo, measures: &[f64], turned: usize) -> Modes {
+    let way = |i: usize| if turned >> i & 1 == 0 { 1.0 } else { -1.0 };
+    let mode = |(i, measure): (usize, &f64)| match info.contacts.get(i) {
+        Some(_) => Mode::sliding(way(i) * measure),
+        None if way(i) * measure > 0.0 => Mode::Open,
+        None => Mode::Closed,
+    };
+    measures.iter().enumerate().map(mode).collect()
+}
+
+/// The modes of all contacts of which at least one sticks: in every combination, or all of them sticking and pressing.
+pub(in crate::study) fn sticking_modes(flow: &dyn Flow, info: &ModelInfo) -> Vec<Modes> {
+    const RUBBING: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
+    const PRESSING: [Mode; 2] = [Mode::Closed, Mode::Open];
+    let rubs = info.contacts.iter().map(|_| RUBBING.as_slice());
+    let choices: Vec<&[Mode]> = rubs
+        .chain(info.presses.iter().map(|_| PRESSING.as_slice()))
+        .collect();
+    if choices.len() > COMBINED {
+        return vec![choices.iter().map(|choice| choice[0]).collect()];
     }
-    let letter = |k: usize, i: usize| LETTERS[k / 3_usize.pow(i as u32) % 3];
-    (0..3_usize.pow(count as u32))
-        .map(|k| (0..count).map(|i| letter(k, i)).collect())
+    let count: usize = choices.iter().map(|choice| choice.len()).product();
+    let combination = |k: usize| {
+        let mut rest = k;
+        let pick = |choice: &&[Mode]| {
+            let mode = choice[rest % choice.len()];
+            rest /= choice.len();
+            mode
+        };
+        choices.iter().map(pick).collect()
+    };
+    let still = vec![0.0; choices.len()];
+    (0..count)
+        .map(combination)
         .filter(|modes: &Modes| modes.contains(&Mode::Stick))
+        .filter(|modes| flow.loosened(modes.clone(), &still) == *modes)
         .collect()
 }

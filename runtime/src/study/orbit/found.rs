@@ -71,7 +71,7 @@ impl Sought<'_> {
     pub(in crate::study) fn record(&self, orbit: &Orbit) -> OrbitRecord {
         let r = self.case.along.map(|along| along.value(orbit.r));
         let case = r.map_or_else(|| self.case.clone(), |r| self.case.at(r));
-        let rubs = self.system.rubs(self.case);
+        let rubs = self.system.touches(self.case);
         OrbitRecord {
             r,
             parameters: case.parameters,

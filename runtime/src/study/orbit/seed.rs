@@ -1,7 +1,9 @@
 //! Where orbits are looked for.
 
 use crate::field::exact::Mode;
+use crate::model::ModelInfo;
 use crate::motion::{Contact, Flow, Modes, Place, Row};
+use crate::study::equilibria::sliding_mode;
 
 /// Sweeps over all contacts that bring their speeds to zero together.
 const SWEEPS: usize = 50;
@@ -27,30 +29,30 @@ impl Seed {
 
 /// From rest on the belt: near `start`, each contact in turn without relative speed, then all; then the same places
 /// where those contacts need no force to stay at rest, from which they surely stick.
-pub(in crate::study) fn on_the_belt(flow: &dyn Flow, start: &[f64]) -> Vec<Seed> {
-    let count = flow.speeds(start).len();
+pub(in crate::study) fn on_the_belt(flow: &dyn Flow, info: &ModelInfo, start: &[f64]) -> Vec<Seed> {
+    let count = info.contacts.len();
     let mut sets: Vec<Vec<usize>> = (0..count).map(|contact| vec![contact]).collect();
     if count > 1 {
         sets.push((0..count).collect());
     }
-    let belt = Belt { flow, count };
+    let belt = Belt { flow, info };
     let near = sets.iter().map(|set| belt.resting(start.to_vec(), set));
     let unloaded = sets.iter().map(|set| belt.unloaded(start.to_vec(), set));
     near.chain(unloaded).map(Seed::at).collect()
 }
 
-/// A flow with this many contacts.
+/// A flow and its contacts.
 struct Belt<'a> {
     flow: &'a dyn Flow,
-    count: usize,
+    info: &'a ModelInfo,
 }
 
 impl Belt<'_> {
     /// The state next to `state` at which these contacts have no relative speed, by projection on one after the other.
     fn resting(&self, state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
         // While all slide, no force is sought, and none enters the speeds.
-        let modes = vec![Mode::SlideForward; self.count];
         settled(state, |mut state| {
+            let modes = sliding_mode(self.flow, self.info, &state);
             for &contact in contacts {
                 if let Some(Contact { speed, .. }) = self.contact(&state, &modes, contact) {
                     project(&mut state, &speed);
@@ -62,15 +64,10 @@ impl Belt<'_> {
 
     /// The same where, besides, they need no force to stay at rest.
     fn unloaded(&self, state: Vec<f64>, contacts: &[usize]) -> Vec<f64> {
-        let speeds = self.flow.speeds(&state).into_iter().enumerate();
-        let mode = |(i, speed): (usize, f64)| {
-            if contacts.contains(&i) {
-                Mode::Stick
-            } else {
-                Mode::sliding(speed)
-            }
-        };
-        let modes: Modes = speeds.map(mode).collect();
+        let mut modes = sliding_mode(self.flow, self.info, &state);
+        for &contact in contacts {
+            modes[contact] = Mode::Stick;
+        }
         settled(state, |mut state| {
             for &contact in contacts {
                 if let Some(Contact { force, .. }) = self.contact(&state, &modes, contact) {

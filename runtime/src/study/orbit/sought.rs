@@ -74,7 +74,7 @@ impl System {
                 };
                 return Ok(vec![near, declared]);
             }
-            _ if self.rubs(case) => on_the_belt(self.at(case)?.as_ref(), &start),
+            _ if self.touches(case) => on_the_belt(self.at(case)?.as_ref(), self.info(), &start),
             _ if self.info().contacts.is_empty() => Vec::new(),
             _ => self.exact_orbit(case).map_or_else(Vec::new, |seed| {
                 // A copy may be out of reach of Newton and yet settle from there.
@@ -110,7 +110,7 @@ impl System {
             return error;
         };
         let starts = std::slice::from_ref(&**near);
-        let modes = |y: &[f64]| sliding_modes(flow.as_ref(), y);
+        let modes = |y: &[f64]| sliding_modes(flow.as_ref(), self.info(), y);
         let found = find(&self.family(case), self.beginning(case), starts, modes);
         let size = near.iter().fold(1.0_f64, |size, y| size.max(y.abs()));
         let close = |place: &&Vec<f64>| {

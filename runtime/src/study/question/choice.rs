@@ -20,12 +20,12 @@ pub struct Choice {
 pub fn choose(info: &ModelInfo, dynamics: Option<Dynamics>, accuracy: f64) -> Choice {
     let tolerance = Tolerance::for_accuracy(accuracy);
     let asked = dynamics.is_some();
-    let dynamics = dynamics.unwrap_or(if info.contacts.is_empty() {
-        Dynamics::Smooth
-    } else {
+    let dynamics = dynamics.unwrap_or(if info.touches() {
         Dynamics::Exact
+    } else {
+        Dynamics::Smooth
     });
-    let names: Vec<&str> = info.contacts.iter().map(|contact| contact.name).collect();
+    let names: Vec<&str> = info.forces().map(|(name, _)| name).collect();
     let (method, local, why) = match dynamics {
         Dynamics::Smooth => (
             "smooth dynamics",

@@ -99,7 +99,7 @@ impl System {
 /// It has none, or only laws with internal state.
 fn tradable(info: &ModelInfo) -> Result<(), TradeError> {
     let model = info.command;
-    match info.only_form() {
+    match info.only_form().or_else(|| info.unsmoothed()) {
         Some(reason) => Err(TradeError::OnlyForm { model, reason }),
         None if info.contacts.is_empty() => Err(TradeError::NoFriction { model }),
         None => Ok(()),

@@ -10,12 +10,15 @@ use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{followed, heading, number, timed};
+use crate::app::text::{digits, followed, heading, number, timed};
 use crate::bifurcation::Stability;
 use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, Case, OrbitRecord, Special};
+
+/// Digits of special points at most.
+const SHOWN: usize = 10;
 
 /// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
 /// states.
@@ -78,10 +81,18 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
     Columns::new()
         .column("special", |one: &Special| one.label.clone())
         .column("kind", |one| one.kind.to_string())
-        .column(followed(info, &branch.along), |one| number(one.r, 10))
+        .column(followed(info, &branch.along), |one| {
+            number(one.r, certain(one))
+        })
         .column(timed(info, "period", "s"), |one| number(one.period, 10))
         .column("", remark)
         .text(&branch.special)
+}
+
+/// Digits of the design variable at a special point: ten, or as many as its error leaves.
+fn certain(one: &Special) -> usize {
+    let relative = one.error.map(|error| error / one.r.abs());
+    relative.map_or(SHOWN, digits).min(SHOWN)
 }
 
 /// The extent of the states that are shown, and the period; amplitudes and phases, each pair in a row.

@@ -1,0 +1,149 @@
+//! The mode of every press: its gap decides, and the sign of its force; where either vanishes, its rate.
+
+use super::ExactFlow;
+use super::guard::Departure;
+use super::settle::Verdict;
+use crate::field::exact::{Mode, Modes};
+use crate::flow::FlowError;
+use crate::model::Model;
+
+/// Rounding error of a gap or of what holds a press closed, in units of its terms.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Distance on the wrong side of its gap, relative to its scale, from which a motion may still depart.
+const WRONG_SIDE: f64 = 1e-6;
+
+/// What is known to vanish at a press.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Vanishing {
+    /// Whatever is as small as rounding errors.
+    Rounded,
+    /// The gap.
+    Gap,
+    /// What holds it closed.
+    Hold,
+}
+
+/// The modes of all presses, and which of their guards vanish where the motion goes on.
+pub(super) struct Presses<M: Model<N>, const N: usize> {
+    pub(super) modes: Modes<M, N>,
+    departures: Vec<(usize, Departure)>,
+}
+
+impl<M: Model<N>, const N: usize> Presses<M, N> {
+    /// Takes over which guards of presses vanish.
+    pub(super) fn note(&self, verdict: &mut Verdict<M, N>) {
+        for (press, departure) in &self.departures {
+            let note = &mut verdict.notes.as_mut()[*press];
+            (note.side, note.departure) = (departure.side, departure.order);
+        }
+    }
+}
+
+impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
+    /// The numbers of the presses among all contacts.
+    pub(super) fn presses() -> std::ops::Range<usize> {
+        let first = M::INFO.contacts.len();
+        first..first + M::INFO.presses.len()
+    }
+
+    /// The modes with which a motion goes on from `state`, presses as their gaps are, and what they press loose or not.
+    ///
+    /// # Errors
+    /// The forces are not determined there.
+    pub(super) fn with_presses(
+        &self,
+        state: &[f64; N],
+        modes: Modes<M, N>,
+        vanishing: impl Fn(usize) -> Option<Vanishing>,
+    ) -> Result<Presses<M, N>, FlowError> {
+        let mut presses = Presses {
+            modes,
+            departures: Vec::new(),
+        };
+        if M::INFO.presses.is_empty() {
+            return Ok(presses);
+        }
+        for press in Self::presses() {
+            if let Some(vanishing) = vanishing(press) {
+                let (mode, departure) = self.judged(state, &modes, press, vanishing)?;
+                presses.modes.set(press, mode);
+                presses.departures.push((press, departure));
+            }
+        }
+        let speeds = self.system.speeds(state);
+        presses.modes = self.system.loosened(presses.modes, speeds.as_ref());
+        Ok(presses)
+    }
+
+    /// The mode of one press, and which of its guards vanishes.
+    fn judged(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+        press: usize,
+        vanishing: Vanishing,
+    ) -> Result<(Mode, Departure), FlowError> {
+        let mut closed = *modes;
+        closed.set(press, Mode::Closed);
+        let at = self.system.moving(state, &closed)?;
+        let (gap, hold) = (at.speed.as_ref()[press], at.stick.as_ref()[press]);
+        let scale = self.speed_scales(state).as_ref()[press];
+        let is_small = |value: f64, terms: f64| value.abs() <= ROUNDING * terms;
+        let terms = || self.system.terms_of_hold(state, press);
+        let vanishing = match vanishing {
+            Vanishing::Rounded if is_small(gap.re, scale) => Vanishing::Gap,
+            Vanishing::Rounded if gap.re < 0.0 && is_small(hold.re, terms()) => Vanishing::Hold,
+            known => known,
+        };
+        let side = f64::from(u8::from(vanishing == Vanishing::Hold));
+        let pressing = |pushes: bool| if pushes { Mode::Closed } else { Mode::Parted };
+        let first = Departure { side, order: 1 };
+        Ok(match vanishing {
+            Vanishing::Gap if gap.eps < 0.0 => (pressing(hold.re >= 0.0), first),
+            Vanishing::Gap if gap.eps > 0.0 => (Mode::Open, first),
+            Vanishing::Gap => {
+                let mut open = *modes;
+                open.set(press, Mode::Open);
+                let field = self.system.moving(state, &open)?.field;
+                let bend = self.system.second_rates(state, &open, &field);
+                let closes = bend.as_ref()[press] < 0.0;
+                let mode = if closes { Mode::Closed } else { Mode::Open };
+                (mode, Departure { side, order: 2 })
+            }
+            Vanishing::Hold => (pressing(hold.eps >= 0.0), first),
+            Vanishing::Rounded if gap.re > 0.0 => (Mode::Open, Departure::default()),
+            Vanishing::Rounded => (pressing(hold.re > 0.0), Departure::default()),
+        })
+    }
+
+    /// Whether each press is as it should be, within what rounding may have done.
+    ///
+    /// # Errors
+    /// A gap that is to be open is closed, or the other way around.
+    pub(super) fn check_gaps(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+        time: f64,
+    ) -> Result<(), FlowError> {
+        if M::INFO.presses.is_empty() {
+            return Ok(());
+        }
+        let (gaps, scales) = (self.system.speeds(state), self.speed_scales(state));
+        for press in Self::presses() {
+            let (mode, gap) = (modes.as_slice()[press], gaps.as_ref()[press]);
+            let scale = scales.as_ref()[press].max(self.system.usual_speed(press));
+            if mode.sign() * gap < -WRONG_SIDE * scale {
+                return Err(FlowError::InconsistentMode {
+                    contact: press,
+                    time,
+                    mode,
+                    speed: gap,
+                    rate: 0.0,
+                    second_rate: 0.0,
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,17 @@
+use stickslip::model;
+use stickslip_models::friction::Coulomb;
+
+model! {
+    pub struct Bouncer {
+        state y: m = 1.0;
+        state v: m/s = 0.0;
+        param mass: kg = 1.0 where mass > 0.0;
+        param k: N/m = 1.0 where k > 0.0;
+        param c: N*s/m = 0.1 where c >= 0.0;
+        press N: N = Coulomb { level: k * y + c * v } closing y;
+        der(y) = v;
+        der(v) = N / mass;
+    }
+}
+
+fn main() {}

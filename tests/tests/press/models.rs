@@ -1,0 +1,117 @@
+//! Systems whose normal forces depend on their motion.
+
+use stickslip::flow::exact::ExactFlow;
+use stickslip::integrate::Tolerance;
+use stickslip::model;
+use stickslip::model::{Model, ParamId};
+use stickslip_models::friction::{Coulomb, CoulombStatic};
+use stickslip_models::press::{Compliant, Hertz, HuntCrossley};
+
+model! {
+    /// A mass on a spring beside which, on one side, another stands.
+    pub(crate) struct Bilinear {
+        state x: m = 0.0;
+        state v: m/s = 1.0;
+        param mass: kg = 1.0 where mass > 0.0;
+        param k: N/m = 1.0 where k > 0.0;
+        param wall: N/m = 8.0 where wall > 0.0;
+        param c: N*s/m = 0.0 where c >= 0.0;
+        param gap: m = 0.0;
+        press N: N = Compliant { stiffness: wall, damping: c } closing x + gap;
+        der(x) = v;
+        der(v) = (N - k * x) / mass;
+    }
+}
+
+model! {
+    /// Mode coupling after Hoffmann, Fischer, Allgaier and Gaul, Wear 253 (2002) 721; y points into the belt.
+    pub(crate) struct Squeal {
+        state x: m = 0.0;
+        state y: m = 0.5;
+        state vx: m/s = 0.0;
+        state vy: m/s = 0.0;
+        param a: N/m = 2.0 where a > 0.0;
+        param b: N/m = 0.6666666666666666 where b > 0.0;
+        param k12: N/m = 1.0;
+        param k3: N/m = 1.3333333333333333 where k3 > 0.0;
+        param c1: N*s/m = 0.05 where c1 >= 0.0;
+        param c2: N*s/m = 0.05 where c2 >= 0.0;
+        param c3: N*s/m = 0.0 where c3 >= 0.0;
+        param mass: kg = 1.0 where mass > 0.0;
+        param load: N = 1.0;
+        param mu: 1 = 0.9 where mu >= 0.0;
+        param belt: m/s = 1.0;
+        press N: N = Compliant { stiffness: k3, damping: c3 } closing -y;
+        friction F: N = Coulomb { level: mu * N } opposing vx - belt;
+        der(x) = vx;
+        der(y) = vy;
+        der(vx) = (F - a * x - k12 * y - c1 * vx) / mass;
+        der(vy) = (load - N - k12 * x - b * y - c2 * vy) / mass;
+    }
+}
+
+model! {
+    /// Two masses one above the other: the lower one is hit by a shaken table, and by the upper one, and both rub.
+    pub(crate) struct Stack {
+        state x1 = 0.2;
+        state v1 = 0.0;
+        state x2 = 0.5;
+        state v2 = 0.0;
+        state z1 = 0.0;
+        state w1 = 0.3;
+        state z2 = 0.0;
+        state w2 = -0.2;
+        param shake = 0.15 where shake >= 0.0;
+        param omega = 1.7 where omega > 0.0;
+        param table = 30.0 where table > 0.0;
+        param damping = 0.8 where damping >= 0.0;
+        param pile = 8.0 where pile > 0.0;
+        param exponent = 1.5 where exponent >= 1.0;
+        param loss = 0.3 where loss >= 0.0;
+        param gravity = 1.0 where gravity >= 0.0;
+        param mu = 0.4 where mu >= 0.0;
+        param peak = 1.2 where peak >= 1.0;
+        param adhesion = 0.05 where adhesion >= 0.0;
+        param tie = 0.6 where tie >= 0.0;
+        drive phi at omega;
+        press T = Compliant { stiffness: table, damping } closing x1 - shake * sin(phi);
+        press P = HuntCrossley { load: pile, depth: 0.3, exponent, damping: loss } closing x2 - x1 - 0.1;
+        friction F = CoulombStatic { static_level: peak * mu * T, kinetic_level: mu * T } opposing w1 - 0.1;
+        friction G = Coulomb { level: mu * P + adhesion } opposing w2 - w1;
+        der(x1) = v1;
+        der(v1) = T - P - gravity - 0.3 * x1 * x1 * x1;
+        der(x2) = v2;
+        der(v2) = (P - gravity) / 0.7 - 0.2 * x2;
+        der(z1) = w1;
+        der(w1) = F - G - tie * z1;
+        der(z2) = w2;
+        der(w2) = (G - tie * z2) / 0.7;
+    }
+}
+
+model! {
+    /// A ball between two round walls, tied to the ground.
+    pub(crate) struct Ball {
+        state x = 0.0;
+        state v = 1.0;
+        param left = 3.0 where left > 0.0;
+        param right = 5.0 where right > 0.0;
+        param curve = 0.2;
+        press L = Hertz { load: left, depth: 0.2 } closing x + 0.5 + curve * x * x;
+        press R = Hertz { load: right, depth: 0.2 } closing 0.7 - x;
+        der(x) = v;
+        der(v) = L - R - 0.5 * x;
+    }
+}
+
+pub(crate) const TIGHT: Tolerance = Tolerance {
+    relative: 1e-13,
+    absolute: 1e-13,
+};
+
+pub(crate) fn flow<M: Model<N>, const N: usize>(
+    model: &M,
+    design: Option<usize>,
+) -> ExactFlow<M, N> {
+    ExactFlow::new(model, design.map(ParamId::new), TIGHT).unwrap()
+}
