@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use super::anchor::SAME_POINT;
 use super::guess::Guess;
+use super::orbit::Orbit;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
@@ -21,7 +22,7 @@ const NEAR: f64 = 0.05;
 const PARTS: u32 = 12;
 /// How near to its start a motion comes back once around an orbit that it is to go around several times, and how much worse
 /// than after the whole period it may be.
-const BACK: f64 = 1e-4;
+const BACK: f64 = 1e-3;
 const WORSE: f64 = 10.0;
 /// Share of a turn of the drive by which a return may be off.
 const TURN: f64 = 1e-3;
@@ -46,15 +47,11 @@ pub(super) fn shorter(
     converge: impl Fn(&Guess) -> Option<Corrected<Shot>>,
 ) -> Result<Option<Guess>, FlowError> {
     for laps in LAPS {
-        let period = orbit.period / f64::from(laps);
-        let place = along(flow, shot, period)?;
+        let place = along(flow, shot, orbit.period / f64::from(laps))?;
         if gap(flow, &place.state, orbit) > NEAR {
             continue;
         }
-        let guess = Guess {
-            period,
-            ..orbit.clone()
-        };
+        let guess = orbit.part(laps);
         let Some(found) = converge(&guess) else {
             continue;
         };
@@ -74,15 +71,14 @@ pub(super) fn shorter(
 pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowError> {
     let whole = flow.advance(&guess.place, guess.period, Default::default())?;
     let magnitude = half_extents(&whole.calm.low, &whole.calm.high, &guess.magnitude);
-    let part = |laps: u32| Guess {
-        period: guess.period / f64::from(laps),
-        magnitude: magnitude.clone(),
+    let wide = Guess {
+        magnitude,
         ..guess.clone()
     };
-    let closed = gap(flow, &whole.end.state, &part(1));
+    let closed = gap(flow, &whole.end.state, &wide);
     let (mut place, mut time) = (guess.place.clone(), 0.0);
     let mut found = Vec::new();
-    for part in (2..=PARTS).rev().map(part) {
+    for part in (2..=PARTS).rev().map(|laps| wide.part(laps)) {
         place = flow
             .advance(&place, part.period - time, Default::default())?
             .end;
@@ -93,6 +89,27 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowEr
         }
     }
     Ok(found)
+}
+
+/// The orbit of which a guess goes around so often that the motion has left it before the end, if there is one: what is left
+/// to try where the whole period leads nowhere.
+pub(super) fn part(guess: &Guess, converge: impl Fn(&Guess) -> Option<Orbit>) -> Option<Orbit> {
+    (2..=PARTS).find_map(|laps| {
+        let part = guess.part(laps);
+        let orbit = converge(&part)?;
+        let laps = part.period / orbit.period;
+        ((laps - laps.round()).abs() <= BACK * laps && laps >= 0.5).then_some(orbit)
+    })
+}
+
+impl Guess {
+    /// The same guess, once around of so many times.
+    fn part(&self, laps: u32) -> Self {
+        Self {
+            period: self.period / f64::from(laps),
+            ..self.clone()
+        }
+    }
 }
 
 /// The place of a shot at a time.
