@@ -8,7 +8,6 @@ use std::f64::consts::TAU;
 
 use super::anchor::SAME_POINT;
 use super::guess::Guess;
-use super::orbit::Orbit;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
@@ -63,12 +62,12 @@ pub(super) fn shorter(
     Ok(None)
 }
 
-/// Guesses of a part of a period, the shortest first, where the motion comes back after it as well as after the whole: there
-/// the orbit is gone around several times, and Newton's method once around meets less growth.
+/// Guesses of a part of a period after which the motion comes back, the shortest first: as well as after the whole, so that
+/// the orbit is sure to be gone around several times, and worse.
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowError> {
+pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], FlowError> {
     let whole = flow.advance(&guess.place, guess.period, Default::default())?;
     let magnitude = half_extents(&whole.calm.low, &whole.calm.high, &guess.magnitude);
     let wide = Guess {
@@ -77,29 +76,19 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowEr
     };
     let closed = gap(flow, &whole.end.state, &wide);
     let (mut place, mut time) = (guess.place.clone(), 0.0);
-    let mut found = Vec::new();
+    let mut found = [Vec::new(), Vec::new()];
     for part in (2..=PARTS).rev().map(|laps| wide.part(laps)) {
         place = flow
             .advance(&place, part.period - time, Default::default())?
             .end;
         time = part.period;
         let back = gap(flow, &place.state, &part);
-        if back <= BACK && back <= WORSE * closed {
-            found.push(part);
+        let sure = back <= BACK && back <= WORSE * closed;
+        if back <= NEAR {
+            found[usize::from(!sure)].push(part);
         }
     }
     Ok(found)
-}
-
-/// The orbit of which a guess goes around so often that the motion has left it before the end, if there is one: what is left
-/// to try where the whole period leads nowhere.
-pub(super) fn part(guess: &Guess, converge: impl Fn(&Guess) -> Option<Orbit>) -> Option<Orbit> {
-    (2..=PARTS).find_map(|laps| {
-        let part = guess.part(laps);
-        let orbit = converge(&part)?;
-        let laps = part.period / orbit.period;
-        ((laps - laps.round()).abs() <= BACK * laps && laps >= 0.5).then_some(orbit)
-    })
 }
 
 impl Guess {

@@ -4,7 +4,7 @@ use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
 use super::guess::{Guess, Settled, settle};
-use super::least::{part, parts};
+use super::least::parts;
 use super::neutral::is_neutral;
 use super::orbit::Orbit;
 use super::stay::stays;
@@ -110,18 +110,22 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     }
 }
 
-/// The orbit near a guess with a period, which may go around it several times.
+/// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the
+/// end, if it is unstable.
 fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit, OrbitError> {
     let sharp = Tolerance::for_accuracy(search.accuracy.min(SHARP));
     let flow = family
         .with_tolerance(sharp)
         .with_magnitude(&guess.magnitude);
-    let parts = parts(flow.at(r)?.as_ref(), guess).unwrap_or_default();
-    let converged = |guess: &Guess| converge(family, r, guess, search).ok();
-    if let Some(orbit) = parts.iter().find_map(converged) {
-        return Ok(orbit);
+    let [sure, others] = parts(flow.at(r)?.as_ref(), guess).unwrap_or_default();
+    let first = |parts: &[Guess]| {
+        let mut found = parts.iter().map(|part| converge(family, r, part, search));
+        found.find_map(Result::ok)
+    };
+    match first(&sure) {
+        Some(orbit) => Ok(orbit),
+        None => converge(family, r, guess, search).or_else(|error| first(&others).ok_or(error)),
     }
-    converge(family, r, guess, search).or_else(|error| part(guess, converged).ok_or(error))
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.
