@@ -93,14 +93,18 @@ fn ask(count: usize, seed: u64) -> Vec<String> {
                 orbit.period
             ));
         }
-        let laps = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0][(6.0 * dice.unit()) as usize];
-        let again = Case {
+        let from = |laps: f64| Case {
             start: Some(orbit.state.clone()),
             period: Some(laps * orbit.period),
             ..case.clone()
         };
+        // So unstable that it is not found again from its start: that is not the question here.
+        if system.orbit(&from(1.0)).is_err() {
+            continue;
+        }
+        let laps = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0][(6.0 * dice.unit()) as usize];
         asked += 1;
-        match system.orbit(&again) {
+        match system.orbit(&from(laps)) {
             Ok(found) if (found.period / orbit.period - 1.0).abs() < APART => {}
             Ok(found) => wrong.push(format!(
                 "{}: {laps} times {} is {} ({:e}, {:?})",
