@@ -74,7 +74,7 @@ impl OrbitBranch {
             problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
         problem.centre(r).map_err(Failure::Evaluation)?;
         problem
-            .float(&orbit.place, r)
+            .float(&guess.place, r)
             .map_err(Failure::Evaluation)?;
         let mut direction = DVector::zeros(z.len() + 1);
         direction[z.len()] = if upwards { 1.0 } else { -1.0 };

@@ -78,6 +78,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             period,
             magnitude,
             pins: Vec::new(),
+            division: None,
         };
         return converge(family, r, &guess, search).or_else(|error| {
             let flow = loose(&guess.magnitude)?;

@@ -125,6 +125,7 @@ fn set_out(
         period: orbit.period,
         magnitude: branch.problem.magnitude.clone(),
         pins: Vec::new(),
+        division: None,
     };
     let family = branch.problem.family.clone();
     let (mut problem, z) = problem(family, orbit.r, &guess, 1).map_err(Failure::Evaluation)?;

@@ -115,6 +115,7 @@ fn read(
     passage.derivatives = Some(sides.map(border.happens).clone());
     let residual = at.residual.norm();
     let shot = Shot {
+        begins: vec![0.0],
         passages: vec![passage],
         velocity: flow.velocity(&sides.start).ok()?,
         start: sides.start.clone(),
