@@ -101,7 +101,10 @@ impl Question {
                 ControlFlow::Break(())
             }
         });
-        found.ok().map(Answer::of)
+        found
+            .ok()
+            .filter(|found| !found.is_interrupted())
+            .map(Answer::of)
     }
 
     /// The same at another accuracy.

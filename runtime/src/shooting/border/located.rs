@@ -143,6 +143,11 @@ fn read(
 }
 
 impl Edge {
+    /// Whether the motion jumps beyond it: where force drops, what would be brief is not, but for a stick on the way out.
+    pub(super) fn jumps(&self) -> bool {
+        self.border.drops && self.kind != Kind::CrossingSliding
+    }
+
     /// The orbit as it is on the side of `near`; `slope` is the r-component of the tangent of the branch there.
     pub(super) fn seen_from(&self, near: &Orbit, happens: bool, slope: f64) -> Orbit {
         let map = self.sides.map(happens);
