@@ -98,7 +98,11 @@ impl<D: Scalar> Pressed<D> {
         let touch = law.force(D::from(TOUCH), zero);
         let ends_with_gap = law.force(zero, one).re() == 0.0 && touch.re() > 0.0;
         if ends_with_gap {
-            let inside = if depth.re() > TOUCH { depth } else { D::from(TOUCH) };
+            let inside = if depth.re() > TOUCH {
+                depth
+            } else {
+                D::from(TOUCH)
+            };
             let hold = law.force(inside, rate) / law.force(inside, zero);
             return Self {
                 force,

@@ -191,10 +191,7 @@ const NONLINEAR: &str = "friction forces must enter linearly, so that the sticki
      here one is multiplied by a force, stands in a denominator or inside a function";
 
 /// Friction forces enter the equations linearly: what carries them, and what carries a press.
-pub(super) fn check_forces_linear<'a>(
-    written: &'a Declaration,
-    errors: &mut Errors,
-) -> Forces<'a> {
+pub(super) fn check_forces_linear<'a>(written: &'a Declaration, errors: &mut Errors) -> Forces<'a> {
     Forces::of(written, errors)
 }
 

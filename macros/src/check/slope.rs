@@ -25,7 +25,10 @@ pub(super) fn slope(formula: &Formula, name: &Ident) -> Option<Formula> {
             sum(of(x), falls).map(|top| divided(top, y.as_ref().clone()))
         }
         Kind::Power(base, exponent) => {
-            let factor = product(number(f64::from(*exponent)), whole_power(base, exponent - 1));
+            let factor = product(
+                number(f64::from(*exponent)),
+                whole_power(base, exponent - 1),
+            );
             of(base).map(|slope| product(slope, factor))
         }
         Kind::RealPower(_, base, exponent) => {

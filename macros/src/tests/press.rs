@@ -41,9 +41,10 @@ fn a_press_is_used_and_its_words_are_known() {
         NONE,
         "each use is enough"
     );
-    let unused = MODEL
-        .replacen("mu * N", "mu * k * wall", 1)
-        .replacen("N / mass", "k * wall / mass", 1);
+    let unused =
+        MODEL
+            .replacen("mu * N", "mu * k * wall", 1)
+            .replacen("N / mass", "k * wall / mass", 1);
     assert_eq!(
         of_model(&unused),
         ["press `N` is never used in this model; use it or remove its line"]
@@ -58,7 +59,10 @@ fn a_press_is_used_and_its_words_are_known() {
         with("press N", "pres N")[0],
         "`pres` does not begin a line; did you mean `press`?"
     );
-    assert_eq!(with("mu * N", "mu * NN")[0], "unknown name `NN`; did you mean `N`?");
+    assert_eq!(
+        with("mu * N", "mu * NN")[0],
+        "unknown name `NN`; did you mean `N`?"
+    );
 }
 
 #[test]
@@ -92,8 +96,10 @@ fn friction_reads_a_press_in_its_law_only() {
     );
     assert_eq!(
         with("F / mass", "F * N / mass / k / wall"),
-        ["`F * N`: friction forces must enter linearly, so that the sticking force can be solved for; \
-          here one is multiplied by a force, stands in a denominator or inside a function"]
+        [
+            "`F * N`: friction forces must enter linearly, so that the sticking force can be solved for; \
+          here one is multiplied by a force, stands in a denominator or inside a function"
+        ]
     );
     let above = MODEL.replacen("press N", "let early = N; press N", 1);
     assert_eq!(
@@ -145,5 +151,8 @@ fn a_law_of_presses_has_one_force_of_depth_and_rate() {
     let told = of_press("param k: N/m; force(d, v) = k * max(d, 0.0);");
     assert!(told[0].contains("needs no largest"), "{told:?}");
     let told = of_press("param k: N/m; stick = k; force(d, v) = k * d;");
-    assert!(told[0].starts_with("`stick` does not begin a line"), "{told:?}");
+    assert!(
+        told[0].starts_with("`stick` does not begin a line"),
+        "{told:?}"
+    );
 }

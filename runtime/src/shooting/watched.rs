@@ -61,7 +61,9 @@ impl PeriodicPoint for Orbit {
             let (kind, value) = match event.kind {
                 EventKind::Crossing { margin, .. } => (Kind::CrossingSliding, margin),
                 EventKind::Landing { margin, .. } => (Kind::SwitchingSliding, margin),
-                EventKind::Nearest { margin } if event.mode.is_of_press() => (Kind::Grazing, margin),
+                EventKind::Nearest { margin } if event.mode.is_of_press() => {
+                    (Kind::Grazing, margin)
+                }
                 EventKind::Nearest { margin } if event.mode == ContactMode::Stick => {
                     (Kind::AddingSliding, margin)
                 }

@@ -4,8 +4,6 @@ use std::f64::consts::PI;
 
 use stickslip::field::exact::Mode;
 use stickslip::flow::{EventKind, Flow, Want};
-use stickslip::model::Model;
-use stickslip::study::{Case, Dynamics, System};
 
 use crate::models::{Bilinear, flow};
 
@@ -35,7 +33,10 @@ fn each_spring_lasts_half_of_its_period() {
         assert_eq!(found.len(), 2 + usize::from(free < 0.5 * (free + pressed)));
         for (found, expected) in found.iter().zip(expected) {
             assert_eq!(found.0, expected.0);
-            assert!((found.1 - expected.1).abs() < 1e-11, "{found:?} {expected:?}");
+            assert!(
+                (found.1 - expected.1).abs() < 1e-11,
+                "{found:?} {expected:?}"
+            );
         }
     }
 }
@@ -72,13 +73,4 @@ fn a_damped_wall_lets_go_before_its_gap_opens() {
     assert!((leaves + speed).abs() < 1e-9, "{leaves} {speed}");
     assert!(leaves < 1.0 && leaves > 0.0);
     assert_eq!(passage.end.mode.as_slice(), [Mode::Open]);
-}
-
-#[test]
-fn its_orbit_is_found_with_its_word() {
-    let system = System::of::<Bilinear, 2>();
-    let mut case = Case::declared(Bilinear::INFO, Dynamics::Exact);
-    case.start = Some(vec![0.0, 1.0]);
-    println!("{:?}", system.orbit(&case).map(|orbit| (orbit.word, orbit.period)));
-    println!("{:?}", system.equilibria(&case));
 }

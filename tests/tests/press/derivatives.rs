@@ -97,10 +97,7 @@ fn compare<M: Model<N>, const N: usize>(model: &M, start: [f64; N], time: f64, t
     }
 }
 
-fn difference<const N: usize>(
-    end: &dyn Fn(f64) -> Option<[f64; N]>,
-    h: f64,
-) -> Option<[f64; N]> {
+fn difference<const N: usize>(end: &dyn Fn(f64) -> Option<[f64; N]>, h: f64) -> Option<[f64; N]> {
     let [a, b, c, d] = [2.0 * h, h, -h, -2.0 * h].map(end);
     let (a, b, c, d) = (a?, b?, c?, d?);
     Some(std::array::from_fn(|i| {
@@ -151,13 +148,23 @@ fn through_squeal() {
             load: random.between(0.05, 0.6),
             mu: random.between(0.8, 1.4),
             belt: random.between(0.1, 0.8),
-            c3: if random.unit() < 0.5 { 0.0 } else { random.between(0.05, 0.5) },
+            c3: if random.unit() < 0.5 {
+                0.0
+            } else {
+                random.between(0.05, 0.5)
+            },
             ..Default::default()
         };
         let start = std::array::from_fn(|_| random.real(0.8));
         (model, start, random.between(4.0, 12.0))
     });
-    let events = ["closing N", "opening N", "parting N", "landing F", "release F"];
+    let events = [
+        "closing N",
+        "opening N",
+        "parting N",
+        "landing F",
+        "release F",
+    ];
     happened(&tally, &events);
 }
 
@@ -180,7 +187,10 @@ fn through_a_stack_on_a_shaken_table() {
     });
     let events = ["closing T", "parting T", "closing P", "opening P"];
     happened(&tally, &events);
-    happened(&tally, &["landing F", "release F", "landing G", "release G"]);
+    happened(
+        &tally,
+        &["landing F", "release F", "landing G", "release G"],
+    );
 }
 
 #[test]
@@ -194,5 +204,8 @@ fn through_two_round_walls() {
         let start = [random.real(0.4), random.between(0.6, 1.5)];
         (model, start, random.between(2.0, 6.0))
     });
-    happened(&tally, &["closing L", "opening L", "closing R", "opening R"]);
+    happened(
+        &tally,
+        &["closing L", "opening L", "closing R", "opening R"],
+    );
 }

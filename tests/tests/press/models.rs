@@ -109,6 +109,9 @@ pub(crate) const TIGHT: Tolerance = Tolerance {
     absolute: 1e-13,
 };
 
-pub(crate) fn flow<M: Model<N>, const N: usize>(model: &M, design: Option<usize>) -> ExactFlow<M, N> {
+pub(crate) fn flow<M: Model<N>, const N: usize>(
+    model: &M,
+    design: Option<usize>,
+) -> ExactFlow<M, N> {
     ExactFlow::new(model, design.map(ParamId::new), TIGHT).unwrap()
 }

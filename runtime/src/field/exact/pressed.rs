@@ -62,10 +62,18 @@ impl<M: Model<N>, const N: usize> ContactRule<Dual64> for Roots<M, N> {
         Dual64::from(0.0)
     }
 
-    fn press<L: PressLaw<Dual64>>(&mut self, press: usize, law: &L, _: Dual64, _: Dual64) -> Dual64 {
+    fn press<L: PressLaw<Dual64>>(
+        &mut self,
+        press: usize,
+        law: &L,
+        _: Dual64,
+        _: Dual64,
+    ) -> Dual64 {
         let slope = |depth: f64| {
             let still = law.force(Dual64::from(depth), Dual64::from(0.0)).eps;
-            law.force(Dual64::from(depth).derivative(), Dual64::from(0.0)).eps - still
+            law.force(Dual64::from(depth).derivative(), Dual64::from(0.0))
+                .eps
+                - still
         };
         let [touch, beyond] = SHALLOW.map(slope);
         if let Some(place) = self.0.as_mut().get_mut(press) {

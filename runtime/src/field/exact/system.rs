@@ -163,7 +163,8 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let loose = loose::<M, N>(&self.turned, open);
         for i in (0..M::INFO.contacts.len()).filter(|&i| reads(i)) {
             let is_loose = before.as_slice()[i] == Mode::Loose;
-            let unloaded = loose.as_ref()[i] && M::INFO.contacts[i].presses.iter().any(|&i| open(i));
+            let unloaded =
+                loose.as_ref()[i] && M::INFO.contacts[i].presses.iter().any(|&i| open(i));
             match (unloaded, is_loose) {
                 (true, false) => modes.set(i, Mode::Loose),
                 (false, true) => modes.set(i, Mode::sliding(speeds[i])),

@@ -53,7 +53,10 @@ impl<'a> Counterpart<'a> {
         let flow = family.at(0.0).ok()?;
         let start = [state.to_vec()];
         let info = self.system.info();
-        let sliding = find(&family, 0.0, &start, |y| vec![sliding_mode(&*flow, info, y)]).pop();
+        let sliding = find(&family, 0.0, &start, |y| {
+            vec![sliding_mode(&*flow, info, y)]
+        })
+        .pop();
         sliding.map(|one| one.spectrum.stability).or_else(|| {
             let modes = sticking_modes(&*flow, info);
             let sets = sticking_sets(&*flow, &start, &modes);
@@ -84,7 +87,10 @@ impl<'a> Counterpart<'a> {
         let family = self.system.family(&self.case);
         let flow = family.at(from).ok()?;
         let start = [state.to_vec()];
-        let first = find(&family, from, &start, |y| sliding_modes(&*flow, self.system.info(), y)).pop()?;
+        let first = find(&family, from, &start, |y| {
+            sliding_modes(&*flow, self.system.info(), y)
+        })
+        .pop()?;
         let mut go_on = |_: &_| ControlFlow::Continue(());
         let followed = follow(&family, &first.place, settings(from, to), &mut go_on);
         let (walked, _) = followed.ok()?;

@@ -29,11 +29,7 @@ impl Seed {
 
 /// From rest on the belt: near `start`, each contact in turn without relative speed, then all; then the same places
 /// where those contacts need no force to stay at rest, from which they surely stick.
-pub(in crate::study) fn on_the_belt(
-    flow: &dyn Flow,
-    info: &ModelInfo,
-    start: &[f64],
-) -> Vec<Seed> {
+pub(in crate::study) fn on_the_belt(flow: &dyn Flow, info: &ModelInfo, start: &[f64]) -> Vec<Seed> {
     let count = info.contacts.len();
     let mut sets: Vec<Vec<usize>> = (0..count).map(|contact| vec![contact]).collect();
     if count > 1 {
