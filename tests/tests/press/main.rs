@@ -1,5 +1,6 @@
 //! Contacts that press and let go.
 
+mod audit;
 mod bilinear;
 mod derivatives;
 mod hopf;

@@ -238,7 +238,7 @@ fn stick_or_lift_off_bounds_squeal() {
     let cases = [
         (1.0, 1.0, 0.0, "close(N) open(N)"),
         (3.0, 0.1, 0.0, "stick(F) slip-(F)"),
-        (1.0, 1.0, 0.3, "close(N) open(N)"),
+        (1.0, 1.0, 0.3, "stick(F) slip-(F) open(N) close(N)"),
     ];
     for (load, belt, c3, word) in cases {
         let model = Squeal {

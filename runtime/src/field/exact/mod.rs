@@ -3,6 +3,7 @@
 mod affine;
 mod columns;
 mod constants;
+mod loose;
 mod mode;
 mod pressed;
 mod rest;
