@@ -76,8 +76,10 @@ impl Model<2> for Belt {
             speed: "v - v_dr",
             speed_unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]),
             states: &[],
+            presses: &[],
         }],
         memories: &[],
+        presses: &[],
             moving: false,
         drive: None,
     };

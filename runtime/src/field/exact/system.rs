@@ -5,7 +5,7 @@ use num_dual::Dual64;
 use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
-use super::mode::{Mode, Modes};
+use super::mode::Modes;
 use super::pressed::rough;
 use super::rest::{idle, layers, limits};
 use super::rule::Branches;

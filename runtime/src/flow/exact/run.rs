@@ -95,7 +95,6 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         }
         self.close_segment();
         let state = *self.carried.state();
-        let wanted = self.want.extrema;
         let derivatives = match self.carried.motion().copied() {
             Some(motion) => Some(self.derivatives(&motion)?),
             None => None,
@@ -106,7 +105,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 mode: self.modes,
             },
             derivatives,
-            extrema: wanted.then(|| self.extrema.finish()).unwrap_or_default(),
+            extrema: self.extrema.finish(),
             segments: self.segments,
             events: self.events,
             path: self.path,
