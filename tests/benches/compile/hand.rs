@@ -80,7 +80,7 @@ impl Model<2> for Belt {
         }],
         memories: &[],
         presses: &[],
-            moving: false,
+        moving: false,
         drive: None,
     };
     const KINEMATIC: [Option<usize>; 2] = [Some(1), None];
