@@ -6,15 +6,17 @@
 mod compliant;
 mod hertz;
 mod hunt_crossley;
+mod rigid;
 
 pub use compliant::Compliant;
 pub use hertz::Hertz;
 pub use hunt_crossley::HuntCrossley;
+pub use rigid::Rigid;
 
 use stickslip::specimen;
 use stickslip::study::{Specimen, Strike};
 
-/// Every law of the library, with typical values of its parameters and a strike.
+/// Every compliant law of the library, with typical values of its parameters and a strike.
 #[must_use]
 pub fn library() -> Vec<Specimen<dyn Strike>> {
     vec![

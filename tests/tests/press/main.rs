@@ -4,5 +4,6 @@ mod audit;
 mod bilinear;
 mod derivatives;
 mod hopf;
+mod impact;
 mod models;
 mod squeal;

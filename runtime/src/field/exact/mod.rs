@@ -3,6 +3,7 @@
 mod affine;
 mod columns;
 mod constants;
+mod impact;
 mod loose;
 mod mode;
 mod pressed;

@@ -184,6 +184,7 @@ impl<const N: usize> Record<N> {
             derivatives,
             extrema: self.extrema.finish(),
             segments: vec![Segment {
+                impact: None,
                 mode: (),
                 duration: time,
             }],

@@ -99,7 +99,7 @@ pub(super) fn strike(
         speed,
         points: built.strike(amplitude, speed),
     });
-    let mut fields = json!({ "force": law.force, "depth": law.depth, "rate": law.rate });
+    let mut fields = json!({ "formula": law.lines().pop() });
     if let Some((_, declared)) = &place {
         fields["contact"] = json!(declared);
     }
