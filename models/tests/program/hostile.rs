@@ -111,10 +111,16 @@ fn line() -> impl Strategy<Value = Vec<String>> {
             );
             (set, options).prop_map(move |(set, (a, b, c, d, e, f))| {
                 let words = [command, model, "--quiet"].map(str::to_owned);
+                let few = ["--steps", "100000"].map(str::to_owned);
+                let few = moves.then_some(few).into_iter().flatten();
                 let options = set
                     .into_iter()
                     .chain([a, b, c, d, e, f].into_iter().flatten());
-                words.into_iter().chain(options.flatten()).collect()
+                words
+                    .into_iter()
+                    .chain(few)
+                    .chain(options.flatten())
+                    .collect()
             })
         },
     )

@@ -4,6 +4,8 @@ mod absences;
 mod answers;
 mod certificate;
 mod curve;
+#[cfg(unix)]
+mod damaged;
 mod diagram;
 mod driven;
 mod equilibria;
@@ -15,6 +17,9 @@ mod losses;
 mod refusals;
 #[cfg(unix)]
 mod resumed;
+mod saved;
+#[cfg(unix)]
+mod streamed;
 mod trade;
 
 use std::process::Command;

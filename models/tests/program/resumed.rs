@@ -161,10 +161,13 @@ fn refuses(line: &str, ready: (&str, usize), notes: &str, changes: &[(&str, &str
         assert_eq!(files(&out), before, "{change}");
     }
     let (here, there) = (env!("CARGO_PKG_VERSION"), "0.0.1-other");
-    fs::write(out.join(notes), before[notes].replacen(here, there, 1)).unwrap();
-    refused("", &format!("the program was {there}"));
-    fs::write(out.join(notes), "not notes\n").unwrap();
-    refused("", "cannot be read");
+    for wrong in [
+        before[notes].replacen(here, there, 1),
+        "not notes\n".to_owned(),
+    ] {
+        fs::write(out.join(notes), wrong).unwrap();
+        refused("", "cannot be read: line 1 is not as it was written");
+    }
 }
 
 #[test]
@@ -193,7 +196,21 @@ fn another_branch_is_not_resumed() {
             ("--set delta=3.5", "delta was 3.0 and is 3.5"),
             ("--depth 2", "`--switch` was"),
             ("--from 0.1", "v_dr was 0.2 and is 0.1"),
+            ("--harmonics 2", "`--harmonics` was [] and is [2]"),
             ("--smooth arctan:1e5", "the dynamics was exact"),
+        ],
+    );
+}
+
+#[test]
+fn another_curve_is_not_resumed() {
+    refuses(
+        CURVE,
+        ("branch.csv", 2),
+        "curve.resume",
+        &[
+            ("--harmonics 1,3", "`--harmonics` was [] and is [1, 3]"),
+            ("--set gamma=3.1", "gamma was 3.0 and is 3.1"),
         ],
     );
 }

@@ -47,7 +47,7 @@ pub(super) struct Subject {
     /// Friction by a smooth copy, for instance arctan:1e5
     #[arg(long, value_name = "KERNEL:SIZE", value_parser = Reading(SmoothCopy::read))]
     pub(super) smooth: Option<SmoothCopy>,
-    /// Where to start; states left out keep their declared start. An orbit is then the motion on which that start settles
+    /// Where to start; states left out keep their declared start. An orbit is then the motion on which that start settles. FILE.json is an orbit that was saved, FILE.json#PD1 a special point or FILE.json#3 a row of a branch, with their parameters and their friction
     #[arg(long, value_name = "NAME=VALUE,...", value_parser = Reading(Start::read))]
     pub(super) start: Option<Start>,
     /// Relative accuracy of period and extrema [default: 1e-9]

@@ -159,14 +159,11 @@ fn units(info: &ModelInfo) -> Value {
         .parameters
         .iter()
         .map(|declared| (declared.name, declared.unit));
-    let forces = info
-        .contacts
-        .iter()
-        .map(|contact| (contact.name, contact.unit));
-    let presses = info.presses.iter().map(|press| (press.name, press.unit));
-    let forces = forces.chain(presses);
     let observables = info.observables.iter().map(|line| (line.name, line.unit));
-    let named = states.chain(parameters).chain(forces).chain(observables);
+    let named = states
+        .chain(parameters)
+        .chain(info.forces())
+        .chain(observables);
     let mut units: Map<String, Value> = named
         .filter_map(|(name, of)| Some((name.to_owned(), value_of(unit(of)?))))
         .collect();

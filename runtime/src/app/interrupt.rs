@@ -1,4 +1,4 @@
-//! Ctrl-C: a long command ends with what is there, and says so.
+//! Ctrl-C, a closed terminal, or a request to end: a long command ends with what is there, and says so.
 //!
 //! The first signal asks whoever computes to come to an end; who does not hear it in time is ended, between two rows of
 //! whatever is being written. The second signal ends the program at once.
@@ -10,10 +10,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
-use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use super::failure::{Failure, INTERRUPTED};
+use super::output::print;
 
 /// How the names of notes end.
 pub(super) const ENDING: &str = "resume";
@@ -25,8 +26,8 @@ const GLANCE: Duration = Duration::from_millis(50);
 
 /// Whether an end is wanted.
 static ASKED: AtomicBool = AtomicBool::new(false);
-/// Since when something is being computed, if it is.
-static AT_WORK: Mutex<Option<SystemTime>> = Mutex::new(None);
+/// What is being computed, if anything is.
+static AT_WORK: Mutex<Option<Begun>> = Mutex::new(None);
 /// Whether it has asked if it shall go on: what has not has nothing yet to come to an end with.
 static LISTENS: AtomicBool = AtomicBool::new(false);
 /// Files that grow as results are found; held while one of them does.
@@ -34,15 +35,26 @@ static GROWING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// The one who listens.
 static SENTRY: LazyLock<()> = LazyLock::new(listen);
 
+/// A computation under way.
+struct Begun {
+    since: SystemTime,
+    /// What is printed if it is ended before it has an answer.
+    last_words: String,
+}
+
 /// A computation that can be interrupted, until it is dropped.
 pub(super) struct Work(());
 
 impl Work {
-    /// It begins now, and should ask at each finding whether it shall go on: see [`verdict`].
-    pub(super) fn begin() -> Self {
+    /// It begins now, and should ask at each finding whether it shall go on: see [`verdict`]. If it is ended before it has
+    /// an answer, the last words are printed.
+    pub(super) fn begin(last_words: String) -> Self {
         LazyLock::force(&SENTRY);
         LISTENS.store(false, Ordering::Relaxed);
-        *held(&AT_WORK) = Some(SystemTime::now());
+        *held(&AT_WORK) = Some(Begun {
+            since: SystemTime::now(),
+            last_words,
+        });
         Self(())
     }
 }
@@ -79,7 +91,7 @@ fn held<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
 
 /// Listens from now on. Where no signal can be heard, the system does with it what it always does.
 fn listen() {
-    for signal in [SIGINT, SIGTERM] {
+    for signal in [SIGHUP, SIGINT, SIGTERM] {
         // In this order the first signal finds the flag down, and only the second one ends the program.
         let second = flag::register_conditional_shutdown(signal, INTERRUPTED.into(), &ASKED);
         let _ = second.and_then(|_| flag::register(signal, &ASKED));
@@ -97,12 +109,13 @@ fn wait() {
     loop {
         // Held to the end: what has come to its end is not ended any more.
         let at_work = held(&AT_WORK);
-        if let Some(since) = *at_work
+        if let Some(begun) = &*at_work
             && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= GRACE)
         {
             let mut files = growing();
             // What was there before is not what was found now.
-            files.retain(|path| path.metadata().is_ok_and(|file| is_new(&file, since)));
+            files.retain(|path| path.metadata().is_ok_and(|file| is_new(&file, begun.since)));
+            let _ = print(&begun.last_words);
             Failure::interrupted(&told(&files)).report();
             std::process::exit(INTERRUPTED.into());
         }

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use super::interrupt::growing;
 use super::spreadsheet::{Row, csv};
+use crate::report::whole;
 
 /// A table that is there as far as it has come, whatever ends the program.
 pub(super) struct Journal {
@@ -31,13 +32,31 @@ impl Journal {
         }
     }
 
+    /// Begins anew with these rows.
+    pub(super) fn replace(&mut self, rows: impl IntoIterator<Item = Row>) {
+        if self.path.is_some() && self.rewrite(rows.into_iter()).is_none() {
+            self.path = None;
+        }
+    }
+
+    fn whole(&self, rows: impl Iterator<Item = Row>) -> Option<String> {
+        csv(std::iter::once(self.head.clone()).chain(rows)).ok()
+    }
+
+    fn rewrite(&mut self, rows: impl Iterator<Item = Row>) -> Option<()> {
+        let (path, text) = (self.path.clone()?, self.whole(rows)?);
+        self.file = None;
+        whole::write(&path, &text).ok()?;
+        self.file = Some(Growing::carry_on(path, text.len() as u64).ok()?);
+        Some(())
+    }
+
     fn grow(&mut self, rows: impl Iterator<Item = Row>) -> Option<()> {
         if let Some(mut file) = self.file.take() {
             file.add(&csv(rows).ok()?).ok()?;
             self.file = Some(file);
         } else {
-            let head = std::iter::once(self.head.clone());
-            let text = csv(head.chain(rows)).ok()?;
+            let text = self.whole(rows)?;
             self.file = Some(Growing::begin(self.path.clone()?, &text).ok()?);
         }
         Some(())
@@ -69,7 +88,9 @@ impl Growing {
     }
 
     fn new(file: File, path: PathBuf, length: u64, files: &mut Vec<PathBuf>) -> Self {
-        files.push(path.clone());
+        if !files.contains(&path) {
+            files.push(path.clone());
+        }
         Self { path, file, length }
     }
 

@@ -1,5 +1,6 @@
 //! The program that `stickslip::app!` makes of declared models.
 
+mod answer;
 mod arguments;
 mod chart;
 mod command;
@@ -15,7 +16,10 @@ mod passages;
 mod progress;
 mod request;
 mod resume;
+mod saved;
+mod seal;
 mod section;
+mod show;
 mod spreadsheet;
 mod text;
 mod usage;

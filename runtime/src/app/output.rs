@@ -1,4 +1,4 @@
-//! What a command has found, in all forms, and where it goes: stdout and a folder.
+//! Where what a command has found goes: to stdout and to a folder.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
@@ -7,64 +7,23 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::answer::Answer;
 use super::arguments::{Destination, View};
 use super::document::value_of;
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
-use super::spreadsheet::{Row, Spreadsheet, csv};
-use crate::report::{Figure, whole};
+use super::spreadsheet::{Row, csv};
+use crate::report::whole;
 use crate::study::Ended;
-
-/// An answer in every form in which it may be wanted.
-pub(super) struct Answer<'a> {
-    /// Its name among files.
-    pub(super) name: &'a str,
-    pub(super) text: String,
-    pub(super) document: Value,
-    /// Tables by the names of their files.
-    pub(super) sheets: Vec<(String, Spreadsheet)>,
-    /// Pictures by the names of their files.
-    pub(super) figures: Vec<(String, Figure)>,
-}
-
-impl<'a> Answer<'a> {
-    /// An answer without tables and pictures.
-    pub(super) fn new(name: &'a str, text: String, document: impl Serialize) -> Self {
-        Self {
-            name,
-            text,
-            document: value_of(document),
-            sheets: Vec::new(),
-            figures: Vec::new(),
-        }
-    }
-
-    /// The same with one more table.
-    pub(super) fn sheet(mut self, name: impl Into<String>, sheet: Spreadsheet) -> Self {
-        self.sheets.push((name.into(), sheet));
-        self
-    }
-
-    /// The same with one more picture.
-    pub(super) fn figure(mut self, name: impl Into<String>, figure: Figure) -> Self {
-        self.figures.push((name.into(), figure));
-        self
-    }
-
-    /// The same with more words, and one more field of this name.
-    pub(super) fn part(mut self, name: &str, text: &str, document: impl Serialize) -> Self {
-        self.text.push_str(text);
-        self.document[name] = value_of(document);
-        self
-    }
-}
 
 /// What the user wants to see, and where.
 #[derive(Debug, Clone)]
 pub(super) struct Output {
     view: View,
     out: Option<PathBuf>,
+    /// What is asked, for a document that has no answer.
+    subject: Value,
 }
 
 impl From<&View> for Output {
@@ -72,6 +31,7 @@ impl From<&View> for Output {
         Self {
             view: view.clone(),
             out: None,
+            subject: Value::Null,
         }
     }
 }
@@ -84,12 +44,34 @@ impl Output {
         Ok(Self {
             view: destination.view.clone(),
             out,
+            subject: Value::Null,
         })
+    }
+
+    /// The same, for a question with these fields.
+    pub(super) fn about(self, subject: impl Serialize) -> Self {
+        let subject = value_of(subject);
+        Self { subject, ..self }
+    }
+
+    /// What is printed of a question that was ended before it had an answer.
+    pub(super) fn last_words(&self) -> String {
+        let mut subject = self.subject.clone();
+        if !(self.view.json && subject.is_object()) {
+            return String::new();
+        }
+        subject["ended"] = "interrupted".into();
+        json(&subject).unwrap_or_default()
     }
 
     /// Whether there is a folder.
     pub(super) fn is_kept(&self) -> bool {
         self.out.is_some()
+    }
+
+    /// Whether more is wanted than a few words.
+    pub(super) fn is_wanted_whole(&self) -> bool {
+        self.view.json || self.is_kept()
     }
 
     /// Whether there shall be neither progress nor notes.
@@ -98,19 +80,17 @@ impl Output {
     }
 
     /// Prints an answer, as text or as JSON, and writes it to the folder with its pictures.
-    pub(super) fn deliver(&self, mut answer: Answer<'_>) -> Result<(), Failure> {
-        let document = json(&answer.document)?;
-        let written = self.keep(&answer);
-        if let (Some(folder), true) = (&self.out, written.is_ok()) {
-            answer.text += &format!("\nwritten to {}\n", folder.display());
-        }
+    pub(super) fn deliver(&self, answer: &Answer<'_>) -> Result<(), Failure> {
         // A full disk costs no answer.
-        print(if self.view.json {
-            &document
+        let written = self.keep(answer);
+        let told = if self.view.json {
+            json(&answer.document())?
         } else {
-            &answer.text
-        })
-        .and(written)
+            let place = self.out.iter().filter(|_| written.is_ok());
+            let place = place.map(|folder| format!("\nwritten to {}\n", folder.display()));
+            answer.text() + &place.collect::<String>()
+        };
+        print(&told).and(written)
     }
 
     /// Writes to the folder, if there is one, what is found beside the answer.
@@ -165,12 +145,12 @@ impl Output {
 fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
     let file = |name: &str, ending: &str| folder.join(format!("{name}.{ending}"));
     for (name, figure) in &answer.figures {
-        write(&file(name, "svg"), &figure.svg())?;
+        write(&file(name, "svg"), &figure().svg())?;
     }
     for (name, sheet) in &answer.sheets {
-        write(&file(name, "csv"), &csv(sheet)?)?;
+        write(&file(name, "csv"), &csv(sheet())?)?;
     }
-    write(&file(answer.name, "json"), &json(&answer.document)?)
+    write(&file(answer.name, "json"), &json(&answer.document())?)
 }
 
 /// Makes a folder, and makes sure before any work that files can be written to it.

@@ -2,6 +2,7 @@
 
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::interrupt::{self, Work};
@@ -11,7 +12,7 @@ use super::request::Request;
 use super::spreadsheet::Columns;
 use super::text::number;
 use crate::model::ModelInfo;
-use crate::study::Along;
+use crate::study::{Along, News};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Parts into which the way of a branch is divided.
@@ -34,9 +35,9 @@ impl Progress {
     }
 
     /// Work along a way, see [`Progress::reach`].
-    pub(super) fn along(output: &Output) -> Self {
+    pub(super) fn along(output: &Output, message: &'static str) -> Self {
         Self::shown(output, || {
-            let bar = ProgressBar::new(PARTS).with_message("looking for the first orbit");
+            let bar = ProgressBar::new(PARTS).with_message(message);
             let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}");
             style.map_or_else(|_| bar.clone(), |style| bar.clone().with_style(style))
         })
@@ -49,6 +50,17 @@ impl Progress {
         interrupt::verdict()
     }
 
+    /// Says what was found last.
+    pub(super) fn say(&self, message: String) {
+        self.bar.set_message(message);
+    }
+
+    /// Shows on what a search is working, after this message.
+    pub(super) fn news(&self, message: &'static str) -> News {
+        let bar = self.bar.clone();
+        Arc::new(move |words| bar.set_message(format!("{message}: {words}")))
+    }
+
     fn shown(output: &Output, bar: impl FnOnce() -> ProgressBar) -> Self {
         let visible = !output.is_quiet() && std::io::stderr().is_terminal();
         Self {
@@ -57,7 +69,7 @@ impl Progress {
             } else {
                 ProgressBar::hidden()
             },
-            _work: Work::begin(),
+            _work: Work::begin(output.last_words()),
         }
     }
 }

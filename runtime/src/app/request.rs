@@ -1,9 +1,11 @@
 //! What is asked of which model, and where the answer goes: the arguments that commands share, as a case.
 
 use super::arguments::Subject;
+use super::document::Document;
 use super::failure::{Failure, refuse};
 use super::offer::App;
 use super::output::Output;
+use super::saved::Saved;
 use super::values::{Assignment, Range, SMOOTH, Start};
 use super::words::place;
 use crate::field::{Design, Smoothing};
@@ -30,23 +32,30 @@ pub(super) fn request<'a>(
     let along = range
         .map(|range| along(info, "--along", range))
         .transpose()?;
-    let mut case = Case::declared(info, dynamics(info, subject, along)?);
-    case.along = along;
-    set(info, &subject.settings.set, &mut case)?;
-    if let Some(along) = along {
-        case = case.at(along.from);
-    }
-    let start = subject.start.as_ref();
-    case.start = start.map(|given| begin(info, given)).transpose()?;
-    case.period = period;
-    case.accuracy = subject.accuracy.unwrap_or(case.accuracy);
+    let saved = match &subject.start {
+        Some(Start::Saved(named)) => Some(named.of(info)?),
+        _ => None,
+    };
+    let case = case(info, subject, along, saved.as_ref())?;
+    let case = Case {
+        period: period.or(case.period),
+        ..case
+    };
     entry
         .check(&case)
         .map_err(|error| Failure::of(&error, info))?;
-    let output = Output::open(&subject.destination)?;
+    let output = Output::open(&subject.destination)?.about(Document::case(info, &case));
     if let Some(size) = superseded(subject, along) {
         output.note(format!(
             "note: the smoothing begins at the size {size}, as `--along` says"
+        ));
+    }
+    if let (Some(saved), Some(along)) = (&saved, along)
+        && let Some(value) = elsewhere(saved, along)
+    {
+        let (name, from) = (along.name(info), along.from);
+        output.note(format!(
+            "note: what was saved lies at {name} = {value}, and is a guess at {name} = {from}, where `--along` begins"
         ));
     }
     Ok(Request {
@@ -55,6 +64,41 @@ pub(super) fn request<'a>(
         case,
         output,
     })
+}
+
+/// What the arguments say of a case, and, where they are silent, what was saved.
+fn case(
+    info: &ModelInfo,
+    subject: &Subject,
+    along: Option<Along>,
+    saved: Option<&Saved>,
+) -> Result<Case, Failure> {
+    let known = saved.and_then(|saved| saved.dynamics);
+    let mut case = Case::declared(info, dynamics(info, subject, along, known)?);
+    case.along = along;
+    for &(index, value) in saved.into_iter().flat_map(|saved| &saved.parameters) {
+        case.parameters[index] = value;
+    }
+    set(info, &subject.settings.set, &mut case)?;
+    if let Some(along) = along {
+        case = case.at(along.from);
+    }
+    case.start = match &subject.start {
+        Some(Start::Given(given)) => Some(begin(info, given)?),
+        _ => saved.map(|saved| saved.state.clone()),
+    };
+    case.period = saved.and_then(|saved| saved.period);
+    case.accuracy = subject.accuracy.unwrap_or(case.accuracy);
+    Ok(case)
+}
+
+/// The value of what is followed where something was saved, if it is not where that begins.
+fn elsewhere(saved: &Saved, along: Along) -> Option<f64> {
+    let index = along.design.parameter()?;
+    let known = saved.parameters.iter().find(|(known, _)| *known == index);
+    known
+        .map(|(_, value)| *value)
+        .filter(|value| *value != along.from)
 }
 
 impl Request<'_> {
@@ -172,17 +216,14 @@ fn dynamics(
     info: &ModelInfo,
     subject: &Subject,
     along: Option<Along>,
+    saved: Option<Dynamics>,
 ) -> Result<Dynamics, Failure> {
     let sized = along.filter(|along| along.design == Design::Smoothing);
     if let (true, Some(reason)) = (subject.exact, info.only_form()) {
         return refuse!("`--exact`: {reason}");
     }
     let Some(copy) = &subject.smooth else {
-        return match sized {
-            Some(along) => Err(kernel_missing("--along smooth=...", &along)),
-            None if !info.touches() => Ok(Dynamics::Smooth),
-            None => Ok(Dynamics::Exact),
-        };
+        return unsaid(info, sized, saved.filter(|_| !subject.exact));
     };
     let word = &copy.word;
     if subject.exact {
@@ -208,6 +249,23 @@ fn dynamics(
     Ok(Dynamics::Smoothed(smoothing))
 }
 
+/// How friction acts where nothing is said of it: as it did, or by its law.
+fn unsaid(
+    info: &ModelInfo,
+    sized: Option<Along>,
+    saved: Option<Dynamics>,
+) -> Result<Dynamics, Failure> {
+    match (saved, sized) {
+        (Some(Dynamics::Smoothed(saved)), Some(along)) => Ok(Dynamics::Smoothed(Smoothing {
+            size: along.from,
+            ..saved
+        })),
+        (_, Some(along)) => Err(kernel_missing("--along smooth=...", &along)),
+        _ if !info.touches() => Ok(Dynamics::Smooth),
+        (saved, None) => Ok(saved.unwrap_or(Dynamics::Exact)),
+    }
+}
+
 /// That the size of a smoothing is followed which nobody has named.
 pub(super) fn kernel_missing(option: &str, along: &Along) -> Failure {
     Failure::usage(format!(
@@ -226,9 +284,9 @@ fn superseded(subject: &Subject, along: Option<Along>) -> Option<f64> {
 }
 
 /// The declared start but for what is given.
-fn begin(info: &ModelInfo, given: &Start) -> Result<Vec<f64>, Failure> {
+fn begin(info: &ModelInfo, given: &[Assignment]) -> Result<Vec<f64>, Failure> {
     let mut start: Vec<f64> = info.states.iter().map(|state| state.start).collect();
-    for one in &given.0 {
+    for one in given {
         start[state(info, &one.name)?] = one.value;
     }
     Ok(start)

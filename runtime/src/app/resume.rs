@@ -1,9 +1,11 @@
 //! `--resume`: what a long command notes as it goes on, so that it can go on where it was ended.
 //!
 //! The notes lie beside the tables. Their first line is the question, for notes help with no other one; each further line
-//! is a finding, with every digit. They go when the command has come to its end.
+//! is a finding, with every digit, under a [`Seal`] that begins with the question. They go when the command has come to
+//! its end.
 
 use std::fmt::{Debug, Display};
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use base64::Engine;
@@ -14,8 +16,12 @@ use super::failure::{Failure, refuse};
 use super::interrupt::ENDING;
 use super::journal::Growing;
 use super::output::Output;
+use super::seal::Seal;
 use crate::model::ModelInfo;
 use crate::study::Case;
+
+/// The way out of notes that do not help.
+const ANEW: &str = "leave out `--resume` to begin anew";
 
 /// What is asked, as far as an answer depends on it: pairs of words.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,21 +37,34 @@ impl Question {
             std::env::consts::ARCH,
             std::env::consts::OS
         );
+        // Whole: a field that is left out here would be one of which answers do not depend.
+        let Case {
+            parameters,
+            dynamics,
+            along,
+            start,
+            period,
+            accuracy,
+            beginning,
+            switch,
+            harmonics,
+        } = case;
         let mut question = Self(Vec::new())
             .and("the model", info.command)
             .and("the program", program)
             .exactly("the declaration of the model", info)
-            .and("the dynamics", case.dynamics);
-        for (declared, value) in info.parameters.iter().zip(&case.parameters) {
+            .and("the dynamics", dynamics);
+        for (declared, value) in info.parameters.iter().zip(parameters) {
             question = question.exactly(declared.name, value);
         }
         question
-            .exactly("`--along`", &case.along)
-            .exactly("`--start`", &case.start)
-            .exactly("`--period`", &case.period)
-            .exactly("`--accuracy`", &case.accuracy)
-            .exactly("`--from`", &case.beginning)
-            .exactly("`--switch`", &case.switch)
+            .exactly("`--along`", along)
+            .exactly("`--start`", start)
+            .exactly("`--period`", period)
+            .exactly("`--accuracy`", accuracy)
+            .exactly("`--from`", beginning)
+            .exactly("`--switch`", switch)
+            .exactly("`--harmonics`", harmonics)
     }
 
     /// The same with one more word.
@@ -84,14 +103,19 @@ impl Question {
 }
 
 /// The notes of a command.
-pub(super) struct Notes(Option<(PathBuf, Option<Growing>)>);
+pub(super) struct Notes(Option<(PathBuf, Option<Sealed>)>);
+
+/// A file that is whole after each line, and what seals the next one.
+struct Sealed {
+    file: Growing,
+    seal: Seal,
+}
 
 impl Notes {
-    /// Notes of this name: new ones, or with `--resume` those that are there, of which each line is read until one
-    /// makes no sense.
+    /// Notes of this name: new ones, or with `--resume` those that are there, of which each whole line is read.
     ///
     /// # Errors
-    /// There is no folder to resume in, or its notes belong to another question.
+    /// There is no folder to resume in, or its notes belong to another question, or are not as they were written.
     pub(super) fn open(
         output: &Output,
         resume: &Resume,
@@ -106,28 +130,32 @@ impl Notes {
                 Ok(Self(None))
             };
         };
-        let old = resume.resume.then(|| std::fs::read_to_string(&path));
-        let file = match old {
-            Some(Ok(text)) => {
-                let length = agreed(&text, question, &path.display())?;
-                let whole = length + whole(&text[length..], read);
-                Growing::carry_on(path.clone(), whole as u64)
-            }
-            Some(Err(error)) if error.kind() != std::io::ErrorKind::NotFound => Err(error),
-            missing => {
-                if missing.is_some() {
-                    output.note("note: there is nothing to resume: it begins anew");
-                }
-                Growing::begin(path.clone(), &(question.line()? + "\n"))
-            }
+        let unusable = |error: std::io::Error| {
+            let place = path.display();
+            Failure::usage(format!("`--out`: {place} cannot be used: {error}"))
         };
-        let file = file.map_err(|error| {
-            Failure::usage(format!(
-                "`--out`: {} cannot be used: {error}",
-                path.display()
-            ))
-        })?;
-        Ok(Self(Some((path, Some(file)))))
+        let old = match resume.resume.then(|| std::fs::read(&path)) {
+            Some(Err(error)) if error.kind() != ErrorKind::NotFound => return Err(unusable(error)),
+            Some(old) => old.unwrap_or_default(),
+            None => Vec::new(),
+        };
+        let sealed = if let Some(lines) = whole(&old) {
+            let seal = agreed(lines, question, read).map_err(|reason| {
+                Failure::usage(format!("`--resume`: {} {reason}", path.display()))
+            })?;
+            let file = Growing::carry_on(path.clone(), lines.len() as u64);
+            file.map(|file| Sealed { file, seal })
+        } else {
+            if resume.resume {
+                output.note("note: there is nothing to resume: it begins anew");
+            }
+            let mut seal = Seal::default();
+            let first = seal.line(&question.line()?);
+            let file = Growing::begin(path.clone(), &first);
+            file.map(|file| Sealed { file, seal })
+        };
+        let sealed = sealed.map_err(unusable)?;
+        Ok(Self(Some((path, Some(sealed)))))
     }
 
     /// Whether there is a file that takes them.
@@ -138,9 +166,9 @@ impl Notes {
     /// Notes a finding; once that fails, no more.
     pub(super) fn add(&mut self, finding: Option<Vec<u8>>) {
         if let Some((_, kept)) = &mut self.0
-            && let Some(file) = kept
+            && let Some(Sealed { file, seal }) = kept
         {
-            let line = finding.map(|finding| BASE64.encode(finding) + "\n");
+            let line = finding.map(|finding| seal.line(&BASE64.encode(finding)));
             if line.and_then(|line| file.add(&line).ok()).is_none() {
                 *kept = None;
             }
@@ -155,60 +183,113 @@ impl Notes {
     }
 }
 
-/// The length of the first line, if it is this question.
-fn agreed(text: &str, question: &Question, place: &impl Display) -> Result<usize, Failure> {
-    let anew = "leave out `--resume` to begin anew";
-    let length = text.find('\n').map_or(text.len(), |end| end + 1);
-    let asked = serde_json::from_str(&text[..length]).map(Question);
-    let asked = asked.map_err(|error| {
-        Failure::usage(format!(
-            "`--resume`: {place} cannot be read: {error}; {anew}"
-        ))
-    })?;
-    question.differs(&asked).map_or(Ok(length), |difference| {
-        refuse!("`--resume`: {place} belongs to another question: {difference}; ask the same one, or {anew}")
-    })
+/// All lines that end, if there are any: what was being written when the program ended does not.
+fn whole(text: &[u8]) -> Option<&[u8]> {
+    let end = text.iter().rposition(|byte| *byte == b'\n')?;
+    text.get(..=end)
 }
 
-/// The length of the lines that are whole and make sense; what was being written when the program ended does not.
-fn whole(text: &str, read: &mut dyn FnMut(&[u8]) -> Option<()>) -> usize {
-    let lines = text
-        .split_inclusive('\n')
-        .filter(|line| line.ends_with('\n'));
-    lines
-        .map_while(|line| {
-            let finding = BASE64.decode(line.trim_end()).ok()?;
-            read(&finding).map(|()| line.len())
-        })
-        .sum()
+/// Reads the findings in these lines, if they are as they were written and belong to this question; the seal of what may
+/// follow, or why there is none.
+fn agreed(
+    lines: &[u8],
+    question: &Question,
+    read: &mut dyn FnMut(&[u8]) -> Option<()>,
+) -> Result<Seal, String> {
+    let refused = |reason: String| Err(format!("cannot be read: {reason}; {ANEW}"));
+    let mut seal = Seal::default();
+    for (line, number) in lines.split_inclusive(|byte| *byte == b'\n').zip(1..) {
+        let Some(words) = seal.open(line) else {
+            return refused(format!("line {number} is not as it was written"));
+        };
+        let read = match number {
+            1 => serde_json::from_str(words).ok().map(|asked| {
+                question
+                    .differs(&Question(asked))
+                    .map_or(Ok(()), |difference| {
+                        Err(format!(
+                            "belongs to another question: {difference}; ask the same one, or {ANEW}"
+                        ))
+                    })
+            }),
+            _ => BASE64
+                .decode(words)
+                .ok()
+                .and_then(|finding| read(&finding))
+                .map(Ok),
+        };
+        match read {
+            Some(verdict) => verdict?,
+            None => return refused(format!("line {number} makes no sense")),
+        }
+    }
+    Ok(seal)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// The notes with this question and these findings.
+    fn noted(question: &Question, findings: &[&[u8]]) -> String {
+        let mut seal = Seal::default();
+        let first = seal.line(&question.line().unwrap());
+        let lines = findings
+            .iter()
+            .map(|finding| seal.line(&BASE64.encode(finding)));
+        std::iter::once(first)
+            .chain(lines.collect::<Vec<_>>())
+            .collect()
+    }
+
+    fn asked(accuracy: f64) -> Question {
+        Question(Vec::new()).and("`--accuracy`", accuracy)
+    }
+
     #[test]
     fn a_torn_line_is_forgotten() {
+        let mut text = noted(&asked(1e-9), &[b"one", b"two"]).into_bytes();
+        let length = text.len();
+        assert_eq!(whole(&text), Some(text.as_slice()));
+        text.extend(b"0123abcd Zm91");
+        assert_eq!(whole(&text), Some(&text[..length]));
+        assert_eq!(whole(b"torn"), None);
+        assert_eq!(whole(b""), None);
+    }
+
+    #[test]
+    fn what_is_not_as_it_was_written_is_refused_by_its_line() {
+        let question = asked(1e-9);
+        let text = noted(&question, &[b"one", b"two"]);
         let mut seen: Vec<u8> = Vec::new();
         let mut read = |finding: &[u8]| (finding.len() > 1).then(|| seen.extend(finding));
-        let line = |finding: &[u8]| BASE64.encode(finding) + "\n";
-        let torn = [line(b"one"), line(b"two"), "dGhy".to_owned()].concat();
-        assert_eq!(whole(&torn, &mut read), 10);
-        let senseless = [line(b"four"), line(b"5"), line(b"six")].concat();
-        assert_eq!(whole(&senseless, &mut read), 7);
+        assert!(agreed(text.as_bytes(), &question, &mut read).is_ok());
+        let lines: Vec<&str> = text.split_inclusive('\n').collect();
+        let missing = [lines[0], lines[2]].concat();
+        let reason = agreed(missing.as_bytes(), &question, &mut read).unwrap_err();
+        assert_eq!(
+            reason,
+            format!("cannot be read: line 2 is not as it was written; {ANEW}")
+        );
+        let senseless = noted(&question, &[b"four", b"5", b"six"]);
+        let reason = agreed(senseless.as_bytes(), &question, &mut read).unwrap_err();
+        assert_eq!(
+            reason,
+            format!("cannot be read: line 3 makes no sense; {ANEW}")
+        );
         assert_eq!(seen, b"onetwofour");
     }
 
     #[test]
     fn another_question_is_named() {
-        let one = Question(Vec::new()).and("`--accuracy`", 1e-9);
-        let other = Question(Vec::new()).and("`--accuracy`", 1e-8);
+        let (one, other) = (asked(1e-9), asked(1e-8));
         assert_eq!(one.differs(&one), None);
         let told = one.differs(&other).unwrap();
         assert_eq!(told, "`--accuracy` was 0.00000001 and is 0.000000001");
         assert!(one.differs(&Question(Vec::new())).is_some());
-        let line = one.line().unwrap();
-        assert!(agreed(&line, &one, &"it").is_ok());
-        assert_eq!(agreed("", &one, &"it").unwrap_err().code(), 2);
+        let text = noted(&other, &[]);
+        let reason = agreed(text.as_bytes(), &one, &mut |_| None).unwrap_err();
+        let wanted = format!("belongs to another question: {told}; ask the same one, or {ANEW}");
+        assert_eq!(reason, wanted);
     }
 }

@@ -1,10 +1,12 @@
 //! `--section`: which points of a motion are looked at.
 
+use std::rc::Rc;
+
 use clap::Args;
 
+use super::answer::Answer;
 use super::document::Document;
 use super::failure::{Failure, refuse};
-use super::output::Answer;
 use super::request::{Request, state};
 use super::spreadsheet::{Columns, full};
 use super::text::{number, short, states, time_unit, timed, unit};
@@ -103,7 +105,7 @@ fn direction(word: &str) -> Result<Direction, Failure> {
 /// An answer with the points where the motion of a case meets a section, if one is asked for.
 pub(super) fn with_points<'a>(
     answer: Answer<'a>,
-    asked: &Request<'_>,
+    asked: &Request<'a>,
     case: &Case,
     section: Option<Section>,
     span: Span,
@@ -114,10 +116,13 @@ pub(super) fn with_points<'a>(
     let info = asked.info;
     let found = asked.got(asked.entry.crossings(case, section, span))?;
     let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
+    let found = Rc::new(found);
+    let [told, written] = [found.clone(), found.clone()];
     let sheet = columns(info, |value| full(&value)).column("direction", direction);
-    let document = document(info, &section, &found);
-    let answer = answer.part("section", &describe(info, &section, &found), document);
-    Ok(answer.sheet("section", sheet.sheet(&found.points)))
+    Ok(answer
+        .words(move || describe(info, &section, &told))
+        .part("section", move || document(info, &section, &written))
+        .sheet("section", move || sheet.sheet(&found.points)))
 }
 
 /// When and where, numbers as they shall be shown.

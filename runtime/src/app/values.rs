@@ -7,7 +7,8 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, Error};
 
 use super::failure::{Failure, refuse};
-use super::words::{both_sides, number, place, positive};
+use super::saved::Named;
+use super::words::{both_sides, count, number, place, positive};
 use crate::field::{Kernel, Smoothing, SmoothingError};
 
 /// The name of what follows the size of a smoothing, where parameters have theirs.
@@ -125,12 +126,20 @@ impl SmoothCopy {
     }
 }
 
-/// `name=value,...`, each name once.
+/// Where to begin.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Start(pub(super) Vec<Assignment>);
+pub(super) enum Start {
+    /// `name=value,...`, each name once.
+    Given(Vec<Assignment>),
+    /// What a file holds.
+    Saved(Named),
+}
 
 impl Start {
     pub(super) fn read(option: &str, word: &str) -> Result<Self, Failure> {
+        if let Some(named) = Named::read(word) {
+            return Ok(Self::Saved(named));
+        }
         let mut given: Vec<Assignment> = Vec::new();
         for pair in word.split(',') {
             let one = Assignment::read(option, pair)?;
@@ -139,7 +148,7 @@ impl Start {
             }
             given.push(one);
         }
-        Ok(Self(given))
+        Ok(Self::Given(given))
     }
 }
 
@@ -150,6 +159,11 @@ pub(super) fn accuracy(option: &str, word: &str) -> Result<f64, Failure> {
         return Ok(value);
     }
     refuse!("`{option} {word}` is out of reach: a relative accuracy lies between 1e-13 and 1e-1")
+}
+
+/// Reads a whole number between `LEAST` and `MOST`.
+pub(super) const fn counted<const LEAST: usize, const MOST: usize>() -> Reading<usize> {
+    Reading(|option, word| count(option, word, [LEAST, MOST]))
 }
 
 /// The one of `all` that `word` names; `what` says what it would be, if there is none.

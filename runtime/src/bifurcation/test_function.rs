@@ -2,10 +2,10 @@
 
 use nalgebra::Complex;
 
-/// det(DP − I), scaled to [−1, 1]: changes sign at a fold and at a branch point.
+/// det(I − DP), scaled to [−1, 1]: changes sign at a fold and at a branch point, and not where a multiplier comes that is 0.
 #[must_use]
 pub fn fold(multipliers: &[Complex<f64>]) -> f64 {
-    product(multipliers.iter().map(|mu| (mu - 1.0) / (mu.norm() + 1.0)))
+    product(multipliers.iter().map(|mu| (1.0 - mu) / (mu.norm() + 1.0)))
 }
 
 /// det(DP + I), scaled to [−1, 1]: changes sign at a flip.

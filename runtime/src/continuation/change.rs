@@ -1,19 +1,26 @@
 //! Where a branch passes from one regime to another.
 
-use super::path::{Path, Spot, Watched};
+use super::path::{Border, Path, Spot, Watched};
 
 const ITERATIONS: usize = 60;
+/// Halvings after each of which the change is sought as a point of its own, and up to which.
+const EVERY: usize = 4;
+const SOUGHT: usize = 24;
 /// Part of the accuracy asked for to which r is bracketed.
 const SETTLED: f64 = 0.01;
 /// Relative width of a bracket that cannot be made smaller, beyond which nothing is located.
 const WIDE: f64 = 1e-6;
 /// Where in a bracket the next point is tried: in the middle, elsewhere if there is none.
 const TRIALS: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
+/// Share of the step that such a bracket may be: where r turns, it does not change much either.
+const APART: f64 = 1e-3;
 
 /// The points on both sides of a change of regime, each nearer to it than the one before.
 pub(super) struct Change<P> {
     pub(super) before: Vec<Spot<P>>,
     pub(super) after: Vec<Spot<P>>,
+    /// The change as a point of its own.
+    pub(super) border: Option<Border<P>>,
 }
 
 impl<P: Watched> Change<P> {
@@ -24,7 +31,9 @@ impl<P: Watched> Change<P> {
 
     /// Whether r is known well enough.
     pub(super) fn is_sharp(&self) -> bool {
-        width(self.nearest()) <= WIDE
+        let [before, after] = self.nearest();
+        let narrow = width([before, after]) <= WIDE && after.share - before.share <= APART;
+        self.border.is_some() || narrow
     }
 }
 
@@ -37,10 +46,21 @@ pub(super) fn change<Q: Path>(
     let mut found = Change {
         before: vec![from.clone()],
         after: vec![to.clone()],
+        border: None,
     };
-    for _ in 0..ITERATIONS {
+    for iteration in 0..ITERATIONS {
         let ends = found.nearest();
         if width(ends) <= SETTLED * accuracy {
+            break;
+        }
+        let due = iteration % EVERY == 0 && iteration <= SOUGHT;
+        if due && let Some(mut border) = path.border([&ends[0].point, &ends[1].point]) {
+            let share = ends[0].share + border.share * (ends[1].share - ends[0].share);
+            border.share = share;
+            let [come, left] = border.points.clone();
+            found.before.push(Spot { share, point: come });
+            found.after.push(Spot { share, point: left });
+            found.border = Some(border);
             break;
         }
         let Some(spot) = try_between(path, ends) else {

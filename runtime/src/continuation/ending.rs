@@ -11,6 +11,8 @@ pub enum Ending<E> {
     Stopped(Stop<E>),
     /// At a special point beyond which nothing continues it, or nothing that can be reached.
     At(Kind, f64),
+    /// At a special point beyond which something should continue it that was not found.
+    Undecided(Kind, f64),
     /// It has become another branch there, along which it would only run back.
     Meets(f64),
     /// It cannot be told any more from another branch, however short the step.

@@ -49,6 +49,17 @@ impl<P: ZeroProblem> Link<P> {
         &self.chord
     }
 
+    /// The magnitude of r in which steps are measured.
+    pub(super) fn r_scale(&self) -> f64 {
+        self.r_scale
+    }
+
+    /// Distance of its ends, in scaled coordinates.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
     /// The point of the branch in the plane across the chord at this share of it, 0 < share < 1.
     ///
     /// # Errors

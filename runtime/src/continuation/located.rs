@@ -18,6 +18,8 @@ pub struct Located<P> {
     pub sides: [(f64, usize); 2],
     /// How many points of the branch precede it.
     pub after: usize,
+    /// Estimated error of r.
+    pub error: f64,
     pub(super) share: f64,
     /// Whether it was found between two regimes.
     pub(super) abrupt: bool,
@@ -34,6 +36,7 @@ impl<P> Located<P> {
             last: false,
             sides: [(r, 0); 2],
             after: 0,
+            error: f64::NAN,
             share: 1.0,
             abrupt: false,
         }

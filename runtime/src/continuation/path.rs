@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use super::kind::Kind;
 use crate::field::Work;
 
 /// A point of a branch as it is read off the unknowns.
@@ -54,6 +55,29 @@ pub trait Path {
     /// # Errors
     /// No point could be found there.
     fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error>;
+
+    /// The point at a share of the way once more, more sharply; `None` where that cannot be done.
+    fn sharper(&mut self, _share: f64) -> Option<Self::Point> {
+        None
+    }
+
+    /// The point between two others at which their regimes part, if it can be found as a point of its own.
+    fn border(&mut self, _ends: [&Self::Point; 2]) -> Option<Border<Self::Point>> {
+        None
+    }
+}
+
+/// A point between two regimes, found as a point of its own.
+#[derive(Debug, Clone)]
+pub struct Border<P> {
+    /// What happens there.
+    pub kind: Kind,
+    /// The point, as it is come to and as it is left.
+    pub points: [P; 2],
+    /// Its place, as a share of the way between the two points between which it was found.
+    pub share: f64,
+    /// Estimated error of r there.
+    pub error: f64,
 }
 
 /// A point and its place on a path.

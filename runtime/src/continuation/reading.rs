@@ -5,11 +5,12 @@ use nalgebra::DVector;
 use super::ZeroProblem;
 use super::branch::{Branch, Started};
 use super::corrector::Failure;
+use super::crossing::Crossing;
 use super::detect::Monitors;
 use super::ending::Ending;
 use super::link::Link;
 use super::located::Located;
-use super::path::{Path, Watched};
+use super::path::{Border, Path, Watched};
 use super::point::Point;
 use super::range::Stop;
 use crate::field::Work;
@@ -39,8 +40,8 @@ pub trait Reader: Clone {
         self.read(problem, point, Work::default())
     }
 
-    /// Evaluates what lies between two points more sharply than the points.
-    fn sharpen(&self, _problem: &mut Self::Problem) {}
+    /// Evaluates what lies between two points more sharply than the points: `once_more` tells errors.
+    fn sharpen(&self, _problem: &mut Self::Problem, _once_more: i32) {}
 
     /// What is looked for.
     fn monitors(&self) -> Monitors<'_, Self::Point>;
@@ -60,6 +61,26 @@ pub trait Reader: Clone {
 
     /// The special point that these points lead to, where no step succeeds any more.
     fn explain(&self, _points: &[Self::Point]) -> Option<Located<Self::Point>> {
+        None
+    }
+
+    /// The point at which its equations become others that a branch comes to after its last point, and what continues it
+    /// there; `None` if it comes to none.
+    fn cross(
+        &self,
+        _branch: &Branch<Self::Problem>,
+        _last: &Self::Point,
+    ) -> Option<Crossing<Self::Problem, Self::Point>> {
+        None
+    }
+
+    /// The point between two others at which the equations become others, and what it is.
+    fn border(
+        &self,
+        _problem: &mut Self::Problem,
+        _ends: [&Self::Point; 2],
+        _r_scale: f64,
+    ) -> Option<Border<Self::Point>> {
         None
     }
 
@@ -134,6 +155,12 @@ impl<R: Reader> Reading<R> {
         R::work(&self.branch.problem)
     }
 
+    /// Goes on with another branch, its first point next; what it has cost so far is in its problem.
+    pub(super) fn go_on(&mut self, (branch, first): Started<R::Problem>) {
+        self.branch = branch;
+        self.first = Some(self.read(&first));
+    }
+
     fn read(&mut self, point: &Point<<R::Problem as ZeroProblem>::Extra>) -> R::Point {
         let total = self.work();
         let work = total.since(&self.counted);
@@ -144,7 +171,7 @@ impl<R: Reader> Reading<R> {
     /// What lies between the last two points, these; `None` at the first.
     pub(super) fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
         let mut link = self.branch.link()?.clone();
-        self.reader.sharpen(&mut link.problem);
+        self.reader.sharpen(&mut link.problem, 0);
         Some(Between {
             counted: R::work(&link.problem),
             straight: self.reader.straight(ends),
@@ -193,5 +220,17 @@ impl<R: Reader> Path for Between<R> {
         };
         let (problem, chord) = (&self.link.problem, self.link.chord());
         Ok(self.reader.between(problem, &point, chord))
+    }
+
+    fn sharper(&mut self, share: f64) -> Option<R::Point> {
+        self.reader.sharpen(&mut self.link.problem, 1);
+        let point = self.at(share).ok();
+        self.reader.sharpen(&mut self.link.problem, 0);
+        point
+    }
+
+    fn border(&mut self, ends: [&R::Point; 2]) -> Option<Border<R::Point>> {
+        let r_scale = self.link.r_scale();
+        self.reader.border(&mut self.link.problem, ends, r_scale)
     }
 }

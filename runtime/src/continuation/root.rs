@@ -9,6 +9,10 @@ const PATIENCE: usize = 3;
 const SETTLED: f64 = 0.01;
 /// Width of a bracket, as a share of the path, at which a point that cannot be found ends the search.
 const NARROW: f64 = 1e-4;
+/// Distance from a zero, as a share of the path, from which on slopes there are not all rounding.
+const NEIGHBOUR: f64 = 1e-3;
+/// What is reported over what two runs differ by: they share part of their errors.
+const DOUBT: f64 = 1.5;
 /// Distance, as a part of the bracket, at which another point is tried instead.
 const BESIDE: f64 = 0.01;
 
@@ -46,7 +50,43 @@ pub fn reach<Q: Path>(
         return Ok(None);
     }
     let ends = [&Spot::new(0.0, from), &Spot::new(1.0, to)];
-    zero(path, ends, |point| point.r() - r, accuracy).map(|at| Some(at.point))
+    zero(path, ends, |point| point.r() - r, accuracy).map(|at| Some(at.spot.point))
+}
+
+/// A zero, and how the function and r change with the share of the path there.
+pub(super) struct Zero<P> {
+    pub(super) spot: Spot<P>,
+    slopes: [f64; 2],
+}
+
+impl<P: Watched> Zero<P> {
+    /// The slopes are those from another spot, not too near to this one: (share, value of the function, r).
+    fn at(spot: Spot<P>, value: f64, others: &[(f64, f64, f64)], width: f64) -> Self {
+        let apart = |other: &&(f64, f64, f64)| (other.0 - spot.share).abs() - NEIGHBOUR * width;
+        let far = others.iter().filter(|other| apart(other) >= 0.0);
+        let next = far.min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let slopes = next.map_or([f64::NAN; 2], |(share, other, r)| {
+            [value - other, spot.point.r() - r].map(|rise| rise / (spot.share - share))
+        });
+        Self { spot, slopes }
+    }
+
+    /// The estimated error of r there: from the same point once more, more sharply.
+    pub(super) fn error<Q: Path<Point = P>>(
+        &self,
+        path: &mut Q,
+        test: impl Fn(&P) -> f64,
+        accuracy: f64,
+    ) -> f64 {
+        let at = &self.spot.point;
+        let sharper = path.sharper(self.spot.share);
+        sharper.map_or(f64::NAN, |sharper| {
+            let [slope, along] = self.slopes;
+            let off = (test(&sharper) - test(at)) / slope * along;
+            let moved = (sharper.r() - at.r()).abs() + off.abs();
+            DOUBT * moved + SETTLED * accuracy * at.r().abs()
+        })
+    }
 }
 
 /// The zero between two spots at which `test` has different signs: regula falsi with Illinois' rule,
@@ -56,7 +96,9 @@ pub(super) fn zero<Q: Path>(
     [a, b]: [&Spot<Q::Point>; 2],
     test: impl Fn(&Q::Point) -> f64,
     accuracy: f64,
-) -> Result<Spot<Q::Point>, Q::Error> {
+) -> Result<Zero<Q::Point>, Q::Error> {
+    let seen = |spot: &Spot<Q::Point>| (spot.share, test(&spot.point), spot.point.r());
+    let (whole, mut others) = (b.share - a.share, vec![seen(a), seen(b)]);
     let (mut low, mut high) = ((a.share, test(&a.point)), (b.share, test(&b.point)));
     let nearer = if low.1.abs() < high.1.abs() { a } else { b };
     let mut best = nearer.clone();
@@ -88,6 +130,7 @@ pub(super) fn zero<Q: Path>(
         // A secant that creeps along a flat stretch moves little as well, but changes nothing.
         let nears = value.abs() <= 0.5 * last.abs() || (value < 0.0) != (last < 0.0);
         let settled = spot.point.moved(&best.point) <= SETTLED * accuracy && nears;
+        others.push(seen(&spot));
         (best, last) = (spot, value);
         if value == 0.0 || (settled && !slow && iteration > 1) {
             break;
@@ -104,7 +147,8 @@ pub(super) fn zero<Q: Path>(
         }
         raised = Some(raises);
     }
-    Ok(best)
+    let value = test(&best.point);
+    Ok(Zero::at(best, value, &others, whole))
 }
 
 #[cfg(test)]
@@ -142,7 +186,11 @@ mod tests {
         let test = |x: &Number| (x.0 - 0.7).max(0.0).sqrt() - 1e-8;
         let mut line = Line(0);
         let found = zero(&mut line, ends, test, 1e-12).unwrap();
-        assert!((found.point.0 - 0.7).abs() < 1e-14, "{}", found.point.0);
+        assert!(
+            (found.spot.point.0 - 0.7).abs() < 1e-14,
+            "{}",
+            found.spot.point.0
+        );
         assert!(line.0 < 110, "{}", line.0);
     }
 
@@ -152,7 +200,11 @@ mod tests {
         let test = |x: &Number| (x.0 - 0.3).exp() - 1.0 + (x.0 - 0.3).powi(3);
         let mut line = Line(0);
         let found = zero(&mut line, ends, test, 1e-12).unwrap();
-        assert!((found.point.0 - 0.3).abs() < 1e-14, "{}", found.point.0);
+        assert!(
+            (found.spot.point.0 - 0.3).abs() < 1e-14,
+            "{}",
+            found.spot.point.0
+        );
         assert!(line.0 < 30, "{}", line.0);
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::branch::Started;
+use super::crossing::{Beyond, Crossing};
 use super::detect::detect;
 use super::ending::Ending;
 use super::located::{Findings, Located, Unexplained};
@@ -14,6 +15,11 @@ use crate::field::Work;
 
 /// Points after which a branch may have come round.
 const ROUND: usize = 3;
+/// A step so short, in scaled coordinates, that what it passes is looked for at once.
+const SHORT: f64 = 1e-2;
+/// Points that lie between two crossings of one border, and the distance up to which it is one.
+const APART: usize = 3;
+const SAME: f64 = 1e-7;
 
 /// A branch that has been walked along.
 #[derive(Debug, Clone)]
@@ -78,6 +84,8 @@ struct Walk<'a, R: Reader> {
     searched: Work,
 }
 
+type CrossingOf<R> = Crossing<<R as Reader>::Problem, <R as Reader>::Point>;
+
 /// What to do after a step.
 enum Verdict<P, E> {
     GoOn,
@@ -91,7 +99,13 @@ enum Verdict<P, E> {
 
 impl<R: Reader> Walk<'_, R> {
     fn run(&mut self, watch: &mut dyn FnMut(&R::Point) -> ControlFlow<()>) -> Ending<ErrorOf<R>> {
-        while let Some(mut point) = self.followed.next() {
+        loop {
+            let Some(mut point) = self.followed.next() else {
+                match self.stopped() {
+                    Some(ending) => return ending,
+                    None => continue,
+                }
+            };
             let mut ending = match self.examine(&mut point) {
                 Verdict::GoOn => None,
                 Verdict::Again => continue,
@@ -111,17 +125,45 @@ impl<R: Reader> Walk<'_, R> {
                 return Ending::Interrupted;
             }
         }
-        self.stopped()
     }
 
-    /// The end of a branch on which there is no next step.
-    fn stopped(&mut self) -> Ending<ErrorOf<R>> {
+    /// The end of a branch on which there is no next step; `None` if it goes on beyond a point at which it is not smooth.
+    fn stopped(&mut self) -> Option<Ending<ErrorOf<R>>> {
         let stop = self.followed.stop().cloned().unwrap_or(Stop::TooManyPoints);
-        let reason = match &stop {
-            Stop::StepTooSmall(_) | Stop::Creeping(_) => self.followed.reader.explain(&self.points),
-            _ => None,
-        };
-        reason.map_or(Ending::Stopped(stop), |reason| self.end(reason))
+        if !matches!(stop, Stop::StepTooSmall(_) | Stop::Creeping(_)) {
+            return Some(Ending::Stopped(stop));
+        }
+        if let Some(crossing) = self.crossing() {
+            return self.pass(crossing);
+        }
+        let reason = self.followed.reader.explain(&self.points);
+        Some(reason.map_or(Ending::Stopped(stop), |reason| self.end(reason)))
+    }
+
+    /// Goes on beyond a point at which the branch is not smooth, or ends there.
+    fn pass(&mut self, Crossing { located, beyond }: CrossingOf<R>) -> Option<Ending<ErrorOf<R>>> {
+        let (kind, r) = (located.kind, located.r);
+        let end = self.end(located);
+        match beyond {
+            Beyond::Nothing => Some(end),
+            Beyond::Undecided => Some(Ending::Undecided(kind, r)),
+            Beyond::Onwards(started) => {
+                self.followed.go_on(*started);
+                None
+            }
+        }
+    }
+
+    /// The point to which the branch comes, unless it has just come from it.
+    fn crossing(&self) -> Option<CrossingOf<R>> {
+        let last = self.points.last()?;
+        let found = self.followed.reader.cross(&self.followed.branch, last)?;
+        let before = self.located.last();
+        let new = before.is_none_or(|before| {
+            let off = (before.r - found.located.r).abs();
+            before.after + APART <= self.points.len() || off > SAME * before.r.abs()
+        });
+        new.then_some(found)
     }
 
     /// Looks for what happens on the way to `point`, and for the end of the branch before it.
@@ -142,9 +184,14 @@ impl<R: Reader> Walk<'_, R> {
         };
         let findings = detect(&mut path, &self.followed.reader.monitors(), ends, accuracy);
         if !findings.unexplained.is_empty() {
-            // Beyond a graze, what was found is not the same motion any more.
-            if let Some(reason) = self.followed.reader.explain(&self.points) {
-                return Verdict::End(self.end(reason));
+            // Beyond a border, what was found need not be the same motion any more.
+            let short = self
+                .followed
+                .branch
+                .link()
+                .is_some_and(|link| link.length() <= SHORT);
+            if short && let Some(crossing) = self.crossing() {
+                return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
             }
             if self.followed.branch.retract() {
                 self.wasted += path.work();

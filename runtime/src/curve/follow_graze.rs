@@ -4,14 +4,12 @@ use std::ops::ControlFlow;
 
 use super::codimension::window;
 use super::follow::Curve;
-use super::graze::Graze;
-use super::grazing::{GrazingProblem, GrazingShot};
 use super::plane::Plane;
 use super::point::moved;
 use crate::continuation::{self, Branch, Failure, Monitors, Point, Reader, Settings, Watched};
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::shooting::Orbit;
+use crate::shooting::{Border, BorderProblem, BorderShot, Orbit};
 
 /// A grazing orbit, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +19,7 @@ pub struct GrazingPoint {
     /// The second one.
     pub q: f64,
     /// The orbit.
-    pub shot: GrazingShot,
+    pub shot: BorderShot,
     /// Norm of the residual of its equations.
     pub residual: f64,
     /// Component of the unit tangent along q, in scaled coordinates.
@@ -55,7 +53,9 @@ pub fn follow_graze(
     settings: Settings,
     watch: &mut dyn FnMut(&GrazingPoint) -> ControlFlow<()>,
 ) -> Result<Option<Curve<GrazingPoint>>, Failure<FlowError>> {
-    let Some(graze) = Graze::of(orbit) else {
+    let flow = plane.at(p, settings.from).map_err(Failure::Evaluation)?;
+    let near = Border::near(flow.as_ref(), orbit).map_err(Failure::Evaluation)?;
+    let Some(graze) = near.into_iter().find(Border::is_graze) else {
         return Ok(None);
     };
     let scales = [
@@ -66,7 +66,7 @@ pub fn follow_graze(
         family: plane.family.with_magnitude(&orbit.magnitude()),
         designs: plane.designs,
     };
-    let problem = GrazingProblem::new(plane, orbit, graze, scales);
+    let problem = BorderProblem::new(plane, orbit, graze, scales);
     let z = problem.unknowns(p);
     let started = Branch::start(problem, z, settings)?;
     Ok(Some(continuation::follow(
@@ -84,13 +84,13 @@ struct Grazing {
 }
 
 impl Reader for Grazing {
-    type Problem = GrazingProblem;
+    type Problem = BorderProblem<Plane>;
     type Point = GrazingPoint;
 
     fn read(
         &self,
-        _problem: &GrazingProblem,
-        point: &Point<GrazingShot>,
+        _problem: &BorderProblem<Plane>,
+        point: &Point<BorderShot>,
         _work: Work,
     ) -> GrazingPoint {
         let count = point.z.len();
@@ -112,7 +112,7 @@ impl Reader for Grazing {
         (!point.shot.least).then(|| point.shot.rate.abs())
     }
 
-    fn work(problem: &GrazingProblem) -> Work {
+    fn work(problem: &BorderProblem<Plane>) -> Work {
         problem.work
     }
 }

@@ -9,8 +9,6 @@ mod condition;
 mod critical;
 mod follow;
 mod follow_graze;
-mod graze;
-mod grazing;
 mod plane;
 mod point;
 
@@ -18,7 +16,5 @@ pub use condition::Condition;
 pub use critical::{CriticalProblem, CriticalShot};
 pub use follow::{Curve, follow};
 pub use follow_graze::{GrazingPoint, follow_graze};
-pub use graze::Graze;
-pub use grazing::{GrazingProblem, GrazingShot};
 pub use plane::Plane;
 pub use point::CurvePoint;

@@ -3,6 +3,7 @@
 use crate::field::Design;
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};
+use crate::shooting::Sheet;
 
 /// Flows for each pair of values of two design variables p and q.
 #[derive(Debug, Clone)]
@@ -11,6 +12,16 @@ pub struct Plane {
     pub family: Family,
     /// What p and q stand for.
     pub designs: [Design; 2],
+}
+
+impl Sheet for Plane {
+    fn along_p(&self, q: f64) -> Family {
+        Self::along_p(self, q)
+    }
+
+    fn along_q(&self, p: f64) -> Option<Family> {
+        Some(Self::along_q(self, p))
+    }
 }
 
 impl Plane {

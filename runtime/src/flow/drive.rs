@@ -34,6 +34,28 @@ pub(crate) fn strobes<const N: usize>(
     }
 }
 
+/// Turns of a drive that can be noted at once.
+const NOTED: f64 = 1e5;
+/// Turns for which a motion is followed at once by those who have more to follow.
+const FOLLOWED: f64 = 1e4;
+
+/// The longest time for which a motion should be followed at once, its phase advancing at this rate.
+pub(crate) fn longest(rate: f64) -> f64 {
+    FOLLOWED * TAU / rate.abs()
+}
+
+/// That the turns of a drive in a time are few enough to be noted.
+///
+/// # Errors
+/// At this rate they are not.
+pub(crate) fn countable(rate: f64, time: f64) -> Result<(), FlowError> {
+    let turns = rate.abs() * time / TAU;
+    if turns > NOTED {
+        return Err(FlowError::TooManyTurns { turns, time });
+    }
+    Ok(())
+}
+
 /// Whether the drive of a model does not advance.
 ///
 /// # Errors

@@ -59,8 +59,9 @@ pub enum FlowError {
     },
     /// A smoothing was used outside the sliding direction for which it stands.
     #[error(
-        "the smoothing stands for one sliding direction only, but contact {contact} slides backwards at t = {time}: \
-         relative speed {speed:e}"
+        "the smoothing stands for one sliding direction only, but contact {contact} slides backwards at t = {}: \
+         relative speed {speed:e}",
+        brief(*.time)
     )]
     Backwards {
         /// Number of the contact.
@@ -78,8 +79,9 @@ pub enum FlowError {
     Contact(#[from] ContactError),
     /// A contact that can neither stick nor slide the way it should.
     #[error(
-        "contact {contact} is to be in mode {mode} at t = {time}, but its relative speed is {speed:e}, \
-         with rates {rate:e} and {second_rate:e}"
+        "contact {contact} is to be in mode {mode} at t = {}, but its relative speed is {speed:e}, \
+         with rates {rate:e} and {second_rate:e}",
+        brief(*.time)
     )]
     InconsistentMode {
         /// Number of the contact.
@@ -124,7 +126,7 @@ pub enum FlowError {
         time: f64,
     },
     /// Event upon event in next to no time.
-    #[error("{events} events in no time at contact {contact}, up to t = {time}")]
+    #[error("{events} events in no time at contact {contact}, up to t = {}", brief(*.time))]
     Chattering {
         /// Number of the contact that was last.
         contact: usize,
@@ -171,6 +173,14 @@ pub enum FlowError {
         /// Its rate.
         rate: f64,
     },
+    /// A drive that turns too often in a time for all its turns to be noted.
+    #[error("the drive turns {turns:.1e} times in the time {}: so many turns cannot be followed at once", brief(*.time))]
+    TooManyTurns {
+        /// How often.
+        turns: f64,
+        /// The time.
+        time: f64,
+    },
     /// The stops of an internal state that stand nowhere.
     #[error(
         "`{law}` stops `{state}` at {bound}, which must be a finite number above 0: give its parameters other values"
@@ -190,7 +200,7 @@ pub enum FlowError {
         law: &'static str,
     },
     /// A duration that is negative or not finite.
-    #[error("a motion cannot be followed for the time {time}")]
+    #[error("a motion cannot be followed for the time {}", brief(*.time))]
     BadTime {
         /// The duration.
         time: f64,
@@ -202,7 +212,8 @@ pub enum FlowError {
 pub enum SensitivityUndefined {
     /// The event surface is touched, not crossed.
     #[error(
-        "no derivative: contact {contact} grazes at t = {time}, where its guard falls at the rate {rate:e} only"
+        "no derivative: contact {contact} grazes at t = {}, where its guard falls at the rate {rate:e} only",
+        brief(*.time)
     )]
     Grazing {
         /// Number of the contact.
@@ -214,8 +225,9 @@ pub enum SensitivityUndefined {
     },
     /// Events at one time whose order matters.
     #[error(
-        "no derivative: contacts {} switch together at t = {time}, and their order matters",
-        listed(.contacts)
+        "no derivative: contacts {} switch together at t = {}, and their order matters",
+        listed(.contacts),
+        brief(*.time)
     )]
     Simultaneous {
         /// Numbers of the contacts.

@@ -12,7 +12,7 @@ pub(crate) mod saltation;
 mod smooth;
 mod told;
 
-pub(crate) use drive::{standing, strobes};
+pub(crate) use drive::{countable, longest, standing, strobes};
 pub use error::{FlowError, SensitivityUndefined};
 pub use event::EventKind;
 pub use family::{ExactFamily, SmoothFamily};
@@ -99,6 +99,8 @@ pub struct Want {
     pub factors: bool,
     /// Nodes of a quadrature over the motion, in panels no longer than this time; none if it is 0.
     pub panel: f64,
+    /// A passage ends before its time, after a step, once it has so many samples; never if this is 0.
+    pub samples: usize,
 }
 
 impl Want {
@@ -109,6 +111,7 @@ impl Want {
         path: false,
         factors: false,
         panel: 0.0,
+        samples: 0,
     };
     /// Derivatives.
     pub const DERIVATIVES: Self = Self {
@@ -125,6 +128,11 @@ impl Want {
         extrema: true,
         ..Self::DERIVATIVES
     };
+
+    /// Whether a passage with so many samples goes no further.
+    pub(crate) fn suffices(&self, samples: usize) -> bool {
+        self.samples > 0 && samples >= self.samples
+    }
 }
 
 /// One motion from a place to another.
@@ -132,6 +140,8 @@ impl Want {
 pub struct Passage<const N: usize, Mode> {
     /// Where it ended.
     pub end: Place<N, Mode>,
+    /// How long it took: what was asked, unless it has the samples that suffice.
+    pub time: f64,
     /// How the end depends on the beginning, if that was wanted.
     pub derivatives: Option<Derivatives<N>>,
     /// Extrema of the states in the order of time, if wanted.

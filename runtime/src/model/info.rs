@@ -171,6 +171,12 @@ impl ModelInfo {
         ))
     }
 
+    /// Name and unit of the force of each contact, then of each press: the order in which motions report them.
+    pub fn forces(&self) -> impl Iterator<Item = (&'static str, Option<Unit>)> {
+        let rubs = self.contacts.iter().map(|one| (one.name, one.unit));
+        rubs.chain(self.presses.iter().map(|one| (one.name, one.unit)))
+    }
+
     /// Whether a law of the model has an internal state with stops.
     #[must_use]
     pub const fn has_stops(&self) -> bool {

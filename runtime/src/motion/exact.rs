@@ -82,6 +82,10 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         ExactFlow::touch(self, &place(at), contact)
     }
 
+    fn loosening(&self, state: &[f64], contact: usize) -> f64 {
+        ExactFlow::loosening(self, &fixed(state), contact)
+    }
+
     fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
         let (speeds, rounding) = self.speeds(&fixed(&at.state));
         let signs = at.modes.iter().map(|mode| mode.sign());

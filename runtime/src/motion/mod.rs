@@ -71,13 +71,18 @@ pub trait Flow: Send + Sync {
     /// The motion cannot be followed.
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError>;
 
-    /// The relative speed of a contact the way it slides in this mode, and its rate; `None` if there is
-    /// no such contact, or it sticks.
+    /// What ends the mode of a contact where it falls through zero, and its rate: the relative speed the way it slides, or
+    /// what the force of one that sticks lacks to its limit; `None` if there is no such contact.
     ///
     /// # Errors
     /// The forces are not determined there.
     fn touch(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
         Ok(None)
+    }
+
+    /// By what share of its limit at rest the force of a contact drops where it lets go; 0 if there is no such contact.
+    fn loosening(&self, _state: &[f64], _contact: usize) -> f64 {
+        0.0
     }
 
     /// For each sliding contact its number and its relative speed the way it slides, for each press its gap or depth: not
@@ -89,6 +94,11 @@ pub trait Flow: Send + Sync {
     /// The relative speed of every set-valued contact at a state, and the gap of every press; none for a smooth system.
     fn speeds(&self, _state: &[f64]) -> Vec<f64> {
         Vec::new()
+    }
+
+    /// The magnitude at which a state that a law carries stops; infinite for any other.
+    fn stop(&self, _state: usize) -> f64 {
+        f64::INFINITY
     }
 
     /// The same modes, those contacts loose, and only those, whose presses are open; what no longer is slides the way of

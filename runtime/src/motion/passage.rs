@@ -36,6 +36,8 @@ pub struct Place {
 pub struct Passage {
     /// Where it ended.
     pub end: Place,
+    /// How long it took: what was asked, unless it has the samples that suffice.
+    pub time: f64,
     /// How the end depends on the beginning, if that was wanted.
     pub derivatives: Option<Derivatives>,
     /// Extrema of the states in the order of time, if wanted.
@@ -103,6 +105,7 @@ impl Passage {
         };
         Self {
             end: Place::of(&passage.end, &modes),
+            time: passage.time,
             derivatives: passage.derivatives.map(Derivatives::from),
             extrema: passage.extrema.iter().map(extremum).collect(),
             segments: passage.segments.iter().map(segment).collect(),

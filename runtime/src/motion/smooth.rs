@@ -66,6 +66,10 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         Ok((passage.end, derivatives))
     }
 
+    fn stop(&self, state: usize) -> f64 {
+        self.field().stops().bound(state)
+    }
+
     fn check(&self, at: &Place) -> Result<(), FlowError> {
         let held = self.within_laws(fixed(&at.state));
         held.map_err(|error| error.named(M::INFO))?;

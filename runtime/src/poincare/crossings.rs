@@ -6,10 +6,10 @@ use std::f64::consts::TAU;
 use super::crossing::Crossing;
 use super::horizon::{Horizon, Patience, Silence};
 use super::meeting::{Meeting, side};
-use super::radian;
 use super::reach::Reach;
 use super::section::{Section, Surface};
 use super::turns::Turns;
+use super::{longest, radian};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Extremum, Flow, Passage, Place};
@@ -32,6 +32,8 @@ pub struct Crossings<'f> {
     place: Place,
     time: f64,
     chunk: f64,
+    /// The longest one.
+    longest: f64,
     ended: bool,
     ready: VecDeque<Crossing>,
     turns: Turns,
@@ -67,6 +69,7 @@ impl<'f> Crossings<'f> {
             horizon,
             time: 0.0,
             chunk: radian(flow, &place)?,
+            longest: longest(flow, &place)?,
             ended: false,
             ready: VecDeque::new(),
             turns: Turns::of(section.surface.state()),
@@ -193,7 +196,7 @@ impl<'f> Crossings<'f> {
         self.whole.join(&reach);
         let found = self.ready.len() - before;
         if found < ENOUGH && passage.work.steps < STEPS {
-            self.chunk *= 2.0;
+            self.chunk = (2.0 * self.chunk).min(self.longest);
         }
         if found == 0 {
             let window = (time, reach);

@@ -20,17 +20,26 @@ pub use recurrence::recurrence;
 pub use section::{Direction, Section, Surface};
 pub use span::{Met, once_around, until};
 
-use crate::flow::FlowError;
+use crate::flow::{self, FlowError};
 use crate::motion::{Flow, Place};
 
-/// A time in which the motion linearised at `place` turns by about a radian.
+/// The longest time for which a motion from `place` should be followed at once.
+pub(crate) fn longest(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
+    Ok(match flow.phase() {
+        Some(phase) => flow::longest(flow.velocity(place)?.f[phase]),
+        None => f64::INFINITY,
+    })
+}
+
+/// A time in which the motion linearised at `place` turns by about a radian, and its drive not more often than can be
+/// followed at once.
 pub(crate) fn radian(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
     let jacobian = flow.velocity(place)?.jacobian;
     let rows = jacobian.row_iter();
     let norm = rows
         .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())
         .fold(0.0, f64::max);
-    Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 })
+    Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 }.min(longest(flow, place)?))
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ type Found = Corrected<Shot>;
 /// What decays within this share of a period is fast.
 const SLOW: f64 = 1e-3;
 /// Two points of the section closer than this are one.
-const SAME_POINT: f64 = 1e-5;
+pub(super) const SAME_POINT: f64 = 1e-5;
 
 /// The shooting problem near a guess, and its unknowns.
 ///

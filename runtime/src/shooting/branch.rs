@@ -3,13 +3,15 @@
 use nalgebra::DVector;
 
 use super::anchor::problem;
+use super::border::{between, cross};
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
-    Branch, Ending, Failure, Located, Monitors, Point, Reader, Reading, Settings, Started,
+    Border, Branch, Crossing, Ending, Failure, Located, Monitors, Point, Reader, Reading, Settings,
+    Started,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -18,6 +20,8 @@ use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
+/// And what of that, where their errors are measured.
+const AGAIN: f64 = 0.1;
 /// Two orbits at one r are one if they differ by this share of their extents at most.
 const SAME_ORBIT: f64 = 1e-5;
 /// A branch whose period has grown this many times has none in the end.
@@ -68,6 +72,7 @@ impl OrbitBranch {
             .with_magnitude(&guess.magnitude);
         let (mut problem, z) =
             problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
+        problem.centre(r).map_err(Failure::Evaluation)?;
         problem
             .float(&orbit.place, r)
             .map_err(Failure::Evaluation)?;
@@ -113,8 +118,9 @@ impl Reader for Orbits {
     }
 
     /// Multipliers lose digits that the orbit keeps.
-    fn sharpen(&self, problem: &mut OrbitProblem) {
-        let tolerance = Tolerance::for_accuracy(SHARPER * self.accuracy);
+    fn sharpen(&self, problem: &mut OrbitProblem, once_more: i32) {
+        let share = SHARPER * AGAIN.powi(once_more);
+        let tolerance = Tolerance::for_accuracy(share * self.accuracy);
         problem.family = problem.family.with_tolerance(tolerance);
     }
 
@@ -134,6 +140,23 @@ impl Reader for Orbits {
         if found.kind == Kind::BranchPoint && found.point.loses_symmetry(family) == Ok(true) {
             found.kind = Kind::SymmetryBreaking;
         }
+    }
+
+    fn cross(
+        &self,
+        branch: &Branch<OrbitProblem>,
+        last: &Orbit,
+    ) -> Option<Crossing<OrbitProblem, Orbit>> {
+        cross(branch, last, self.accuracy)
+    }
+
+    fn border(
+        &self,
+        problem: &mut OrbitProblem,
+        ends: [&Orbit; 2],
+        r_scale: f64,
+    ) -> Option<Border<Orbit>> {
+        between(problem, ends, r_scale, self.accuracy)
     }
 
     fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {

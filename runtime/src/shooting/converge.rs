@@ -5,6 +5,7 @@ use nalgebra::Complex;
 use super::anchor::{anchored, once_around, problem};
 use super::error::OrbitError;
 use super::guess::Guess;
+use super::least::{between, shorter};
 use super::neutral::{pins, suspect};
 use super::orbit::{Orbit, Solution};
 use super::pin::through;
@@ -127,6 +128,7 @@ pub(super) fn from(
     let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, factors)?;
     work += tight.1.work;
     let mut error = difference(&loose.0, &tight.0);
+    let mut blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     // A small error once around is a large one of an orbit that hardly attracts.
     for _ in 0..TIGHTENINGS {
         if error <= SLACK * accuracy {
@@ -142,8 +144,16 @@ pub(super) fn from(
         tight = tighter;
         work += tight.1.work;
         error = difference(&loose.0, &tight.0);
+        blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     }
     let tight = tight.0;
+    let long = guess.moved(&tight);
+    let flow = family.with_tolerance(fine).with_magnitude(&guess.magnitude);
+    let again = |guess: &Guess| Some(newton(guess, accuracy, fine, false).ok()?.0);
+    let shot = &tight.linearisation.extra;
+    if let Some(least) = shorter(flow.at(r)?.as_ref(), (&long, shot), blur, again)? {
+        return from(family, r, &least, search, anchor);
+    }
     let solution = Solution {
         shot: &tight.linearisation.extra,
         z: &tight.z,

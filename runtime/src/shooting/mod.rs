@@ -1,12 +1,15 @@
 //! Periodic orbits by shooting: thesis section 2.2.
 
 mod anchor;
+mod border;
 mod branch;
+mod centre;
 mod certificate;
 mod converge;
 mod error;
 mod guess;
 mod hopf;
+mod least;
 mod neutral;
 mod orbit;
 mod phase;
@@ -22,6 +25,7 @@ mod watched;
 
 pub use anchor::anchored;
 pub(crate) use anchor::problem;
+pub use border::{Border, BorderProblem, BorderShot, Condition, Sheet};
 pub use branch::{OrbitBranch, Orbits};
 pub use certificate::{Certificate, Constants, Uncertified, certify};
 pub use converge::converge;

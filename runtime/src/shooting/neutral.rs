@@ -21,6 +21,8 @@ const CLOSED: f64 = 1e-6;
 const NEUTRAL: f64 = 1e-7;
 /// The same for a matrix that is known roughly.
 const SUSPECT: f64 = 1e-4;
+/// A motion that misses closing by more than this, sharply followed, does not close.
+const DRIFT: f64 = 1e-9;
 /// How far a neighbour is sought, in units of the condition, and how well it must close.
 const ASIDE: f64 = 1e-3;
 const NEIGHBOUR: f64 = 1e-8;
@@ -50,14 +52,28 @@ fn sharply(
 
 /// Whether a motion that comes back has neighbours that do so as well, whatever they are.
 pub(super) fn is_neutral(family: &Family, r: f64, guess: &Guess) -> bool {
-    sharply(family, r, guess).is_some_and(|(_, _, at)| {
+    sharply(family, r, guess).is_some_and(|(problem, _, at)| {
         let shot = &at.extra;
         let (monodromy, _) = shot.monodromy();
         let multipliers = floquet(&monodromy, &shot.velocity.f, None, 0, &[], 0, NEUTRAL);
         let one = Complex::new(1.0, 0.0);
         let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
-        multipliers.multipliers.iter().any(near)
+        multipliers.multipliers.iter().any(near) && !drifts(&at, &problem.scale())
     })
+}
+
+/// Whether a motion misses closing in a direction in which no correction of its start or its period helps: slowly, it
+/// goes on in that direction, and neither it nor its neighbours are periodic.
+fn drifts(at: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
+    let Some(svd) = svd(scaled(at, scale)) else {
+        return false;
+    };
+    let (Some(left), values) = (svd.u, svd.singular_values) else {
+        return false;
+    };
+    let lost = (0..values.len()).filter(|i| values[*i] <= SUSPECT * values.max());
+    lost.map(|i| left.column(i).dot(&at.residual).abs())
+        .any(|drift| drift > DRIFT)
 }
 
 /// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is
@@ -69,49 +85,29 @@ pub(super) fn pins(family: &Family, r: f64, guess: &Guess) -> Vec<Pin> {
 fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let (problem, z, at) = sharply(family, r, guess)?;
     let flow = problem.family.at(r).ok()?;
-    let matrix = scaled(&at, &problem.scale());
-    let svd = svd(matrix)?;
-    let (u, vt) = (svd.u?, svd.v_t?);
-    let limit = NEUTRAL * svd.singular_values.max();
-    let null = |i: &usize| svd.singular_values[*i] <= limit;
-    let null: Vec<usize> = (0..z.len()).filter(null).collect();
-    let order = guess.magnitude.len();
-    let lefts: Vec<DVector<f64>> = null.iter().map(|&i| u.column(i).into_owned()).collect();
-    let rows = |rows: Vec<DVector<f64>>| {
-        let rows: Vec<_> = rows
-            .iter()
-            .map(|row| row.rows(0, order).transpose())
-            .collect();
-        combinations(DMatrix::from_rows(&rows), &guess.magnitude)
-    };
-    if null.is_empty() {
-        return None;
-    }
-    let constant = rows(lefts.clone());
+    let Null { left, right } = Null::of(&at, &problem.scale())?;
+    let constant = combinations(&left, &guess.magnitude, &[]);
     let conserved = constant
         .iter()
         .all(|c| is_conserved(flow.as_ref(), c, &at.extra));
     let chosen = if conserved {
         constant
     } else {
-        let free = |&i: &usize| vt.row(i).transpose();
-        let shifts = null.iter().map(free);
-        if !shifts
-            .clone()
-            .all(|shift| is_free(flow.as_ref(), &shift, &guess.magnitude, &at.extra))
-        {
+        let free = |shift| is_free(flow.as_ref(), shift, &guess.magnitude, &at.extra);
+        if !right.iter().all(free) {
             return None;
         }
-        rows(shifts.collect())
+        combinations(&right, &guess.magnitude, &[])
     };
     let pins: Vec<Pin> = chosen
         .into_iter()
-        .zip(lefts)
+        .zip(left)
         .map(|(combination, left)| {
             let pin = Pin {
                 combination,
                 value: 0.0,
                 conserved,
+                centred: None,
                 left,
             };
             pin.through(&guess.place.state)
@@ -120,6 +116,26 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     (0..pins.len())
         .all(|i| has_neighbour(&problem, &z, r, &pins, i))
         .then_some(pins)
+}
+
+/// What h_z takes to zero, and the sums of equations that it leaves empty, in units of the unknowns.
+pub(super) struct Null {
+    pub(super) left: Vec<DVector<f64>>,
+    pub(super) right: Vec<DVector<f64>>,
+}
+
+impl Null {
+    /// `None` where h_z is regular.
+    pub(super) fn of(at: &Linearisation<Shot>, scale: &DVector<f64>) -> Option<Self> {
+        let svd = svd(scaled(at, scale))?;
+        let (u, vt) = (svd.u?, svd.v_t?);
+        let limit = NEUTRAL * svd.singular_values.max();
+        let null = |i: &usize| svd.singular_values[*i] <= limit;
+        let null: Vec<usize> = (0..scale.len()).filter(null).collect();
+        let left = null.iter().map(|&i| u.column(i).into_owned()).collect();
+        let right = null.iter().map(|&i| vt.row(i).transpose()).collect();
+        (!null.is_empty()).then_some(Self { left, right })
+    }
 }
 
 /// h_z in units of the unknowns.
@@ -131,11 +147,25 @@ fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<
     matrix
 }
 
-/// Combinations of the states with few entries that span these rows, given in units of the states: of each the largest
-/// entry is 1 or −1, and the first is positive.
-fn combinations(mut rows: DMatrix<f64>, magnitude: &[f64]) -> Vec<Vec<f64>> {
+/// Combinations of the states with few entries that span these, given in units of the states: of each the largest entry
+/// is 1 or −1, and the first is positive. Each is the only one to hold one of the states `first`, while there are any.
+pub(super) fn combinations(
+    span: &[DVector<f64>],
+    magnitude: &[f64],
+    first: &[usize],
+) -> Vec<Vec<f64>> {
+    let order = magnitude.len();
+    let mut rows = DMatrix::from_fn(span.len(), order, |i, j| span[i][j]);
+    let mut left = first.to_vec();
     for i in 0..rows.nrows() {
-        let pivot = rows.row(i).transpose().iamax();
+        let size = |j: &usize| rows[(i, *j)].abs();
+        let preferred = left
+            .iter()
+            .copied()
+            .max_by(|a, b| size(a).total_cmp(&size(b)));
+        let preferred = preferred.filter(|j| size(j) > ROUNDING);
+        let pivot = preferred.unwrap_or_else(|| rows.row(i).transpose().iamax());
+        left.retain(|j| *j != pivot);
         let head = rows[(i, pivot)];
         let row = rows.row(i) / if head == 0.0 { 1.0 } else { head };
         rows.set_row(i, &row);
@@ -163,7 +193,7 @@ fn normalised(combination: Vec<f64>) -> Vec<f64> {
 }
 
 /// Whether a combination of the states has no rate anywhere on the way.
-fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) -> bool {
+pub(super) fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) -> bool {
     everywhere(flow, shot, |velocity| {
         let terms = || combination.iter().zip(&velocity.f).map(|(c, f)| c * f);
         let size: f64 = terms().map(f64::abs).sum();

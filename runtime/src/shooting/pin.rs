@@ -5,7 +5,10 @@
 //! c·x = b on the start, u c is added to h_z and u (c·x − b) to h: then h_z is regular, and as u h vanishes of itself,
 //! both h = 0 and c·x = b hold where the sum does.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DVector, RowDVector};
+
+use super::shot::Shot;
+use crate::continuation::Linearisation;
 
 /// A condition c·x = b on the start of an orbit in a neutral direction.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +19,9 @@ pub struct Pin {
     pub value: f64,
     /// Whether c·x never changes along the orbit; otherwise the orbit may be shifted along c.
     pub conserved: bool,
+    /// The internal state of a law whose swing is about the middle of its stops instead. It meets both at once where it
+    /// begins to meet any, so that the orbits go on as those that do.
+    pub(super) centred: Option<usize>,
     /// u, over the equations.
     pub(super) left: DVector<f64>,
 }
@@ -44,18 +50,42 @@ impl Pin {
         terms.map(|(c, size)| (c * size).abs()).sum()
     }
 
-    /// Adds the condition to the equations of an orbit that starts at `state`.
-    pub(super) fn enter(
-        &self,
-        state: &[f64],
-        magnitude: &[f64],
-        residual: &mut DVector<f64>,
-        jacobian: &mut DMatrix<f64>,
-    ) {
-        let unit = self.unit(magnitude);
-        residual.axpy((self.of(state) - self.value) / unit, &self.left, 1.0);
-        for (j, c) in self.combination.iter().enumerate() {
-            jacobian.column_mut(j).axpy(c / unit, &self.left, 1.0);
+    /// c·x − b over its usual magnitude, for a motion of this many unknowns that begins here.
+    pub(super) fn condition(&self, state: &[f64], magnitude: &[f64], unknowns: usize) -> Condition {
+        let mut gradient = RowDVector::zeros(unknowns);
+        for (slope, c) in gradient.iter_mut().zip(&self.combination) {
+            *slope = *c;
         }
+        let condition = Condition {
+            value: self.of(state) - self.value,
+            gradient,
+            design: 0.0,
+        };
+        condition.over(self.unit(magnitude))
+    }
+}
+
+/// What has to vanish besides the equations of an orbit, with its derivatives by the unknowns and by r.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Condition {
+    pub(super) value: f64,
+    pub(super) gradient: RowDVector<f64>,
+    pub(super) design: f64,
+}
+
+impl Condition {
+    pub(super) fn over(self, unit: f64) -> Self {
+        Self {
+            value: self.value / unit,
+            gradient: self.gradient / unit,
+            design: self.design / unit,
+        }
+    }
+
+    /// Adds it to the equations of an orbit as far as u says.
+    pub(super) fn enter(&self, left: &DVector<f64>, at: &mut Linearisation<Shot>) {
+        at.residual.axpy(self.value, left, 1.0);
+        at.design.axpy(self.design, left, 1.0);
+        at.jacobian += left * &self.gradient;
     }
 }

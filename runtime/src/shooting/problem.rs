@@ -8,7 +8,7 @@ use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Family, Modes, Place, Velocity, spelt};
+use crate::motion::{Event, Family, Flow, Modes, Place, Velocity, spelt};
 use std::f64::consts::TAU;
 
 /// A start is left for a calmer one whose field turns this many times more slowly.
@@ -36,6 +36,8 @@ pub struct OrbitProblem {
     pub want: Want,
     /// What is held in neutral directions.
     pub pins: Vec<Pin>,
+    /// The internal states of laws that swing about the middle of their stops where they meet neither.
+    pub(super) centred: Vec<usize>,
     /// Work of all evaluations.
     pub work: Work,
     modes: Vec<Modes>,
@@ -61,6 +63,7 @@ impl OrbitProblem {
             period,
             want: Want::SHOT,
             pins: Vec::new(),
+            centred: Vec::new(),
             work: Work::default(),
             modes: starts.iter().map(|place| place.modes.clone()).collect(),
             others: Vec::new(),
@@ -85,7 +88,7 @@ impl OrbitProblem {
     }
 
     /// Where segment i begins.
-    fn start(&self, z: &DVector<f64>, i: usize) -> Place {
+    pub(super) fn start(&self, z: &DVector<f64>, i: usize) -> Place {
         let order = self.order();
         Place {
             state: z.rows(i * order, order).iter().copied().collect(),
@@ -107,12 +110,87 @@ impl ZeroProblem for OrbitProblem {
         z: &DVector<f64>,
         r: f64,
     ) -> Result<Linearisation<Self::Extra>, FlowError> {
+        let flow = self.family.at(r)?;
+        let at = self.once_around(flow.as_ref(), z)?;
+        self.held(flow.as_ref(), z, at)
+    }
+
+    fn scale(&self) -> DVector<f64> {
+        let states = self.modes.iter().flat_map(|_| &self.magnitude).copied();
+        DVector::from_vec(states.chain([self.period]).collect())
+    }
+
+    fn accept(
+        &mut self,
+        z: &DVector<f64>,
+        r: f64,
+        shot: &Self::Extra,
+    ) -> Result<Option<DVector<f64>>, FlowError> {
+        if !self.pins.is_empty() && shot.closure > CLOSED {
+            return Err(FlowError::Unpinned {
+                closure: shot.closure,
+            });
+        }
+        self.leave_centres(r, shot)?;
+        self.period = shot.period;
+        self.magnitude = shot.magnitude(&self.magnitude);
+        let largest = (0..self.order()).fold(0.0_f64, |most, j| {
+            most.max(self.magnitude[j] / self.largest[j])
+        });
+        for j in 0..self.order() {
+            self.largest[j] = self.largest[j].max(self.magnitude[j]);
+        }
+        if largest < VANISHED {
+            return Err(FlowError::Vanished {
+                state: self.family.at(r)?.values(&shot.start.state),
+            });
+        }
+        if matches!(self.phase, Phase::Section(_)) {
+            return Ok(None);
+        }
+        self.others = shot.turns();
+        let calmer = self.calmer(r, shot)?;
+        let start = calmer.clone().unwrap_or_else(|| self.start(z, 0));
+        self.float(&start, r)?;
+        self.modes[0] = start.modes;
+        Ok(calmer.map(|place| Self::unknowns(&[place], shot.period)))
+    }
+
+    fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
+        let state = self.others.get(trial)?;
+        let flow = self.family.at(r).ok()?;
+        let place = flow.place(state).ok()?;
+        self.phase = Phase::Orthogonal {
+            at: state.clone(),
+            velocity: flow.velocity(&place).ok()?.f,
+        };
+        self.modes[0] = place.modes.clone();
+        Some(Self::unknowns(&[place], self.period))
+    }
+
+    /// What depends on where along the orbit it starts is left out: only the period and r stay.
+    fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
+        let mut lasting = tangent.clone();
+        lasting.rows_mut(0, tangent.len() - 2).fill(0.0);
+        lasting
+    }
+}
+
+impl OrbitProblem {
+    /// The equations and their derivatives, without what is held in neutral directions.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn once_around(
+        &mut self,
+        flow: &dyn Flow,
+        z: &DVector<f64>,
+    ) -> Result<Linearisation<Shot>, FlowError> {
         let (m, n, order) = (self.modes.len(), z.len(), self.order());
         let period = z[n - 1];
         if !(period > 0.0 && period.is_finite()) {
             return Err(FlowError::BadTime { time: period });
         }
-        let flow = self.family.at(r)?;
         let mut h = DVector::zeros(n);
         let mut h_z = DMatrix::zeros(n, n);
         let mut h_r = DVector::zeros(n);
@@ -160,9 +238,6 @@ impl ZeroProblem for OrbitProblem {
             h_z[(n - 1, column)] = slope / unit;
         }
         let closure = h.rows(0, n - 1).norm();
-        for pin in &self.pins {
-            pin.enter(&start.state, &self.magnitude, &mut h, &mut h_z);
-        }
         self.work.newton += 1;
         Ok(Linearisation {
             residual: h,
@@ -175,72 +250,11 @@ impl ZeroProblem for OrbitProblem {
                 period,
                 drive: flow.phase(),
                 closure,
-                pins: self.pins.clone(),
+                pins: Vec::new(),
             },
         })
     }
 
-    fn scale(&self) -> DVector<f64> {
-        let states = self.modes.iter().flat_map(|_| &self.magnitude).copied();
-        DVector::from_vec(states.chain([self.period]).collect())
-    }
-
-    fn accept(
-        &mut self,
-        z: &DVector<f64>,
-        r: f64,
-        shot: &Self::Extra,
-    ) -> Result<Option<DVector<f64>>, FlowError> {
-        if !self.pins.is_empty() && shot.closure > CLOSED {
-            return Err(FlowError::Unpinned {
-                closure: shot.closure,
-            });
-        }
-        self.period = shot.period;
-        self.magnitude = shot.magnitude(&self.magnitude);
-        let largest = (0..self.order()).fold(0.0_f64, |most, j| {
-            most.max(self.magnitude[j] / self.largest[j])
-        });
-        for j in 0..self.order() {
-            self.largest[j] = self.largest[j].max(self.magnitude[j]);
-        }
-        if largest < VANISHED {
-            return Err(FlowError::Vanished {
-                state: self.family.at(r)?.values(&shot.start.state),
-            });
-        }
-        if matches!(self.phase, Phase::Section(_)) {
-            return Ok(None);
-        }
-        self.others = shot.turns();
-        let calmer = self.calmer(r, shot)?;
-        let start = calmer.clone().unwrap_or_else(|| self.start(z, 0));
-        self.float(&start, r)?;
-        self.modes[0] = start.modes;
-        Ok(calmer.map(|place| Self::unknowns(&[place], shot.period)))
-    }
-
-    fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
-        let state = self.others.get(trial)?;
-        let flow = self.family.at(r).ok()?;
-        let place = flow.place(state).ok()?;
-        self.phase = Phase::Orthogonal {
-            at: state.clone(),
-            velocity: flow.velocity(&place).ok()?.f,
-        };
-        self.modes[0] = place.modes.clone();
-        Some(Self::unknowns(&[place], self.period))
-    }
-
-    /// What depends on where along the orbit it starts is left out: only the period and r stay.
-    fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
-        let mut lasting = tangent.clone();
-        lasting.rows_mut(0, tangent.len() - 2).fill(0.0);
-        lasting
-    }
-}
-
-impl OrbitProblem {
     /// A place on the orbit where Newton has it much easier than at the present start, if there is one.
     ///
     /// Shooting from a fast stretch makes the end bend strongly with the period; from just before

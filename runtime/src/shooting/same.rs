@@ -33,6 +33,21 @@ impl Orbit {
         pairs.map(|(p, q)| self.distance(p, q)).fold(0.0, f64::max)
     }
 
+    /// How far another orbit is, by its extents and its period, relative to themselves.
+    pub(super) fn apart(&self, other: &Self) -> f64 {
+        let magnitude = self.magnitude();
+        let period = (other.period / self.period - 1.0).abs();
+        apart(&self.max, &other.max, &magnitude)
+            .max(apart(&self.min, &other.min, &magnitude))
+            .max(period)
+    }
+
+    /// The same, r relative to itself beside them.
+    pub(super) fn away(&self, other: &Self) -> f64 {
+        let r = (other.r - self.r).abs() / self.r.abs().max(f64::MIN_POSITIVE);
+        self.apart(other).max(r)
+    }
+
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
         apart(p, q, &self.magnitude())
     }

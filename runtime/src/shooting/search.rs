@@ -4,6 +4,7 @@ use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
 use super::guess::{Guess, Settled, settle};
+use super::least::parts;
 use super::neutral::is_neutral;
 use super::orbit::Orbit;
 use super::stay::stays;
@@ -78,7 +79,14 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             magnitude,
             pins: Vec::new(),
         };
-        return converge(family, r, &guess, search);
+        return converge(family, r, &guess, search).or_else(|error| {
+            let flow = loose(&guess.magnitude)?;
+            let parts = parts(flow.as_ref(), &guess).unwrap_or_default();
+            let found = parts
+                .iter()
+                .find_map(|part| converge(family, r, part, search).ok());
+            found.ok_or(error)
+        });
     }
     let mut failed = Failed::new(meant);
     let longest = meant.longest();

@@ -6,7 +6,7 @@ use crate::continuation::Watched;
 use crate::field::Work;
 use crate::field::exact::Mode as ContactMode;
 use crate::flow::EventKind;
-use crate::motion::{Event, Modes};
+use crate::motion::{Event, Modes, Segment};
 
 impl Watched for Orbit {
     fn r(&self) -> f64 {
@@ -87,6 +87,13 @@ impl PeriodicPoint for Orbit {
                 EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
                 EventKind::Release { .. } => Kind::AddingSliding,
                 EventKind::Closing | EventKind::Opening | EventKind::Impact { .. } => Kind::Grazing,
+                EventKind::Nearest { margin } if event.mode == ContactMode::Open => {
+                    return Some(Margin {
+                        kind: Kind::Grazing,
+                        contact: event.contact,
+                        value: margin,
+                    });
+                }
                 EventKind::Nearest { .. } => return None,
             };
             (event.rate < 0.0).then_some(Margin {
@@ -111,6 +118,22 @@ impl PeriodicPoint for Orbit {
 }
 
 impl Orbit {
+    /// The same orbit, as if it had not left its mode between two instants.
+    pub(super) fn without(&self, [from, until]: [f64; 2]) -> Self {
+        let mut end = 0.0;
+        let length = (until - from).rem_euclid(self.period);
+        let inside = |time: f64| (time - from).rem_euclid(self.period) < length;
+        let mut lasts = |segment: &&Segment| {
+            end += segment.duration;
+            !inside(end - 0.5 * segment.duration)
+        };
+        let segments = self.segments.iter().filter(|one| lasts(one));
+        Self {
+            segments: segments.cloned().collect(),
+            ..self.clone()
+        }
+    }
+
     /// Whether its event word is that of `other`, gone around so many times.
     pub(super) fn has_word_of(&self, other: &Self, times: usize) -> bool {
         let (a, b) = (stretches(self), stretches(other));

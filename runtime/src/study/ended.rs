@@ -34,6 +34,7 @@ impl Ended {
                 "step-too-small"
             }
             Ending::At(kind, _) => kind.name(),
+            Ending::Undecided(..) => "undecided",
             Ending::Meets(_) => Kind::Flip.name(),
             Ending::Closed(_) => "closed",
             Ending::Left => Kind::Window.name(),
@@ -58,7 +59,8 @@ impl Ended {
             | Ending::Closed(_)
             | Ending::Left
             | Ending::Endless(_) => true,
-            Ending::FallsBack(_)
+            Ending::Undecided(..)
+            | Ending::FallsBack(_)
             | Ending::Lost(_)
             | Ending::Interrupted
             | Ending::Unexplained(_) => false,
@@ -91,6 +93,11 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
         ),
         Ending::At(kind, r) => format!(
             "it meets a {} point at {}: no orbit continues it",
+            kind.name(),
+            value(r)
+        ),
+        Ending::Undecided(kind, r) => format!(
+            "it meets a {} point at {}: an orbit should continue it, and none was found",
             kind.name(),
             value(r)
         ),

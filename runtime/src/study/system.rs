@@ -15,11 +15,15 @@ use crate::study::physics::{Of, Physics};
 use crate::study::predict::{PredictError, Prediction};
 use crate::study::question::{Case, Dynamics};
 
+/// Told in a few words what a long search is working on.
+pub type News = Arc<dyn Fn(&str) + Send + Sync>;
+
 /// A declared model that answers a [`Case`]; cheap to clone.
 #[derive(Clone)]
 pub struct System {
     physics: Arc<dyn Physics>,
     tape: Option<Arc<Tape>>,
+    news: Option<News>,
 }
 
 impl fmt::Debug for System {
@@ -35,6 +39,23 @@ impl System {
         Self {
             physics: Arc::new(Of::<M, N>::new()),
             tape: None,
+            news: None,
+        }
+    }
+
+    /// The same system, which says on what it is working while it looks for an orbit.
+    #[must_use]
+    pub fn telling(&self, news: News) -> Self {
+        Self {
+            news: Some(news),
+            ..self.clone()
+        }
+    }
+
+    /// Says on what it is working, if anybody listens.
+    pub(super) fn tell(&self, words: impl FnOnce() -> String) {
+        if let Some(news) = &self.news {
+            news(&words());
         }
     }
 

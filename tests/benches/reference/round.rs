@@ -33,6 +33,7 @@ const DERIVATIVES: Want = Want {
     derivatives: true,
     factors: false,
     panel: 0.0,
+    samples: 0,
     extrema: false,
     path: false,
 };

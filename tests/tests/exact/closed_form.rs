@@ -18,6 +18,7 @@ const EXTREMA: Want = Want {
     path: true,
     factors: false,
     panel: 0.0,
+    samples: 0,
 };
 
 stickslip::model! {

@@ -25,6 +25,7 @@ const DERIVATIVES: Want = Want {
     path: false,
     factors: false,
     panel: 0.0,
+    samples: 0,
 };
 
 stickslip::model! {

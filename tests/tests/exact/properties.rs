@@ -15,6 +15,7 @@ const ALL: Want = Want {
     path: true,
     factors: true,
     panel: 0.0,
+    samples: 0,
 };
 
 #[test]

@@ -17,6 +17,7 @@ const EXTREMA: Want = Want {
     path: false,
     factors: false,
     panel: 0.0,
+    samples: 0,
 };
 
 const DERIVATIVES: Want = Want {

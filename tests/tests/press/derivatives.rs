@@ -213,7 +213,7 @@ fn through_two_round_walls() {
 
 #[test]
 fn through_impacts() {
-    let tally = tally(30, |random| {
+    let tally = tally(40, |random| {
         let model = Rattle {
             shake: random.between(0.05, 0.3),
             omega: random.between(1.0, 3.0),
@@ -226,7 +226,9 @@ fn through_impacts() {
         for component in &mut start[..4] {
             *component += random.real(0.2);
         }
-        (model, start, random.between(1.0, 3.0))
+        start[1] += random.real(1.5);
+        start[3] += random.real(1.5);
+        (model, start, random.between(2.0, 5.0))
     });
     let events = [
         "impact A",

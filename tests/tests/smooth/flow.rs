@@ -19,6 +19,7 @@ const DERIVATIVES: Want = Want {
     path: false,
     factors: false,
     panel: 0.0,
+    samples: 0,
 };
 
 /// A time in which every subject slides, and those with friction stick and slide again.

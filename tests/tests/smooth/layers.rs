@@ -22,6 +22,7 @@ const EXTREMA: Want = Want {
     path: false,
     factors: false,
     panel: 0.0,
+    samples: 0,
 };
 
 /// Largest |first state| once the motion from `start` has gone on for `before`, during the time `during`.

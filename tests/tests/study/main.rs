@@ -5,5 +5,7 @@ mod coverage;
 mod hostile;
 mod laws;
 mod neutral;
+mod news;
+mod periods;
 mod proofs;
 mod trade;

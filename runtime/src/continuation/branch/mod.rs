@@ -111,6 +111,18 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         self.stop.as_ref()
     }
 
+    /// How it is followed.
+    #[must_use]
+    pub fn settings(&self) -> Settings {
+        self.settings
+    }
+
+    /// The usual magnitude of r: steps are measured in it.
+    #[must_use]
+    pub fn r_scale(&self) -> f64 {
+        self.r_scale
+    }
+
     /// The step to the last point; `None` at the first.
     #[must_use]
     pub fn link(&self) -> Option<&Link<P>> {

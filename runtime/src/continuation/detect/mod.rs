@@ -4,7 +4,7 @@ use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::monitor::{Monitor, Verdict};
-use super::path::{Path, Spot, Watched};
+use super::path::{Border, Path, Spot, Watched};
 use super::root::zero;
 
 /// Where a step is divided; the second where more directions are marginal at the first than at the ends.
@@ -146,7 +146,13 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         if before.share > from.share {
             self.step(from, before, halvings);
         }
-        if found.is_sharp() {
+        if let Some(Border { kind, error, .. }) = found.border {
+            self.located.push(Located {
+                abrupt: true,
+                error,
+                ..Located::between(kind, [before, after], before.clone())
+            });
+        } else if found.is_sharp() {
             let kind = (self.monitors.change)(&found.before, &found.after);
             self.located.push(Located {
                 r: 0.5 * (before.point.r() + after.point.r()),
@@ -171,15 +177,21 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 continue;
             }
             let mut at = zero(self.path, ends, &monitor.test, self.accuracy)?;
-            match monitor.verdict(points, &mut at.point) {
-                Some(Verdict::Special(kind)) => located.push(Located::between(kind, ends, at)),
-                Some(Verdict::Last(kind)) => located.push(Located {
-                    last: true,
-                    ..Located::between(kind, ends, at)
-                }),
-                Some(Verdict::Bound) => bound = Some(at),
-                None => {}
-            }
+            let (kind, last) = match monitor.verdict(points, &mut at.spot.point) {
+                Some(Verdict::Special(kind)) => (kind, false),
+                Some(Verdict::Last(kind)) => (kind, true),
+                Some(Verdict::Bound) => {
+                    bound = Some(at.spot);
+                    continue;
+                }
+                None => continue,
+            };
+            let error = at.error(self.path, &monitor.test, self.accuracy);
+            located.push(Located {
+                last,
+                error,
+                ..Located::between(kind, ends, at.spot)
+            });
         }
         Ok(Events { located, bound })
     }

@@ -42,19 +42,33 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         Ok((end, derivatives))
     }
 
-    /// The relative speed of a contact the way it slides in this mode, and its rate; `None` if there is
-    /// no such contact, or it sticks.
+    /// What ends the mode of a contact where it falls through zero, and its rate: the relative speed the way it slides, or
+    /// what the force of one that sticks lacks to its limit; `None` if there is no such contact.
     pub(crate) fn touch(
         &self,
         at: &Place<N, Modes<M, N>>,
         contact: usize,
     ) -> Result<Option<[f64; 2]>, FlowError> {
-        let mode = at.mode.as_slice().get(contact).copied();
-        let Some(mode) = mode.filter(|mode| *mode != Mode::Stick) else {
+        let Some(mode) = at.mode.as_slice().get(contact).copied() else {
             return Ok(None);
         };
         let moving = self.system.moving(&at.state, &at.mode)?;
-        let speed = moving.speed.as_ref()[contact] * mode.sign();
-        Ok(Some([speed.re, speed.eps]))
+        let force = moving.force.as_ref()[contact];
+        let guard = match mode {
+            Mode::Stick => moving.stick.as_ref()[contact] - force * force.re.signum(),
+            _ => moving.speed.as_ref()[contact] * mode.sign(),
+        };
+        Ok(Some([guard.re, guard.eps]))
+    }
+
+    /// By what share of its limit at rest the force of a contact drops where it lets go.
+    pub(crate) fn loosening(&self, state: &[f64; N], contact: usize) -> f64 {
+        let limits = self.system.limits_at_rest(state);
+        let (stick, slip) = limits.as_ref().get(contact).copied().unwrap_or((1.0, 1.0));
+        if stick > 0.0 {
+            (stick - slip) / stick
+        } else {
+            0.0
+        }
     }
 }

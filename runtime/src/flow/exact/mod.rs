@@ -19,6 +19,7 @@ mod settle;
 mod switch;
 
 use crate::field::exact::{ExactSystem, Mode, Modes, Strip, linear_of};
+use crate::flow::countable;
 use crate::flow::reach::beyond;
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
 use crate::integrate::explicit::Settings;
@@ -196,6 +197,10 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
             return Err(FlowError::BadTime { time });
         }
         self.within_laws(from.state)?;
+        if let (Some(phase), true) = (M::INFO.drive, want.extrema) {
+            let rates = self.system.snapshot(&from.state, &from.mode)?.field;
+            countable(rates[phase], time)?;
+        }
         if want.derivatives {
             Run::<M, Motion<N>, N>::new(self, from, time, want).finish()
         } else {

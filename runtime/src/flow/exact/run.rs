@@ -93,7 +93,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     pub(super) fn finish(mut self) -> Result<Passage<N, Modes<M, N>>, FlowError> {
         self.depart()?;
         self.sample(0.0, *self.carried.state());
-        while self.time < self.span {
+        while self.goes_on() {
             self.segment()?;
         }
         self.close_segment();
@@ -107,6 +107,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 state,
                 mode: self.modes,
             },
+            time: self.time,
             derivatives,
             extrema: self.extrema.finish(),
             segments: self.segments,
@@ -118,23 +119,24 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         })
     }
 
+    fn goes_on(&self) -> bool {
+        self.time < self.span && !self.want.suffices(self.path.len())
+    }
+
     fn derivatives(&self, motion: &Motion<N>) -> Result<Derivatives<N>, FlowError> {
         let identity = Motion::from(motion.state).tangent;
         let multiply = |all: [[f64; N]; N], factor| product(factor, &all);
+        let factor = |&state: &_| Factor {
+            state,
+            growth: None,
+        };
         let end = self.flow.system.snapshot(&motion.state, &self.modes)?;
         Ok(Derivatives {
             state: self.factors.iter().fold(identity, multiply),
             design: motion.design,
             time: end.field,
             trace: motion.trace,
-            factors: self
-                .factors
-                .iter()
-                .map(|&state| Factor {
-                    state,
-                    growth: None,
-                })
-                .collect(),
+            factors: self.factors.iter().map(factor).collect(),
             lost: 0,
         })
     }
@@ -154,7 +156,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let mut stepper = Stepper::new(&field, settings, self.carried, self.time, span)?;
         let mut strike = None;
         let mut since = (0_u64, self.time);
-        while strike.is_none() && self.time < self.span {
+        while strike.is_none() && self.goes_on() {
             strike = self.step(&mut stepper, &field)?;
             since.0 += 1;
             if self.time - since.1 > NO_TIME * self.span {

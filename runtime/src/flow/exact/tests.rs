@@ -14,6 +14,7 @@ const ALL: Want = Want {
     path: true,
     factors: true,
     panel: 0.0,
+    samples: 0,
 };
 
 fn flow<M: Model<N>, const N: usize>(model: &M) -> ExactFlow<M, N> {

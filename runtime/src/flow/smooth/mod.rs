@@ -11,7 +11,7 @@ pub(super) use rest::check_stops;
 
 use std::ops::ControlFlow;
 
-use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want};
+use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want, countable};
 use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, integrate};
 use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
@@ -67,7 +67,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     }
 
     fn explicit(&self, record: &mut Record<N>, time: f64) -> Result<(), FlowError> {
-        while record.time < time {
+        while record.time < time && !record.suffices() {
             let outcome = self.explicit_stretch(&record.field(&self.field), record, time);
             match outcome {
                 Ok(()) => {}
@@ -128,7 +128,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         record.work += work;
         verdict?;
         outcome?;
-        if !switched {
+        if !(switched || record.suffices()) {
             record.time = time;
         }
         Ok(())
@@ -141,7 +141,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         (kept, verdict): (Result<(), FlowError>, &mut Result<(), FlowError>),
     ) -> ControlFlow<()> {
         *verdict = kept.and_then(|()| self.check_direction(record));
-        if verdict.is_err() || switched {
+        if verdict.is_err() || switched || record.suffices() {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())
@@ -155,7 +155,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                 growth: None,
             });
         }
-        while record.time < time {
+        while record.time < time && !record.suffices() {
             self.implicit_stretch(&record.field(&self.field), record, time)?;
         }
         Ok(())
@@ -181,7 +181,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         let mut switched = false;
         // When the integrator set out.
         let mut since = 0.0;
-        while outcome.is_ok() && !switched && radau.time() < rest - since {
+        while outcome.is_ok() && !switched && !record.suffices() && radau.time() < rest - since {
             outcome = match radau.step(rest - since) {
                 Ok(step) if self.jumps(&step) => {
                     since += step.time;
@@ -206,7 +206,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         }
         record.work += radau.work;
         record.implicit += radau.work.steps + radau.work.rejected;
-        if !switched {
+        if !(switched || record.suffices()) {
             record.time = time;
         }
         outcome
@@ -253,16 +253,19 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         }
         check_stops(&self.field)?;
         self.within_laws(from.state)?;
+        if let (Some(phase), true) = (M::INFO.drive, want.extrema) {
+            countable(self.field.f(&from.state)[phase], time)?;
+        }
         let mut record = Record::new(from.state, want, M::INFO.drive);
         record.settle(&self.field);
         if time > 0.0 && !self.stiff && !self.damps(&from.state, time) {
             self.explicit(&mut record, time)?;
         }
-        if record.time < time {
+        if record.time < time && !record.suffices() {
             self.implicit(&mut record, time)?;
         }
         let velocity = record.field(&self.field).f(&record.motion.state);
-        record.passage(time, velocity)
+        record.passage(velocity)
     }
 
     fn velocity(&self, at: &Place<N, ()>) -> Result<Velocity<N>, FlowError> {

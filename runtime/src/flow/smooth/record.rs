@@ -150,12 +150,13 @@ impl<const N: usize> Record<N> {
         }
     }
 
-    pub(super) fn passage(
-        self,
-        time: f64,
-        velocity: [f64; N],
-    ) -> Result<Passage<N, ()>, FlowError> {
-        let motion = self.motion;
+    /// Whether the motion is followed no further.
+    pub(super) fn suffices(&self) -> bool {
+        self.want.suffices(self.path.len())
+    }
+
+    pub(super) fn passage(self, velocity: [f64; N]) -> Result<Passage<N, ()>, FlowError> {
+        let (motion, time) = (self.motion, self.time);
         let finite = motion
             .state
             .iter()
@@ -181,6 +182,7 @@ impl<const N: usize> Record<N> {
                 state: motion.state,
                 mode: (),
             },
+            time,
             derivatives,
             extrema: self.extrema.finish(),
             segments: vec![Segment {

@@ -4,6 +4,8 @@
 //! all of that follows from where its passages end. A computation that is done again, with those passages read instead of
 //! integrated, comes in the same way to where it was ended, and goes on from there to the same bits.
 
+mod shape;
+
 use std::collections::VecDeque;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -16,6 +18,7 @@ use crate::field::Design;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
 use crate::model::Values;
+use shape::Shaped;
 
 /// Told of a record.
 pub type Note = Box<dyn Fn(&[u8]) + Send + Sync>;
@@ -61,21 +64,22 @@ impl Tape {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What is asked by `key`: as it is known, or computed and noted.
+    /// What is asked by `key` of a motion from `from`: as it is known, or computed and noted.
     ///
     /// A failure is noted without its reason: it is found again where the computation is gone through again.
-    fn recall<T: Serialize + DeserializeOwned, E>(
+    fn recall<T: Serialize + DeserializeOwned + Shaped, E>(
         &self,
-        key: &impl Serialize,
+        from: &Place,
+        key: impl Serialize,
         compute: impl FnOnce() -> Result<T, E>,
     ) -> Result<T, E> {
-        let mut record = postcard::to_allocvec(key).unwrap_or_default();
+        let mut record = postcard::to_allocvec(&(from, key)).unwrap_or_default();
         let known = self.known().records.pop_front();
         if let Some(known) = known {
             let found = known.strip_prefix(record.as_slice());
-            match found.map(|found| (found, postcard::take_from_bytes(found))) {
+            match found.map(|found| (found, postcard::take_from_bytes::<T>(found))) {
                 Some(([], _)) => return compute(),
-                Some((_, Ok((found, [])))) => return Ok(found),
+                Some((_, Ok((found, [])))) if found.is_like(from) => return Ok(found),
                 _ => self.stray(),
             }
         }
@@ -160,8 +164,10 @@ impl Flow for TapedFlow {
         place(state: &[f64]) -> Result<Place, FlowError>;
         velocity(at: &Place) -> Result<Velocity, FlowError>;
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+        loosening(state: &[f64], contact: usize) -> f64;
         margins(at: &Place) -> Vec<(usize, f64)>;
         speeds(state: &[f64]) -> Vec<f64>;
+        stop(state: usize) -> f64;
         check(at: &Place) -> Result<(), FlowError>;
         read(at: &Place) -> Result<Reading, FlowError>;
         contacts(at: &Place) -> Result<Contacts, FlowError>;
@@ -169,12 +175,12 @@ impl Flow for TapedFlow {
 
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
         let advance = || self.flow.advance(from, time, want);
-        self.tape.recall(&(self.r, from, time, want), advance)
+        self.tape.recall(from, (self.r, time, want), advance)
     }
 
     fn glide(&self, from: &Place, time: f64) -> Result<(Place, Derivatives), FlowError> {
         let glide = || self.flow.glide(from, time);
-        self.tape.recall(&(self.r, from, time), glide)
+        self.tape.recall(from, (self.r, time), glide)
     }
 }
 

@@ -9,6 +9,7 @@ const ALL: Want = Want {
     path: true,
     factors: true,
     panel: 0.0,
+    samples: 0,
 };
 
 fn family() -> Family {
@@ -65,7 +66,7 @@ fn what_is_known_is_not_computed_again() {
     let place = flow.place(&[1.0, 0.0]).unwrap();
     let (all, _) = noted(&[], TIMES);
     let tape = Tape::new(all, Box::new(|_| ()));
-    let known = tape.recall(&(0.2, &place, TIMES[0], ALL), || {
+    let known = tape.recall(&place, (0.2, TIMES[0], ALL), || {
         Err(FlowError::BadTime { time: 0.0 })
     });
     assert_eq!(known, flow.advance(&place, TIMES[0], ALL));
@@ -86,4 +87,34 @@ fn who_goes_another_way_is_not_misled() {
     damaged[0].pop();
     let (_, found) = noted(&damaged, TIMES);
     assert_eq!(found, format!("{:?}", journey(&family(), TIMES)));
+}
+
+#[test]
+fn what_has_another_shape_is_not_trusted() {
+    let (all, plain) = noted(&[], TIMES);
+    let flow = family().at(0.2).unwrap();
+    let place = flow.place(&[1.0, 0.0]).unwrap();
+    let found = flow.advance(&place, TIMES[0], ALL).unwrap();
+    let forge = |change: fn(&mut Passage)| {
+        let mut forged = found.clone();
+        change(&mut forged);
+        let record = postcard::to_allocvec(&(&place, (0.2, TIMES[0], ALL), forged)).unwrap();
+        let mut known = all.clone();
+        known[0] = record;
+        known
+    };
+    let changes: [fn(&mut Passage); 8] = [
+        |passage| passage.end.state.push(0.0),
+        |passage| passage.end.state[0] = f64::NAN,
+        |passage| passage.end.modes.clear(),
+        |passage| passage.extrema[0].index = 2,
+        |passage| passage.extrema[0].state.clear(),
+        |passage| passage.events[0].contact = 1,
+        |passage| passage.calm.low.clear(),
+        |passage| passage.segments[0].modes.clear(),
+    ];
+    assert_eq!(noted(&forge(|_| ()), TIMES).1, plain);
+    for change in changes {
+        assert_eq!(noted(&forge(change), TIMES).1, plain);
+    }
 }

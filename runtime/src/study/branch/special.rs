@@ -20,12 +20,14 @@ pub struct Special {
     pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
+    /// Its estimated error; none where that could not be measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
     /// The period there.
     pub period: f64,
     /// The multipliers there.
     pub multipliers: Vec<Complex<f64>>,
     /// Where the orbit there begins.
-    #[serde(skip)]
     pub state: Vec<f64>,
     /// Its largest magnitude of each state.
     #[serde(skip)]
@@ -46,6 +48,10 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         label,
         after: found.after,
         r: along.value(found.r),
+        error: found
+            .error
+            .is_finite()
+            .then(|| along.error(found.r, found.error)),
         period: found.point.period,
         multipliers: found.point.floquet.multipliers.clone(),
         state: found.point.place.state.clone(),

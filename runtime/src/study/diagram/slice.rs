@@ -41,6 +41,25 @@ pub struct Slice {
     pub work: Work,
 }
 
+impl Slice {
+    /// Whether it can belong to a system with so many states.
+    #[must_use]
+    pub fn is_of(&self, order: usize) -> bool {
+        let whole = |values: &Vec<f64>| {
+            values.len() == order && values.iter().all(|value| value.is_finite())
+        };
+        let failed = matches!(self.motion, Motion::Failed(_));
+        let ends = [&self.min, &self.max, &self.end].into_iter();
+        let silent = self
+            .silence
+            .iter()
+            .flat_map(|silence| [&silence.low, &silence.high]);
+        let known = ends.clone().chain(silent).chain(&self.points).all(whole);
+        let empty = self.points.is_empty() && ends.clone().all(|end| end.is_empty());
+        self.different <= self.points.len() && if failed { empty } else { known }
+    }
+}
+
 /// Makes slices of a family.
 pub(super) struct Cut<'a> {
     pub(super) family: &'a Family,

@@ -1,6 +1,10 @@
 //! Motions from a start: sampled, or where they meet a section.
 
 mod crossings;
+mod envelope;
+mod extremes;
+mod follow;
 mod trajectory;
 
-pub use trajectory::Trajectory;
+pub use envelope::Envelope;
+pub use trajectory::{Limits, Trajectory};

@@ -1,8 +1,13 @@
 //! One motion, sampled, with the forces and observables along it.
 
+use std::ops::ControlFlow;
+
+use super::envelope::Envelope;
+use super::extremes::Extremes;
+use super::follow::{Point, Row, Stretch, follow};
 use crate::field::Work;
-use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, Place, Sample, Segment};
+use crate::flow::FlowError;
+use crate::integrate::IntegrationError;
 use crate::study::error::StudyError;
 use crate::study::question::Case;
 use crate::study::system::System;
@@ -22,81 +27,221 @@ pub struct Trajectory {
     pub min: Vec<f64>,
     /// Largest value of each state.
     pub max: Vec<f64>,
+    /// Each state against time, thinned so that no peak is lost.
+    pub envelopes: Vec<Envelope>,
+    /// How many samples the motion has.
+    pub samples: usize,
+    /// Of how many samples one has a row, besides the last and those where a state is least or largest: 1 if all have.
+    pub every: usize,
+    /// How far it was followed.
+    pub time: f64,
     /// What it cost.
     pub work: Work,
 }
 
+/// How far a motion is followed, and how much of it is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Steps of the integrator, tried ones too, after which it is followed no further.
+    pub steps: u64,
+    /// Numbers in all rows together; beyond, the rows are thinned.
+    pub numbers: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            steps: 1_000_000,
+            numbers: 1 << 22,
+        }
+    }
+}
+
 impl System {
-    /// The motion from the start of the case for the time `time`.
+    /// The motion from the start of the case for the time `time`, within the default [`Limits`].
+    ///
+    /// # Errors
+    /// The motion cannot be followed, or not within so many steps.
+    pub fn motion(&self, case: &Case, time: f64) -> Result<Trajectory, StudyError> {
+        let limits = Limits::default();
+        let motion = self.motion_within(case, time, limits, &mut |_| ControlFlow::Continue(()))?;
+        if motion.time < time {
+            let last = motion.states.last().cloned().unwrap_or_default();
+            return Err(FlowError::from(IntegrationError::TooManySteps {
+                steps: motion.steps(),
+                time: motion.time,
+                state: last.into(),
+            })
+            .named(self.info())
+            .into());
+        }
+        Ok(motion)
+    }
+
+    /// The motion from the start of the case for the time `time`, or as far as `limits` and `watch` let it go: it is told
+    /// now and then of what there is.
     ///
     /// # Errors
     /// The motion cannot be followed.
-    pub fn motion(&self, case: &Case, time: f64) -> Result<Trajectory, StudyError> {
+    pub fn motion_within(
+        &self,
+        case: &Case,
+        time: f64,
+        limits: Limits,
+        watch: &mut dyn FnMut(&Trajectory) -> ControlFlow<()>,
+    ) -> Result<Trajectory, StudyError> {
         let flow = self.at(case)?;
-        Ok(trajectory(flow.as_ref(), &self.start(case), time)?)
+        let start = self.start(case);
+        let mut record = Record::new(&start, limits);
+        follow(flow.as_ref(), &start, time, &mut |stretch| {
+            record.take(stretch)?;
+            let enough = record.motion.steps() >= limits.steps;
+            let verdict = watch(&record.motion);
+            Ok(if enough {
+                ControlFlow::Break(())
+            } else {
+                verdict
+            })
+        })?;
+        Ok(record.motion())
     }
-}
-
-/// Follows the motion from `start` for `time`.
-fn trajectory(flow: &dyn Flow, start: &[f64], time: f64) -> Result<Trajectory, FlowError> {
-    let want = Want {
-        extrema: true,
-        path: true,
-        ..Want::default()
-    };
-    let place = flow.place(start)?;
-    let passage = flow.advance(&place, time, want)?;
-    let mut record = Trajectory {
-        min: start.to_vec(),
-        max: start.to_vec(),
-        work: passage.work,
-        ..Trajectory::default()
-    };
-    record.extend(passage.extrema.iter().map(|extremum| &extremum.state));
-    record.extend(passage.path.iter().map(|sample| &sample.state));
-    let mut clock = Clock::new(&passage.segments);
-    for Sample { time, state } in passage.path {
-        let modes = clock.modes(time).unwrap_or(&place.modes).clone();
-        let here = Place { state, modes };
-        let (forces, observables) = flow.read(&here)?;
-        record.times.push(time);
-        record.states.push(here.state);
-        record.forces.push(forces);
-        record.observables.push(observables);
-    }
-    Ok(record)
 }
 
 impl Trajectory {
+    /// Steps of the integrator, tried ones too.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.work.steps + self.work.rejected
+    }
+
+    fn push(&mut self, row: Row) {
+        self.times.push(row.time);
+        self.states.push(row.state);
+        self.observables.push(row.observables);
+        self.forces.push(row.forces);
+    }
+
+    fn row(&self, index: usize) -> Row {
+        Row {
+            time: self.times[index],
+            state: self.states[index].clone(),
+            observables: self.observables[index].clone(),
+            forces: self.forces[index].clone(),
+        }
+    }
+
+    /// Numbers in all rows.
+    fn numbers(&self) -> usize {
+        let all = [&self.states, &self.observables, &self.forces];
+        let last = all.into_iter().filter_map(|rows| rows.last());
+        self.times.len() * (1 + last.map(Vec::len).sum::<usize>())
+    }
+
+    /// Leaves out every second row.
+    fn halve(&mut self) {
+        fn halve<T>(rows: &mut Vec<T>) {
+            let mut index = 0;
+            rows.retain(|_| {
+                index += 1;
+                index % 2 == 1
+            });
+        }
+        halve(&mut self.times);
+        halve(&mut self.states);
+        halve(&mut self.observables);
+        halve(&mut self.forces);
+        self.every *= 2;
+    }
+
+    /// Takes in rows in the order of time, as far as it does not have them.
+    fn merge(&mut self, rows: Vec<Row>) {
+        let mut rows = rows.into_iter().peekable();
+        let mut merged = Self::default();
+        for (index, time) in self.times.iter().enumerate() {
+            while let Some(row) = rows.next_if(|row| row.time <= *time) {
+                if row.time < *time {
+                    merged.push(row);
+                }
+            }
+            merged.push(self.row(index));
+        }
+        rows.for_each(|row| merged.push(row));
+        self.times = merged.times;
+        self.states = merged.states;
+        self.observables = merged.observables;
+        self.forces = merged.forces;
+    }
+
     /// Widens the extent of each state.
-    fn extend<'a>(&mut self, states: impl Iterator<Item = &'a Vec<f64>>) {
-        for state in states {
-            for (j, &value) in state.iter().enumerate() {
-                self.min[j] = self.min[j].min(value);
-                self.max[j] = self.max[j].max(value);
+    fn extend(&mut self, state: impl Iterator<Item = f64>) {
+        for ((value, min), max) in state.zip(&mut self.min).zip(&mut self.max) {
+            (*min, *max) = (min.min(value), max.max(value));
+        }
+    }
+}
+
+/// A motion while it is being followed.
+struct Record {
+    motion: Trajectory,
+    limits: Limits,
+    /// Rows that the table has besides, whatever is left out of it.
+    extremes: Extremes,
+}
+
+impl Record {
+    fn new(start: &[f64], limits: Limits) -> Self {
+        Self {
+            motion: Trajectory {
+                min: start.to_vec(),
+                max: start.to_vec(),
+                envelopes: vec![Envelope::default(); start.len()],
+                every: 1,
+                ..Trajectory::default()
+            },
+            limits,
+            extremes: Extremes::default(),
+        }
+    }
+
+    fn take(&mut self, stretch: &Stretch<'_>) -> Result<(), FlowError> {
+        for extremum in stretch.extrema() {
+            self.motion.extend(extremum.values());
+            self.extremes.offer(&extremum)?;
+        }
+        let mut last = None;
+        for sample in stretch.samples() {
+            self.sample(&sample)?;
+            last = Some(sample);
+        }
+        if let Some(last) = last {
+            self.extremes.end(&last)?;
+        }
+        self.motion.time = stretch.until;
+        self.motion.work += stretch.work();
+        Ok(())
+    }
+
+    fn sample(&mut self, point: &Point<'_>) -> Result<(), FlowError> {
+        self.motion.extend(point.values());
+        self.extremes.offer(point)?;
+        for (envelope, value) in self.motion.envelopes.iter_mut().zip(point.values()) {
+            envelope.add([point.time, value]);
+        }
+        if self.motion.samples.is_multiple_of(self.motion.every) {
+            self.motion.push(point.row()?);
+            if self.motion.numbers() > self.limits.numbers {
+                self.motion.halve();
             }
         }
-    }
-}
-
-/// Tells the modes of a motion at times that only grow.
-struct Clock<'a> {
-    segments: &'a [Segment],
-    /// When the first of them ends.
-    end: f64,
-}
-
-impl<'a> Clock<'a> {
-    fn new(segments: &'a [Segment]) -> Self {
-        let end = segments.first().map_or(0.0, |segment| segment.duration);
-        Self { segments, end }
+        self.motion.samples += 1;
+        Ok(())
     }
 
-    fn modes(&mut self, time: f64) -> Option<&'a Modes> {
-        while time > self.end && self.segments.len() > 1 {
-            self.segments = &self.segments[1..];
-            self.end += self.segments[0].duration;
+    /// What is left of it.
+    fn motion(mut self) -> Trajectory {
+        if self.motion.every > 1 {
+            self.motion.merge(self.extremes.rows());
         }
-        self.segments.first().map(|segment| &segment.modes)
+        self.motion
     }
 }

@@ -3,6 +3,7 @@
 use super::seed::{Seed, on_the_belt};
 use crate::equilibrium::find;
 use crate::flow::FlowError;
+use crate::model::{Values, brief};
 use crate::motion::Family;
 use crate::shooting::{Orbit, OrbitError, Search, closest, settled};
 use crate::study::equilibria::sliding_modes;
@@ -126,10 +127,28 @@ impl System {
 }
 
 impl Sought<'_> {
+    /// Says from where an orbit is looked for.
+    fn tell(&self, number: usize, seed: &Seed) {
+        self.system.tell(|| {
+            let from = Values::of(self.system.info(), &seed.start);
+            let how = match seed.period {
+                Some(period) => format!("by Newton's method with the period {}", brief(period)),
+                None if seed.settles => "where the motion settles".to_owned(),
+                None => "near returns of the motion".to_owned(),
+            };
+            format!(
+                "from {from} ({} of {}), {how}",
+                number + 1,
+                self.seeds.len()
+            )
+        });
+    }
+
     /// The orbit at r, in the family's own count, from the first seed that leads to one.
     pub(in crate::study) fn orbit(&self, r: f64) -> Result<Orbit, OrbitError> {
         let mut telling = None::<OrbitError>;
-        for seed in &self.seeds {
+        for (number, seed) in self.seeds.iter().enumerate() {
+            self.tell(number, seed);
             let search = Search {
                 start: seed.start.clone(),
                 period: seed.period,

@@ -25,6 +25,7 @@ use crate::field::Smoothing;
 use crate::field::exact::ContactError;
 use crate::flow::FlowError;
 use crate::integrate::IntegrationError;
+use crate::model::brief;
 
 /// Why no error can be predicted.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,7 +46,8 @@ pub enum PredictError {
     },
     /// The exact orbit touches a surface, so that it has no derivative.
     #[error(
-        "contact {contact} grazes at t = {time} (rate {rate:e}): the orbit has no derivative there"
+        "contact {contact} grazes at t = {} (rate {rate:e}): the orbit has no derivative there",
+        brief(*.time)
     )]
     Grazing {
         /// Number of the contact.

@@ -175,6 +175,15 @@ impl Along {
         }
     }
 
+    /// An error of a family's r, in the user's own values.
+    #[must_use]
+    pub(in crate::study) fn error(&self, r: f64, error: f64) -> f64 {
+        match self.design {
+            Design::Smoothing => r.exp() * error,
+            Design::Parameter(_) | Design::None => error,
+        }
+    }
+
     /// The share of the way done at the user's value `value`, between 0 and 1.
     #[must_use]
     pub fn share(&self, value: f64) -> f64 {

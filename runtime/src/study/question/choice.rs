@@ -25,9 +25,7 @@ pub fn choose(info: &ModelInfo, dynamics: Option<Dynamics>, accuracy: f64) -> Ch
     } else {
         Dynamics::Smooth
     });
-    let rubs = info.contacts.iter().map(|contact| contact.name);
-    let presses = info.presses.iter().map(|press| press.name);
-    let names: Vec<&str> = rubs.chain(presses).collect();
+    let names: Vec<&str> = info.forces().map(|(name, _)| name).collect();
     let (method, local, why) = match dynamics {
         Dynamics::Smooth => (
             "smooth dynamics",

@@ -1,40 +1,48 @@
 //! A branch, with those that leave it, in all forms.
 
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
+use crate::app::answer::Answer;
 use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};
-use crate::app::output::Answer;
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{followed, heading, number, timed};
+use crate::app::text::{digits, followed, heading, number, timed};
 use crate::bifurcation::Stability;
 use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, Case, OrbitRecord, Special};
 
+/// Digits of special points at most.
+const SHOWN: usize = 10;
+
 /// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
 /// states.
-pub(in crate::app::commands) fn answer(
-    asked: &Request<'_>,
-    branch: &BranchRecord,
-    shown: &[usize],
-) -> Answer<'static> {
+pub(in crate::app::commands) fn answer<'a>(
+    asked: &'a Request<'_>,
+    branch: &'a BranchRecord,
+    shown: &'a [usize],
+) -> Answer<'a> {
     let (info, case) = (asked.info, &asked.case);
-    let text = describe(asked, branch, shown);
-    let answer = Answer::new("branch", text, document(info, case, branch))
-        .figure("branch", picture(asked, branch, shown));
-    let columns = orbit::columns(info, &branch.along, &case.harmonics);
+    let answer = Answer::new(
+        "branch",
+        || describe(asked, branch, shown),
+        || document(info, case, branch),
+    )
+    .figure("branch", || picture(asked, branch, shown));
+    let columns = Rc::new(orbit::columns(info, &branch.along, &case.harmonics));
     let all = branch.all().into_iter().enumerate();
     all.fold(answer, |answer, (number, one)| {
         let name = match number {
             0 => "branch".to_owned(),
             _ => format!("branch-{number}"),
         };
-        answer.sheet(name, columns.sheet(&one.points))
+        let columns = columns.clone();
+        answer.sheet(name, move || columns.sheet(&one.points))
     })
 }
 
@@ -73,10 +81,18 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
     Columns::new()
         .column("special", |one: &Special| one.label.clone())
         .column("kind", |one| one.kind.to_string())
-        .column(followed(info, &branch.along), |one| number(one.r, 10))
+        .column(followed(info, &branch.along), |one| {
+            number(one.r, certain(one))
+        })
         .column(timed(info, "period", "s"), |one| number(one.period, 10))
         .column("", remark)
         .text(&branch.special)
+}
+
+/// Digits of the design variable at a special point: ten, or as many as its error leaves.
+fn certain(one: &Special) -> usize {
+    let relative = one.error.map(|error| error / one.r.abs());
+    relative.map_or(SHOWN, digits).min(SHOWN)
 }
 
 /// The extent of the states that are shown, and the period; amplitudes and phases, each pair in a row.
@@ -194,7 +210,9 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Docu
         .range("along", &branch.along)
         .maybe("from", branch.from.as_ref())
         .list("points", &branch.points, orbit)
-        .put("special", &branch.special)
+        .list("special", &branch.special, |one| {
+            Document::of(info, one).by_state(&["state"])
+        })
         .ended(&branch.ended)
         .maybe("began", branch.began.as_ref().map(|ended| ended.word()))
         .list("branches", &branch.branches, |below| {

@@ -11,13 +11,17 @@ use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
 use crate::app::passages::Passages;
 use crate::app::progress::{Progress, Trail};
-use crate::app::request::{Request, request, state};
+use crate::app::request::{Request, request};
 use crate::app::resume::Question;
+use crate::app::show::Show;
 use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
 use crate::model::ModelInfo;
 use crate::study::{Beginning, BranchRecord, Case, OrbitRecord, Switch};
 pub(super) use answer::answer;
+
+/// What is done before anything is found.
+pub(super) const FIRST: &str = "looking for the first orbit";
 
 /// Follow a periodic orbit along a parameter, or along the size of the smoothing
 #[derive(Debug, Clone, Args)]
@@ -39,9 +43,8 @@ pub(in crate::app) struct Arguments {
     depth: Option<usize>,
     #[command(flatten)]
     pub(in crate::app) harmonics: Harmonics,
-    /// The states that the table and the picture show, for instance `x1,x2`; the first without --show
-    #[arg(long, value_name = "NAME,..")]
-    show: Option<String>,
+    #[command(flatten)]
+    show: Show,
     #[command(flatten)]
     pub(in crate::app) curve: Curve,
     #[command(flatten)]
@@ -134,11 +137,7 @@ impl Arguments {
 
     /// The states that are shown.
     pub(in crate::app) fn shown(&self, info: &ModelInfo) -> Result<Vec<usize>, Failure> {
-        let Some(names) = &self.show else {
-            return Ok(vec![0]);
-        };
-        let states = names.split(',').map(|name| state(info, name.trim()));
-        states.collect()
+        Ok(self.show.states(info)?.unwrap_or_else(|| vec![0]))
     }
 
     fn switch(&self) -> Result<Switch, Failure> {
@@ -178,15 +177,14 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
     let shown = arguments.shown(asked.info)?;
     asked.case = arguments.of(asked.info, asked.case)?;
-    let progress = Progress::along(&asked.output);
-    let question = Question::new(app.version, asked.info, &asked.case)
-        .exactly("`--harmonics`", &asked.case.harmonics);
+    let progress = Progress::along(&asked.output, FIRST);
+    let question = Question::new(app.version, asked.info, &asked.case);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "branch", &question)?;
     let mut trail = trail(&asked, &progress)?;
     let mut watch = |point: &OrbitRecord| trail.reach(point.r, point);
     let branch = asked.got(
         passages
-            .recorded(asked.entry)
+            .recorded(&asked.entry.telling(progress.news(FIRST)))
             .branch(&asked.case, &mut watch),
     )?;
     drop(progress);
@@ -215,7 +213,7 @@ pub(super) fn deliver(
     branch: &BranchRecord,
     shown: &[usize],
 ) -> Result<(), Failure> {
-    asked.output.deliver(answer(asked, branch, shown))?;
+    asked.output.deliver(&answer(asked, branch, shown))?;
     if branch.is_interrupted() {
         let count: usize = branch.all().iter().map(|one| one.points.len()).sum();
         return Err(asked

@@ -1,7 +1,7 @@
 //! A curve in all forms.
 
+use crate::app::answer::Answer;
 use crate::app::document::{Document, named};
-use crate::app::output::Answer;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, timed, work};
 use crate::model::ModelInfo;
@@ -9,15 +9,20 @@ use crate::report::{Axis, Curve, Figure, Marker, Panel};
 use crate::study::{Along, Case, CurvePointRecord, CurveRecord, SpecialCurvePoint};
 
 /// A curve without the branch from which it starts.
-pub(super) fn answer(info: &ModelInfo, case: &Case, curve: &CurveRecord) -> Answer<'static> {
-    let columns = columns(info, [&curve.along, &curve.and]);
+pub(super) fn answer<'a>(
+    info: &'a ModelInfo,
+    case: &'a Case,
+    curve: &'a CurveRecord,
+) -> Answer<'a> {
     Answer::new(
         "curve",
-        describe(info, case, curve),
-        document(info, case, curve),
+        || describe(info, case, curve),
+        || document(info, case, curve),
     )
-    .figure("curve", picture(info, curve))
-    .sheet("curve", columns.sheet(&curve.points))
+    .figure("curve", || picture(info, curve))
+    .sheet("curve", || {
+        columns(info, [&curve.along, &curve.and]).sheet(&curve.points)
+    })
 }
 
 /// The columns of its points.

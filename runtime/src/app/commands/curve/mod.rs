@@ -48,7 +48,7 @@ pub(in crate::app) fn perform(
     asked.case = case;
     let shown = arguments.shown(info)?;
     asked.case.harmonics = arguments.harmonics.of(info);
-    let progress = Progress::along(&asked.output);
+    let progress = Progress::along(&asked.output, branch::FIRST);
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &scope.and)
         .exactly("`--of`", &scope.of);
@@ -61,7 +61,7 @@ pub(in crate::app) fn perform(
         CurveFinding::Point(point) => points.reach(Some(point.q), point),
     };
     let curve = passages
-        .recorded(asked.entry)
+        .recorded(&asked.entry.telling(progress.news(branch::FIRST)))
         .curve(&asked.case, &scope, &mut watch);
     drop(progress);
     let curve = match curve {
@@ -72,7 +72,7 @@ pub(in crate::app) fn perform(
     let kept = asked
         .output
         .keep(&branch::answer(&asked, &curve.branch, &shown));
-    asked.output.deliver(answer(info, &asked.case, &curve))?;
+    asked.output.deliver(&answer(info, &asked.case, &curve))?;
     kept?;
     if !curve.ended.is_interrupted() {
         passages.discard();

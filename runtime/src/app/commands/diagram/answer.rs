@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
+use crate::app::answer::Answer;
 use crate::app::chart::{along_axis, axis};
 use crate::app::document::{Document, columns, value_of};
-use crate::app::output::Answer;
 use crate::app::section::unmet;
 use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
 use crate::app::text::{followed, heading, number, states, table, timed, work};
@@ -14,20 +14,21 @@ use crate::poincare::Section;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
 use crate::study::{Along, Case, DiagramRecord, Motion, Slice, SweepRecord};
 
-/// A diagram in all forms, of which the picture shows state number `shown`.
-pub(super) fn answer(
-    info: &ModelInfo,
-    case: &Case,
-    record: &DiagramRecord,
-    shown: usize,
-) -> Answer<'static> {
-    let (text, document) = (describe(info, case, record), document(info, case, record));
-    let answer = Answer::new("diagram", text, document);
-    let [points, values] = sheets(info, record);
-    answer
-        .figure("diagram", picture(info, record, shown))
-        .sheet("points", points)
-        .sheet("values", values)
+/// A diagram in all forms, of which the picture shows these states.
+pub(super) fn answer<'a>(
+    info: &'a ModelInfo,
+    case: &'a Case,
+    record: &'a DiagramRecord,
+    shown: &'a [usize],
+) -> Answer<'a> {
+    Answer::new(
+        "diagram",
+        || describe(info, case, record),
+        || document(info, case, record),
+    )
+    .figure("diagram", move || picture(info, record, shown))
+    .sheet("points", || all_points(info, record))
+    .sheet("values", || all_values(info, record))
 }
 
 /// Digits shown of the design variable.
@@ -85,8 +86,8 @@ fn exponents(run: &[Slice]) -> String {
     format!(", exponent {} to {}", number(low, 3), number(high, 3))
 }
 
-/// The points over the design variable, state number `shown` upwards; exponents below them where there are any.
-fn picture(info: &ModelInfo, record: &DiagramRecord, shown: usize) -> Figure {
+/// The points over the design variable, each state upwards; exponents below them where there are any.
+fn picture(info: &ModelInfo, record: &DiagramRecord, shown: &[usize]) -> Figure {
     let section = record.diagram.section.describe(info);
     let title = format!("{}: points on the section {section}", info.command);
     let mut caption = format!(
@@ -98,17 +99,20 @@ fn picture(info: &ModelInfo, record: &DiagramRecord, shown: usize) -> Figure {
     if empty > 0 {
         caption += &format!(" At {empty} of them no point is seen: the table says why.");
     }
-    let state = info.states.get(shown);
     let x = || {
         let (from, to) = (record.along.from, record.along.to);
         along_axis(info, &record.along).from(from.min(to), from.max(to))
     };
-    let y = state.map_or_else(|| Axis::new(""), |state| axis(state.name, state.unit));
-    let clouds = record.sweeps.iter().enumerate().map(|(i, sweep)| {
-        let points = sweep.slices.iter().flat_map(|slice| dots(slice, shown));
-        Curve::points(sweep.name, i + 1, Marker::Dot, points.collect())
-    });
-    let figure = Figure::new("1", &title, caption).panel(Panel::new(x(), y).curves(clouds));
+    let panel = |figure: Figure, &shown: &usize| {
+        let state = info.states.get(shown);
+        let y = state.map_or_else(|| Axis::new(""), |state| axis(state.name, state.unit));
+        let clouds = record.sweeps.iter().enumerate().map(|(i, sweep)| {
+            let points = sweep.slices.iter().flat_map(|slice| dots(slice, shown));
+            Curve::points(sweep.name, i + 1, Marker::Dot, points.collect())
+        });
+        figure.panel(Panel::new(x(), y).curves(clouds))
+    };
+    let figure = shown.iter().fold(Figure::new("1", &title, caption), panel);
     let exponents: Vec<Curve> = lines(record);
     if exponents.is_empty() {
         return figure;
@@ -232,20 +236,21 @@ pub(super) fn rows(info: &ModelInfo, along: &Along, sweep: &str, slice: &Slice) 
         .collect()
 }
 
-/// All points, and all values.
-fn sheets(info: &ModelInfo, record: &DiagramRecord) -> [Spreadsheet; 2] {
-    let (along, sweeps) = (&record.along, || record.sweeps.iter());
-    let points = sweeps().flat_map(|sweep| {
+fn all_points(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
+    let along = &record.along;
+    let rows = record.sweeps.iter().flat_map(|sweep| {
         let slices = sweep.slices.iter();
         slices.flat_map(|slice| rows(info, along, sweep.name, slice))
     });
-    let values = sweeps().flat_map(|sweep| {
+    headed(points(info, along, "", 0.0).head(), rows)
+}
+
+fn all_values(info: &ModelInfo, record: &DiagramRecord) -> Spreadsheet {
+    let along = &record.along;
+    let rows = record.sweeps.iter().flat_map(|sweep| {
         let columns = values(info, along, sweep.name);
         let slices = sweep.slices.iter();
         slices.map(move |slice| columns.row(slice))
     });
-    [
-        headed(self::points(info, along, "", 0.0).head(), points),
-        headed(self::values(info, along, "").head(), values),
-    ]
+    headed(values(info, along, "").head(), rows)
 }

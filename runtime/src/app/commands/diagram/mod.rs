@@ -11,11 +11,12 @@ use crate::app::failure::{Failure, refuse};
 use crate::app::journal::Journal;
 use crate::app::offer::App;
 use crate::app::progress::Progress;
-use crate::app::request::{request, state};
+use crate::app::request::request;
 use crate::app::resume::{Notes, Question};
 use crate::app::section::Cut;
-use crate::app::values::{Reading, one_of};
-use crate::app::words::count;
+use crate::app::show::Show;
+use crate::app::text::number;
+use crate::app::values::{Reading, counted, one_of};
 use crate::model::ModelInfo;
 use crate::poincare::{Section, Surface};
 use crate::study::{Along, Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep};
@@ -49,19 +50,13 @@ pub(in crate::app) struct Arguments {
     /// The largest Lyapunov exponent too, averaged over N laps
     #[arg(long, value_name = "N", value_parser = counted::<2, 100_000_000>())]
     lyapunov: Option<usize>,
-    /// The state on the vertical axis of the drawing
-    #[arg(long, value_name = "NAME")]
-    show: Option<String>,
+    #[command(flatten)]
+    show: Show,
     /// How many threads; all cores if nothing is said
     #[arg(long, value_name = "N", value_parser = counted::<1, 4096>())]
     threads: Option<usize>,
     #[command(flatten)]
     resume: Resume,
-}
-
-/// Reads a whole number between `LEAST` and `MOST`.
-const fn counted<const LEAST: usize, const MOST: usize>() -> Reading<usize> {
-    Reading(|option, word| count(option, word, [LEAST, MOST]))
 }
 
 fn sweep(option: &str, word: &str) -> Result<Sweep, Failure> {
@@ -90,13 +85,11 @@ impl Arguments {
         })
     }
 
-    /// The state that is drawn: the one asked for, else the first that the section leaves free.
-    fn shown(&self, info: &ModelInfo, section: &Section) -> Result<usize, Failure> {
-        if let Some(name) = &self.show {
-            return state(info, name);
-        }
+    /// The states that are drawn: those asked for, else the first that the section leaves free.
+    fn shown(&self, info: &ModelInfo, section: &Section) -> Result<Vec<usize>, Failure> {
         let fixed = matches!(section.surface, Surface::Level { state: 0, .. });
-        Ok(usize::from(fixed && info.states.len() > 1))
+        let free = usize::from(fixed && info.states.len() > 1);
+        Ok(self.show.states(info)?.unwrap_or_else(|| vec![free]))
     }
 }
 
@@ -110,12 +103,13 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let diagram = arguments.diagram(info)?;
     let shown = arguments.shown(info, &diagram.section)?;
-    let progress = Progress::along(output);
+    let progress = Progress::along(output, "looking for the first value");
     let mut known = Known::default();
     let mut recall = |finding: &[u8]| {
         let (sweep, slice): (String, Slice) = postcard::from_bytes(finding).ok()?;
-        known.insert(&sweep, slice);
-        Some(())
+        slice
+            .is_of(info.states.len())
+            .then(|| known.insert(&sweep, slice))
     };
     let question = question(app, info, case, &diagram);
     let notes = Notes::open(output, &arguments.resume, "diagram", &question, &mut recall)?;
@@ -130,11 +124,12 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let watch = |seen: Seen<'_>| {
         let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
         papers.take(&seen);
-        progress.reach(seen.share, String::new())
+        let name = papers.along.name(info);
+        progress.reach(seen.share, format!("{name} = {}", number(seen.slice.r, 6)))
     };
     let record = asked.got(asked.entry.diagram(case, &diagram, &known, &watch))?;
     drop(progress);
-    output.deliver(answer::answer(info, case, &record, shown))?;
+    output.deliver(&answer::answer(info, case, &record, &shown))?;
     if record.missing > 0 {
         let count = slices(&record).count();
         return Err(output.interrupted(&format!("{count} values were found")));

@@ -3,9 +3,9 @@
 use nalgebra::Complex;
 
 use super::proof;
+use crate::app::answer::Answer;
 use crate::app::chart::{Chart, Mark, along_axis, axis};
 use crate::app::document::Document;
-use crate::app::output::Answer;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, time_unit, timed};
 use crate::equilibrium::{Proof, Unproven};
@@ -16,33 +16,70 @@ use crate::study::{Along, Case, EquilibriaRecord, EquilibriumRecord, SpecialEqui
 const DIGITS: usize = 9;
 
 /// A list of equilibria, with proofs if they were asked for.
-pub(super) fn list(
+pub(super) fn list<'a>(
+    info: &'a ModelInfo,
+    case: &'a Case,
+    found: &'a [EquilibriumRecord],
+    proofs: Option<&'a [Result<Proof, Unproven>]>,
+) -> Answer<'a> {
+    Answer::new(
+        "equilibria",
+        move || describe(info, case, found, proofs),
+        move || document(info, case, found, proofs),
+    )
+    .sheet("equilibria", move || columns(info, None).sheet(found))
+}
+
+fn describe(
     info: &ModelInfo,
     case: &Case,
     found: &[EquilibriumRecord],
     proofs: Option<&[Result<Proof, Unproven>]>,
-) -> Answer<'static> {
+) -> String {
     let mut text = heading(info, case, "equilibria")
         + &shown(info, None, found).text(found)
         + &remarks(case, found.iter().any(|one| one.artefact), false);
     if let Some(proofs) = proofs {
         text.push_str(&proof::describe(info, proofs));
     }
+    text
+}
+
+fn document<'a>(
+    info: &'a ModelInfo,
+    case: &Case,
+    found: &[EquilibriumRecord],
+    proofs: Option<&[Result<Proof, Unproven>]>,
+) -> Document<'a> {
     let one = |(i, one)| {
         let proof = proofs.and_then(|proofs| proofs.get(i));
         let proof = proof.map(|proof| proof::document(info, proof));
         equilibrium(info, one).maybe("certificate", proof)
     };
     let all = found.iter().enumerate();
-    let document = Document::case(info, case)
+    Document::case(info, case)
         .list("equilibria", all, one)
-        .units();
-    let sheet = columns(info, None).sheet(found);
-    Answer::new("equilibria", text, document).sheet("equilibria", sheet)
+        .units()
 }
 
 /// A branch of equilibria.
-pub(super) fn branch(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> Answer<'static> {
+pub(super) fn branch<'a>(
+    info: &'a ModelInfo,
+    case: &'a Case,
+    branch: &'a EquilibriaRecord,
+) -> Answer<'a> {
+    Answer::new(
+        "equilibria",
+        || describe_branch(info, case, branch),
+        || branch_document(info, case, branch),
+    )
+    .figure("equilibria", || picture(info, branch))
+    .sheet("equilibria", || {
+        columns(info, Some(&branch.along)).sheet(&branch.points)
+    })
+}
+
+fn describe_branch(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> String {
     let (name, along) = (branch.along.name(info), followed(info, &branch.along));
     let mut text = heading(info, case, &format!("a branch of equilibria along {name}"));
     text += &shown(info, Some(&along), &branch.points).text(&branch.points);
@@ -51,19 +88,22 @@ pub(super) fn branch(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -
     }
     let points = branch.points.iter().any(|point| point.artefact);
     let special = branch.special.iter().any(|point| point.artefact);
-    text += &remarks(case, points, special);
+    text + &remarks(case, points, special)
+}
+
+fn branch_document<'a>(
+    info: &'a ModelInfo,
+    case: &Case,
+    branch: &EquilibriaRecord,
+) -> Document<'a> {
     let special = |one: &SpecialEquilibrium| Document::of(info, one).by_state(&["state"]);
-    let document = Document::case(info, case)
+    Document::case(info, case)
         .range("along", &branch.along)
         .list("points", &branch.points, |one| equilibrium(info, one))
         .list("special", &branch.special, special)
         .ended(&branch.ended)
         .units()
-        .put("work", branch.work);
-    let sheet = columns(info, Some(&branch.along)).sheet(&branch.points);
-    Answer::new("equilibria", text, document)
-        .figure("equilibria", picture(info, branch))
-        .sheet("equilibria", sheet)
+        .put("work", branch.work)
 }
 
 /// All columns; the first is what is followed, if anything is.

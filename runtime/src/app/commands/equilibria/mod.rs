@@ -47,19 +47,19 @@ fn list(asked: &Request<'_>, certify: bool) -> Result<(), Failure> {
     let found = asked.got(asked.entry.equilibria(case))?;
     let proofs = certify.then(|| asked.entry.proofs(case, &found));
     let answer = answer::list(info, case, &found, proofs.as_deref());
-    asked.output.deliver(answer)?;
-    proof::verdict(&proofs.unwrap_or_default())
+    asked.output.deliver(&answer)?;
+    proof::verdict(proofs.as_deref().unwrap_or_default())
 }
 
 fn follow(asked: &Request<'_>, along: Along) -> Result<(), Failure> {
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let progress = Progress::along(output);
+    let progress = Progress::along(output, "looking for the first equilibrium");
     let columns = answer::columns(info, Some(&along));
     let mut trail = Trail::new(asked, along, "equilibria", columns, &progress);
     let mut watch = |point: &EquilibriumRecord| trail.reach(point.r, point);
     let branch = asked.got(asked.entry.equilibria_along(case, &mut watch))?;
     drop(progress);
-    output.deliver(answer::branch(info, case, &branch))?;
+    output.deliver(&answer::branch(info, case, &branch))?;
     let found = format!("{} equilibria were found", branch.points.len());
     output.close("branch", &branch.ended, &found)
 }

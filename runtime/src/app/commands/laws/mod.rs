@@ -9,10 +9,11 @@ mod swing;
 use clap::Args;
 use serde_json::json;
 
+use crate::app::answer::Answer;
 use crate::app::arguments::{Destination, Settings};
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
-use crate::app::output::{Answer, Output};
+use crate::app::output::Output;
 use exhibit::{Exhibit, Wish};
 use found::{Found, acting, find, lone, names};
 
@@ -83,12 +84,11 @@ fn deliver(
         [one] if name != "laws" => one.document.clone(),
         all => json!({ "laws": all.iter().map(|one| &one.document).collect::<Vec<_>>() }),
     };
-    let answer = exhibits
-        .into_iter()
-        .fold(Answer::new(name, text, document), |answer, one| {
-            answer
-                .sheet(&*one.name, one.sheet)
-                .figure(one.name, one.figure)
-        });
-    Output::open(&arguments.destination)?.deliver(answer)
+    let answer = Answer::new(name, || text.clone(), || &document);
+    let answer = exhibits.iter().fold(answer, |answer, one| {
+        answer
+            .sheet(&*one.name, || one.sheet.clone())
+            .figure(&*one.name, || one.figure.clone())
+    });
+    Output::open(&arguments.destination)?.deliver(&answer)
 }

@@ -3,22 +3,30 @@
 mod certificate;
 mod record;
 
+use std::ops::ControlFlow;
+
 use clap::Args;
 
 use super::simulate;
+use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject};
 use crate::app::failure::Failure;
 use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
-use crate::app::output::{Answer, Output};
+use crate::app::output::Output;
 use crate::app::progress::Progress;
 use crate::app::request::{Request, request};
 use crate::app::section::{Cut, with_points};
+use crate::app::show::Show;
 use crate::app::text::number;
 use crate::shooting::{Certificate, Uncertified};
-use crate::study::{Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, choose};
+use crate::study::{
+    Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, Trajectory, choose,
+};
 pub(super) use record::{columns, document, largest, shown};
 
+/// What is done before anything is found.
+const SEARCH: &str = "looking for a periodic orbit";
 /// An estimate this many times above the accuracy asked for is worth a word.
 const MISSED: f64 = 10.0;
 
@@ -37,6 +45,8 @@ pub(in crate::app) struct Arguments {
     cut: Cut,
     #[command(flatten)]
     harmonics: Harmonics,
+    #[command(flatten)]
+    show: Show,
     /// How near a true orbit is, by Newton and Kantorovich: a posteriori, not rigorous
     #[arg(long)]
     certify: bool,
@@ -47,34 +57,49 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     asked.case.harmonics = arguments.harmonics.of(asked.info);
     let (entry, info, case, output) = (asked.entry, asked.info, &asked.case, &asked.output);
     let section = arguments.cut.of(info)?;
+    let shown = arguments.show.quantities(info)?;
     let failed = |error| asked.failed(error);
-    let progress = Progress::endless(output, "looking for a periodic orbit");
-    let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
+    let progress = Progress::endless(output, SEARCH);
+    let entry = entry.telling(progress.news(SEARCH));
+    let (orbit, certificate) = find(&entry, case, arguments.certify).map_err(failed)?;
     let from = Case {
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
-    let mut text = record::describe(info, case, &orbit);
-    if let Some(found) = &certificate {
-        text.push_str(&certificate::describe(info, found));
-    }
+    let motion = drawn(&asked, &from, orbit.period)?;
     let reason = reason(arguments, &asked);
-    let document = document(info, &orbit).put("method", &reason);
-    let answer = Answer::new("orbit", text, document);
-    let span = Span::Period(orbit.period);
-    let mut answer = with_points(answer, &asked, &from, section, span)?;
-    if output.is_kept() {
-        let motion = entry.motion(&from, orbit.period).map_err(failed)?;
-        answer = simulate::drawn("orbit", answer, info, &motion);
-    }
-    drop(progress);
-    answer.text.push_str(&format!("\n  {reason}\n"));
+    let mut answer = Answer::new(
+        "orbit",
+        || record::describe(info, case, &orbit),
+        || document(info, &orbit).put("method", &reason),
+    );
     if let Some(found) = &certificate {
-        answer = answer.part("certificate", "", certificate::document(info, found));
+        answer = answer.words(|| certificate::describe(info, found));
+    }
+    let span = Span::Period(orbit.period);
+    answer = with_points(answer, &asked, &from, section, span)?;
+    drop(progress);
+    answer = answer.words(|| format!("\n  {reason}\n"));
+    if let Some(found) = &certificate {
+        answer = answer.part("certificate", || certificate::document(info, found));
+    }
+    if let Some(motion) = &motion {
+        answer = simulate::drawn("orbit", answer, (info, output), motion, &shown);
     }
     doubt(output, case, &orbit);
-    output.deliver(answer.part("work", "", orbit.work))?;
+    output.deliver(&answer.part("work", || orbit.work))?;
     verdict(certificate.as_ref())
+}
+
+/// The orbit once around, if it is drawn.
+fn drawn(asked: &Request<'_>, from: &Case, period: f64) -> Result<Option<Trajectory>, Failure> {
+    if !asked.output.is_kept() {
+        return Ok(None);
+    }
+    let limits = simulate::limits(&asked.output, u64::MAX);
+    let mut watch = |_: &Trajectory| ControlFlow::Continue(());
+    let motion = asked.entry.motion_within(from, period, limits, &mut watch);
+    asked.got(motion).map(Some)
 }
 
 /// The method that was chosen, and why.

@@ -48,7 +48,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let folder = &arguments.report.out;
     prepare(folder)?;
     growing().push(folder.join("index.html"));
-    let _work = Work::begin();
+    let _work = Work::begin(String::new());
     reproduction(folder, arguments.report.quiet).map_err(|error| Failure::failed(error.to_string()))
 }
 

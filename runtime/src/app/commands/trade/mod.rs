@@ -6,17 +6,21 @@ mod text;
 
 use clap::Args;
 
+use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject, Unresumable};
 use crate::app::failure::{Failure, refuse};
 use crate::app::interrupt;
 use crate::app::offer::App;
-use crate::app::output::Answer;
 use crate::app::progress::Progress;
 use crate::app::request::request;
+use crate::app::text::short;
 use crate::app::values::{Range, Reading};
 use crate::field::{Design, Kernel};
 use crate::study::trade::{Finding, Scope};
 use crate::study::{Case, Dynamics};
+
+/// What is done all the time.
+const MEASURING: &str = "measuring what smoothing costs";
 
 /// Measure what each smoothing gets wrong, and what it costs, against the exact system
 #[derive(Debug, Clone, Args)]
@@ -60,12 +64,13 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     if case.along.map(|along| along.design) == Some(Design::Smoothing) {
         return refuse!("`trade` goes through the sizes by itself: `--along` takes a parameter");
     }
-    let progress = Progress::endless(output, "measuring what smoothing costs");
+    let progress = Progress::endless(output, MEASURING);
     let mut errors = output.journal("trade", sheet::copies(info, 0, Kernel::Arctan).head());
     let mut precisions = output.journal("work-precision", sheet::precision_head());
     let mut watch = |end: usize, finding: Finding<'_>| {
         match finding {
             Finding::Copy(kernel, point) => {
+                progress.say(format!("{MEASURING}: {kernel}:{}", short(point.size)));
                 errors.add([sheet::copies(info, end, kernel).row(point)])
             }
             Finding::Precision(one) => precisions.add(sheet::precision_rows(end, one)),
@@ -74,13 +79,14 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     };
     let record = asked.got(asked.entry.trade(case, &scope, &mut watch))?;
     drop(progress);
-    let [errors, precisions] = sheet::sheets(info, &record);
-    let text = text::describe(info, case, &record, scope.accuracy);
-    let answer = Answer::new("trade", text, document::document(info, &record));
-    let answer = answer
-        .sheet("trade", errors)
-        .sheet("work-precision", precisions);
-    output.deliver(answer)?;
+    let answer = Answer::new(
+        "trade",
+        || text::describe(info, case, &record, scope.accuracy),
+        || document::document(info, &record),
+    )
+    .sheet("trade", || sheet::errors(info, &record))
+    .sheet("work-precision", || sheet::precisions(&record));
+    output.deliver(&answer)?;
     if record.is_interrupted() {
         let curves = record.ends.iter().flat_map(|end| &end.trade.curves);
         let count: usize = curves.map(|curve| curve.points.len()).sum();

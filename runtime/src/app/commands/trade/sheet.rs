@@ -69,24 +69,25 @@ pub(super) fn precision_head() -> Row {
     precision(0, String::new()).head()
 }
 
-/// All copies, and all work-precision curves.
-pub(super) fn sheets(info: &ModelInfo, record: &TradeRecord) -> [Spreadsheet; 2] {
-    let ends = || record.ends.iter().enumerate();
-    let rows = ends().flat_map(|(end, at)| {
+/// All copies.
+pub(super) fn errors(info: &ModelInfo, record: &TradeRecord) -> Spreadsheet {
+    let rows = record.ends.iter().enumerate().flat_map(|(end, at)| {
         let curves = at.trade.curves.iter();
         curves.flat_map(move |curve| {
             let columns = copies(info, end, curve.kernel);
             curve.points.iter().map(move |point| columns.row(point))
         })
     });
-    let curves = ends().flat_map(|(end, at)| {
+    headed(copies(info, 0, Kernel::Arctan).head(), rows)
+}
+
+/// All work-precision curves.
+pub(super) fn precisions(record: &TradeRecord) -> Spreadsheet {
+    let rows = record.ends.iter().enumerate().flat_map(|(end, at)| {
         let curves = at.trade.precision.iter();
         curves.flat_map(move |curve| precision_rows(end, curve))
     });
-    [
-        headed(copies(info, 0, Kernel::Arctan).head(), rows),
-        headed(precision_head(), curves),
-    ]
+    headed(precision_head(), rows)
 }
 
 /// A number of the work.

@@ -1,0 +1,171 @@
+//! The orbits beyond a border: none where the motion jumps, else those that its normal form predicts.
+
+use nalgebra::DVector;
+
+use super::candidate::Border as Candidate;
+use super::located::{Edge, edge};
+use crate::continuation::{
+    Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem,
+};
+use crate::field::Work;
+use crate::flow::FlowError;
+use crate::shooting::anchor::problem;
+use crate::shooting::guess::Guess;
+use crate::shooting::orbit::{Orbit, Solution};
+use crate::shooting::problem::OrbitProblem;
+
+/// Distances from the border, in scaled coordinates, at which the branch is taken up again.
+const DISTANCES: [f64; 6] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5];
+/// A first orbit this many times farther away lies on another branch.
+const FAR: f64 = 5.0;
+/// Errors in r of orbits that have come to a border, over their accuracy.
+const NOISE: f64 = 100.0;
+/// A border lies between two orbits if it is no farther from either than this many times their own distance.
+const BETWEEN: f64 = 1.1;
+/// Change of the extents and of the period, relative to themselves, over which a border is one that a branch comes to.
+const REACH: f64 = 0.2;
+
+/// What lies beyond the border that a branch comes to after its last point; `None` if it comes to none.
+pub(in crate::shooting) fn cross(
+    branch: &Branch<OrbitProblem>,
+    last: &Orbit,
+    accuracy: f64,
+) -> Option<Crossing<OrbitProblem, Orbit>> {
+    let mut work = branch.problem.work;
+    let family = &branch.problem.family;
+    let scale = branch.problem.scale();
+    let ahead = |found: &Edge| {
+        let slope = towards(found, &branch.problem, &scale, branch.r_scale());
+        let way = found.orbit.r - last.r;
+        // So near to it an orbit may lie beyond for its errors.
+        let level = way.abs() <= NOISE * accuracy * last.r.abs();
+        last.apart(&found.orbit) <= REACH && (level || slope.is_some_and(|slope| slope * way > 0.0))
+    };
+    let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
+    let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());
+    located.error = found.error;
+    let beyond = if found.border.drops {
+        Beyond::Nothing
+    } else {
+        onwards(&found, branch, last, work)
+    };
+    Some(Crossing { located, beyond })
+}
+
+/// How r changes on the way to the border, on the side from which it is come to.
+fn towards(
+    found: &Edge,
+    problem: &OrbitProblem,
+    scale: &DVector<f64>,
+    r_scale: f64,
+) -> Option<f64> {
+    let phase = phase(problem, found);
+    let away = found
+        .sides
+        .direction(found.border.happens, &phase, scale, r_scale)?;
+    Some(-away[away.len() - 1])
+}
+
+/// The direction along which the start of shooting is fixed.
+fn phase(problem: &OrbitProblem, found: &Edge) -> DVector<f64> {
+    let velocity = &found.sides.velocity;
+    match problem.family.phase() {
+        Some(drive) => DVector::from_fn(velocity.len(), |j, _| f64::from(j == drive)),
+        None => velocity.clone(),
+    }
+}
+
+/// The branch on the other side, from the first distance at which it is found.
+fn onwards(
+    found: &Edge,
+    branch: &Branch<OrbitProblem>,
+    last: &Orbit,
+    mut work: Work,
+) -> Beyond<OrbitProblem> {
+    let (scale, r_scale) = (branch.problem.scale(), branch.r_scale());
+    let (sides, other) = (&found.sides, !found.border.happens);
+    let phase = phase(&branch.problem, found);
+    let Some(direction) = sides.direction(other, &phase, &scale, r_scale) else {
+        return Beyond::Undecided;
+    };
+    for distance in DISTANCES {
+        let Ok(started) = set_out(found, branch, &direction, distance, work) else {
+            continue;
+        };
+        work = started.0.problem.work;
+        let first = first(&started, last.error_estimate);
+        let near = found.orbit.apart(&first) <= FAR * distance;
+        if near && !first.has_word_of(last, 1) {
+            return Beyond::Onwards(Box::new(started));
+        }
+    }
+    Beyond::Undecided
+}
+
+fn first((branch, point): &Started<OrbitProblem>, accuracy: f64) -> Orbit {
+    let solution = Solution {
+        shot: &point.extra,
+        z: &point.z,
+        r: point.r,
+        residual: point.residual,
+    };
+    Orbit::read(&branch.problem.family, solution, accuracy, Work::default())
+}
+
+fn set_out(
+    found: &Edge,
+    branch: &Branch<OrbitProblem>,
+    direction: &DVector<f64>,
+    distance: f64,
+    work: Work,
+) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
+    let (sides, orbit) = (&found.sides, &found.orbit);
+    let guess = Guess {
+        place: sides.start.clone(),
+        period: orbit.period,
+        magnitude: branch.problem.magnitude.clone(),
+        pins: Vec::new(),
+    };
+    let family = branch.problem.family.clone();
+    let (mut problem, z) = problem(family, orbit.r, &guess, 1).map_err(Failure::Evaluation)?;
+    let floated = problem.float(&sides.start, orbit.r);
+    floated.map_err(Failure::Evaluation)?;
+    problem.work = work;
+    let (n, scale, r_scale) = (z.len(), problem.scale(), branch.r_scale());
+    let moved = &z + direction.rows(0, n).component_mul(&scale) * distance;
+    let r = orbit.r + direction[n] * r_scale * distance;
+    Branch::set_out(problem, (moved, r), direction, branch.settings())
+}
+
+/// The border between two neighbouring orbits of different words.
+pub(in crate::shooting) fn between(
+    problem: &mut OrbitProblem,
+    ends: [&Orbit; 2],
+    r_scale: f64,
+    accuracy: f64,
+) -> Option<Border<Orbit>> {
+    let whole = ends[0].away(ends[1]);
+    let inside = |found: &Edge| {
+        let [a, b] = ends.map(|end| found.orbit.away(end));
+        a.max(b) <= BETWEEN * whole
+    };
+    let (family, scale) = (problem.family.clone(), problem.scale());
+    let found = [0, 1].into_iter().find_map(|i| {
+        let [near, other] = [ends[i], ends[1 - i]];
+        let parts = |border: &Candidate| border.parts(near, other);
+        edge(&family, near, accuracy, &mut problem.work, (parts, inside))
+    })?;
+    let phase = phase(problem, &found);
+    let side = |end: &Orbit, way: f64| {
+        let happens = end.has_word_of(&found.orbit, 1) == found.border.happens;
+        let direction = found.sides.direction(happens, &phase, &scale, r_scale)?;
+        Some(found.seen_from(end, happens, way * direction[direction.len() - 1]))
+    };
+    let [a, b] = ends.map(|end| found.orbit.away(end));
+    Some(Border {
+        kind: found.kind,
+        points: [side(ends[0], -1.0)?, side(ends[1], 1.0)?],
+        share: a / (a + b),
+        error: found.error,
+    })
+}

@@ -1,0 +1,165 @@
+//! The border near to which orbits are, found as a point of its own.
+
+use nalgebra::DVector;
+
+use super::candidate::Border;
+use super::problem::BorderProblem;
+use super::sides::Sides;
+use crate::bifurcation::{Kind, floquet};
+use crate::continuation::{ZeroProblem, correct_at};
+use crate::field::Work;
+use crate::flow::Want;
+use crate::integrate::Tolerance;
+use crate::motion::{Family, sticking};
+use crate::shooting::orbit::{Orbit, Solution};
+use crate::shooting::problem::OrbitProblem;
+use crate::shooting::shot::Shot;
+
+/// Borders that are tried, the nearest first.
+const TRIED: usize = 4;
+/// Share of the accuracy to which orbits on borders are integrated, and the finer one with which their error is measured.
+const SHARPER: [f64; 2] = [0.02, 0.002];
+/// What is reported over what two runs differ by: they share part of their errors.
+const DOUBT: f64 = 2.0;
+
+/// An orbit on a border.
+pub(in crate::shooting) struct Edge {
+    /// Which bifurcation it is.
+    pub(in crate::shooting) kind: Kind,
+    /// The orbit, as it is come to on the side of the one from which it was found.
+    pub(in crate::shooting) orbit: Orbit,
+    /// The border itself.
+    pub(super) border: Border,
+    /// What its normal form says.
+    pub(super) sides: Sides,
+    /// Estimated error of r.
+    pub(super) error: f64,
+}
+
+/// The first border near to `orbit`, of those that are `wanted`, that `fits`.
+pub(in crate::shooting) fn edge(
+    family: &Family,
+    orbit: &Orbit,
+    accuracy: f64,
+    work: &mut Work,
+    (wanted, fits): (impl Fn(&Border) -> bool, impl Fn(&Edge) -> bool),
+) -> Option<Edge> {
+    if !orbit.pins.is_empty() {
+        return None;
+    }
+    let flow = family.at(orbit.r).ok()?;
+    let near = Border::near(flow.as_ref(), orbit).ok()?;
+    near.into_iter()
+        .filter(wanted)
+        .take(TRIED)
+        .find_map(|border| {
+            let found = converge(family, orbit, border, accuracy, work)?;
+            fits(&found).then_some(found)
+        })
+}
+
+fn converge(
+    family: &Family,
+    orbit: &Orbit,
+    border: Border,
+    accuracy: f64,
+    work: &mut Work,
+) -> Option<Edge> {
+    let scales = [orbit.r.abs().max(f64::MIN_POSITIVE), 1.0];
+    let sharpened = |share: f64| {
+        family
+            .with_tolerance(Tolerance::for_accuracy(share * accuracy))
+            .with_magnitude(&orbit.magnitude())
+    };
+    let mut problem = BorderProblem::new(sharpened(SHARPER[0]), orbit, border, scales);
+    let z = problem.unknowns(orbit.r);
+    let loose = correct_at(&mut problem, z, 0.0, accuracy);
+    *work += problem.work;
+    let loose = loose.ok()?;
+    let shot = &loose.linearisation.extra;
+    if !shot.least || (shot.period / orbit.period).ln().abs() > 1.0 {
+        return None;
+    }
+    let mut problem = BorderProblem::new(sharpened(SHARPER[1]), orbit, problem.border, scales);
+    let tight = correct_at(&mut problem, loose.z.clone(), 0.0, accuracy);
+    let order = orbit.place.state.len();
+    let (z, error) = match tight {
+        Ok(tight) => {
+            let apart = (tight.z[order + 1] - loose.z[order + 1]).abs();
+            (tight.z, DOUBT * apart)
+        }
+        Err(_) => (loose.z.clone(), accuracy * orbit.r.abs()),
+    };
+    let found = read(&mut problem, family, orbit, &z, error);
+    *work += problem.work;
+    found
+}
+
+/// The orbit on its border with what the normal form says of it.
+fn read(
+    problem: &mut BorderProblem<Family>,
+    family: &Family,
+    near: &Orbit,
+    z: &DVector<f64>,
+    error: f64,
+) -> Option<Edge> {
+    let order = near.place.state.len();
+    let (state, period, r) = (&z.as_slice()[..order], z[order], z[order + 1]);
+    let at = problem.evaluate(z, 0.0).ok()?;
+    let flow = family.with_magnitude(&near.magnitude()).at(r).ok()?;
+    // The slopes of what vanishes, up to a positive factor each.
+    let slopes = at.jacobian.rows(order, 2).into_owned();
+    let sides = Sides::of(problem, flow.as_ref(), (state, period), &slopes).ok()?;
+    let border = problem.border.clone();
+    let mut passage = flow.advance(&sides.start, period, Want::EXTREMA).ok()?;
+    passage.derivatives = Some(sides.map(border.happens).clone());
+    let residual = at.residual.norm();
+    let shot = Shot {
+        passages: vec![passage],
+        velocity: flow.velocity(&sides.start).ok()?,
+        start: sides.start.clone(),
+        period,
+        drive: flow.phase(),
+        closure: residual,
+        pins: Vec::new(),
+    };
+    let z = OrbitProblem::unknowns(std::slice::from_ref(&sides.start), period);
+    let solution = Solution {
+        shot: &shot,
+        z: &z,
+        r,
+        residual,
+    };
+    let mut edge = Edge {
+        kind: border.kind(at.extra.inwards),
+        orbit: Orbit::read(family, solution, near.error_estimate, Work::default()),
+        border,
+        sides,
+        error,
+    };
+    edge.orbit = edge.seen_from(near, edge.border.happens, near.heading.slope);
+    Some(edge)
+}
+
+impl Edge {
+    /// The orbit as it is on the side of `near`; `slope` is the r-component of the tangent of the branch there.
+    pub(super) fn seen_from(&self, near: &Orbit, happens: bool, slope: f64) -> Orbit {
+        let map = self.sides.map(happens);
+        let stuck = near.segments.iter().map(|segment| sticking(&segment.modes));
+        let zeros = stuck.max().unwrap_or(0);
+        let accuracy = near.error_estimate;
+        let velocity = &self.sides.velocity;
+        let judged = || floquet(&map.state, velocity, None, zeros, &[], 0, accuracy);
+        let mut orbit = self.orbit.clone();
+        // Where force drops the map has no limit.
+        orbit.floquet = if self.border.drops {
+            near.floquet.clone()
+        } else {
+            judged()
+        };
+        // Of what is about to happen, the orbit beside it knows more than the one that is there.
+        (orbit.events, orbit.segments) = (near.events.clone(), near.segments.clone());
+        orbit.heading.slope = slope;
+        orbit
+    }
+}

@@ -1,0 +1,16 @@
+//! Borders between two orders of events: discontinuity-induced bifurcations as points of their own.
+//!
+//! At a border an event begins or ceases to happen. Whatever the side from which it is come to, the orbit there solves
+//! equations that are smooth on both sides of it, and what its return maps are on both sides says where it continues.
+
+mod candidate;
+mod crossing;
+mod located;
+mod problem;
+mod sheet;
+mod sides;
+
+pub use candidate::{Border, Condition};
+pub(super) use crossing::{between, cross};
+pub use problem::{BorderProblem, BorderShot};
+pub use sheet::Sheet;

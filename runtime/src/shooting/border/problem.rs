@@ -1,0 +1,273 @@
+//! The zero problem of an orbit on a border between two orders of events.
+//!
+//! Shooting starts at the border itself. The motion is followed back to it and held in the mode in which it comes there,
+//! so that the equations are smooth on both sides of the border and no guard has to fall tangentially: what vanishes at
+//! the border vanishes at the start.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::candidate::{BRIEF, Border, Condition};
+use super::sheet::Sheet;
+use crate::continuation::{Linearisation, ZeroProblem};
+use crate::field::Work;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Derivatives, Flow, Place, spelt};
+use crate::shooting::Orbit;
+
+/// Step of the differences that give the slopes of what vanishes, relative to the scales.
+const DIFFERENCE: f64 = 1e-6;
+
+/// Unknowns are the state at the border, the period and p; q is the design variable.
+#[derive(Debug, Clone)]
+pub struct BorderProblem<S> {
+    sheet: S,
+    /// The border.
+    pub border: Border,
+    magnitude: Vec<f64>,
+    /// Usual magnitudes of p and q.
+    scales: [f64; 2],
+    /// Usual magnitude of the period.
+    period: f64,
+    /// Work of all evaluations.
+    pub work: Work,
+}
+
+/// The motion from the border once around, in pieces.
+pub(super) struct Round {
+    /// From the border, held in its mode: where that ends, and how it depends on where it began.
+    pub(super) lead: (Place, Derivatives),
+    /// From there, with whatever happens.
+    pub(super) middle: Derivatives,
+    /// Back to the border, held in its mode.
+    pub(super) rest: (Place, Derivatives),
+}
+
+impl Round {
+    fn derivatives(&self) -> Derivatives {
+        let (lead, rest) = (&self.lead.1, &self.rest.1);
+        chain(&chain(lead, &self.middle), rest)
+    }
+}
+
+impl<S: Sheet> BorderProblem<S> {
+    /// The problem near an orbit that is near a border.
+    pub fn new(sheet: S, orbit: &Orbit, border: Border, scales: [f64; 2]) -> Self {
+        Self {
+            sheet,
+            border,
+            magnitude: orbit.magnitude(),
+            scales,
+            period: orbit.period,
+            work: Work::default(),
+        }
+    }
+
+    /// The unknowns from which to converge.
+    #[must_use]
+    pub fn unknowns(&self, p: f64) -> DVector<f64> {
+        DVector::from_vec([self.border.state.as_slice(), &[self.period, p]].concat())
+    }
+
+    /// Once around, in at most three pieces.
+    pub(super) fn round(
+        &mut self,
+        flow: &dyn Flow,
+        state: &[f64],
+        period: f64,
+    ) -> Result<Round, FlowError> {
+        let [before, after] = &self.border.modes;
+        let [first, last] = self.border.held;
+        let start = Place {
+            state: state.to_vec(),
+            modes: after.clone(),
+        };
+        let lead = flow.glide(&start, first * period)?;
+        let passage = flow.advance(&lead.0, (last - first) * period, Want::DERIVATIVES)?;
+        self.work += passage.work;
+        if passage.end.modes != *before {
+            return Err(FlowError::OtherMode {
+                found: spelt(&passage.end.modes),
+                wanted: spelt(before),
+            });
+        }
+        let middle = passage.derivatives.unwrap_or_else(|| lead.1.clone());
+        let rest = flow.glide(&passage.end, (1.0 - last) * period)?;
+        Ok(Round { lead, middle, rest })
+    }
+
+    /// What vanishes at the border.
+    fn touch(&self, state: &[f64], p: f64, q: f64) -> Result<[f64; 2], FlowError> {
+        let (flow, contact) = (self.sheet.along_p(q).at(p)?, self.border.contact);
+        let touch = |place| {
+            let touch = flow.touch(&place, contact)?;
+            touch.ok_or(FlowError::BadTime { time: 0.0 })
+        };
+        let coming = touch(self.border.coming(state))?;
+        match self.border.condition {
+            Condition::Touch => Ok(coming),
+            Condition::Edge => Ok([coming[0], touch(self.border.stuck(state))?[0]]),
+        }
+    }
+
+    /// What vanishes, with its slopes along all unknowns but the period, and along q.
+    fn touches(&self, z: &DVector<f64>, q: f64) -> Result<([f64; 2], DMatrix<f64>), FlowError> {
+        let order = self.magnitude.len();
+        let at = |z: &DVector<f64>, q: f64| self.touch(&z.as_slice()[..order], z[order + 1], q);
+        let scale = self.scale();
+        let mut slopes = DMatrix::zeros(2, order + 3);
+        let second = self.sheet.along_q(z[order + 1]).map(|_| order + 2);
+        for i in (0..order).chain([order + 1]).chain(second) {
+            let mut ends = [(z.clone(), q), (z.clone(), q)];
+            for ((z, q), sign) in ends.iter_mut().zip([-1.0, 1.0]) {
+                if i == order + 2 {
+                    *q += sign * DIFFERENCE * self.scales[1];
+                } else {
+                    z[i] += sign * DIFFERENCE * scale[i];
+                }
+            }
+            let place = |(z, q): &(DVector<f64>, f64)| if i == order + 2 { *q } else { z[i] };
+            let width = place(&ends[1]) - place(&ends[0]);
+            let [low, high] = [at(&ends[0].0, ends[0].1)?, at(&ends[1].0, ends[1].1)?];
+            for row in 0..2 {
+                slopes[(row, i)] = (high[row] - low[row]) / width;
+            }
+        }
+        Ok((at(z, q)?, slopes))
+    }
+
+    /// Whether what only touches zero, held on, rises again; and the rate of the way to the limit at an edge.
+    fn beyond(
+        &self,
+        flow: &dyn Flow,
+        state: &[f64],
+        period: f64,
+    ) -> Result<(bool, f64), FlowError> {
+        let (border, contact) = (&self.border, self.border.contact);
+        let (later, _) = flow.glide(&border.coming(state), BRIEF * period)?;
+        let rises = flow
+            .touch(&later, contact)?
+            .is_some_and(|[_, rate]| rate > 0.0);
+        Ok(match border.condition {
+            Condition::Touch => (rises, 0.0),
+            Condition::Edge => {
+                let held = flow.touch(&border.stuck(state), contact)?;
+                (true, held.map_or(f64::NAN, |[_, rate]| rate))
+            }
+        })
+    }
+}
+
+/// The derivatives of one motion after another. The motion's own velocity is carried into itself, so that
+/// with any share of the time the end moves at its velocity there.
+fn chain(first: &Derivatives, second: &Derivatives) -> Derivatives {
+    Derivatives {
+        state: &second.state * &first.state,
+        design: &second.design + &second.state * &first.design,
+        time: second.time.clone(),
+        trace: first.trace + second.trace,
+        factors: Vec::new(),
+        lost: first.lost.max(second.lost),
+    }
+}
+
+/// An orbit on a border.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BorderShot {
+    /// The state at the border.
+    pub state: Vec<f64>,
+    /// The period.
+    pub period: f64,
+    /// The second of the numbers that vanish, as it was met.
+    pub rate: f64,
+    /// Whether the first is least there, and not largest.
+    pub least: bool,
+    /// The rate at which a force that could hold the contact comes from its limit, at an edge.
+    pub inwards: f64,
+}
+
+impl<S: Sheet> ZeroProblem for BorderProblem<S> {
+    type Error = FlowError;
+    type Extra = BorderShot;
+
+    fn evaluate(
+        &mut self,
+        z: &DVector<f64>,
+        q: f64,
+    ) -> Result<Linearisation<BorderShot>, FlowError> {
+        let order = self.magnitude.len();
+        let state = &z.as_slice()[..order];
+        let (period, p) = (z[order], z[order + 1]);
+        if !(period > 0.0 && period.is_finite()) {
+            return Err(FlowError::BadTime { time: period });
+        }
+        let flow = self.sheet.along_p(q).at(p)?;
+        let round = self.round(&*flow, state, period)?;
+        let across = match self.sheet.along_q(p) {
+            Some(along) => {
+                self.round(&*along.at(q)?, state, period)?
+                    .derivatives()
+                    .design
+            }
+            None => DVector::zeros(order),
+        };
+        let (touch, slopes) = self.touches(z, q)?;
+        let (least, inwards) = self.beyond(&*flow, state, period)?;
+        let n = order + 2;
+        let mut linearisation = Linearisation {
+            residual: DVector::zeros(n),
+            jacobian: DMatrix::zeros(n, n),
+            design: DVector::zeros(n),
+            extra: BorderShot {
+                state: state.to_vec(),
+                period,
+                rate: touch[1],
+                least,
+                inwards,
+            },
+        };
+        let derivatives = round.derivatives();
+        for i in 0..order {
+            let unit = self.magnitude[i];
+            let mut gap = round.rest.0.state[i] - state[i];
+            if flow.phase() == Some(i) {
+                gap -= TAU * (gap / TAU).round();
+            }
+            linearisation.residual[i] = gap / unit;
+            for j in 0..order {
+                let own = f64::from(i == j);
+                linearisation.jacobian[(i, j)] = (derivatives.state[(i, j)] - own) / unit;
+            }
+            linearisation.jacobian[(i, order)] = derivatives.time[i] / unit;
+            linearisation.jacobian[(i, order + 1)] = derivatives.design[i] / unit;
+            linearisation.design[i] = across[i] / unit;
+        }
+        for (row, value) in touch.into_iter().enumerate() {
+            let weight = (0..order).map(|j| (slopes[(row, j)] * self.magnitude[j]).abs());
+            let unit = weight.sum::<f64>().max(f64::MIN_POSITIVE);
+            linearisation.residual[order + row] = value / unit;
+            for j in 0..n {
+                linearisation.jacobian[(order + row, j)] = slopes[(row, j)] / unit;
+            }
+            linearisation.design[order + row] = slopes[(row, order + 2)] / unit;
+        }
+        self.work.newton += 1;
+        Ok(linearisation)
+    }
+
+    fn scale(&self) -> DVector<f64> {
+        let tail = [self.period, self.scales[0]];
+        DVector::from_vec([self.magnitude.as_slice(), &tail].concat())
+    }
+
+    fn accept(
+        &mut self,
+        _z: &DVector<f64>,
+        _q: f64,
+        shot: &BorderShot,
+    ) -> Result<Option<DVector<f64>>, FlowError> {
+        self.period = shot.period;
+        Ok(None)
+    }
+}

@@ -1,0 +1,173 @@
+//! A motion of any length, followed stretch by stretch, so that no more of it is in memory than is kept.
+
+use std::ops::ControlFlow;
+
+use crate::field::Work;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Flow, Modes, Passage, Place, Segment};
+use crate::poincare::longest;
+
+/// Numbers in the samples of a stretch.
+const NUMBERS: usize = 1 << 17;
+/// Samples that a stretch has at least.
+const LEAST: usize = 64;
+/// Share of a time that is rounding.
+const INSTANT: f64 = 4.0 * f64::EPSILON;
+
+/// A point of a motion that can be read.
+#[derive(Clone, Copy)]
+pub(super) struct Point<'a> {
+    flow: &'a dyn Flow,
+    state: &'a [f64],
+    modes: &'a Modes,
+    /// How far the phase of a drive has turned before.
+    turned: f64,
+    pub(super) time: f64,
+}
+
+impl Point<'_> {
+    /// The value of each state; the phase of a drive grows.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+        let phase = self.flow.phase();
+        let values = self.state.iter().enumerate();
+        values.map(move |(j, value)| value + if phase == Some(j) { self.turned } else { 0.0 })
+    }
+
+    /// All that is known there.
+    pub(super) fn row(&self) -> Result<Row, FlowError> {
+        let (forces, observables) = self.flow.read(&Place {
+            state: self.state.to_vec(),
+            modes: self.modes.clone(),
+        })?;
+        Ok(Row {
+            time: self.time,
+            state: self.values().collect(),
+            observables,
+            forces,
+        })
+    }
+}
+
+/// All that is known of a motion at one time.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Row {
+    pub(super) time: f64,
+    pub(super) state: Vec<f64>,
+    pub(super) observables: Vec<f64>,
+    pub(super) forces: Vec<f64>,
+}
+
+/// A stretch of a motion.
+pub(super) struct Stretch<'a> {
+    flow: &'a dyn Flow,
+    from: &'a Place,
+    passage: &'a Passage,
+    turned: f64,
+    /// When it began.
+    pub(super) since: f64,
+    /// When it ended.
+    pub(super) until: f64,
+}
+
+impl Stretch<'_> {
+    pub(super) fn work(&self) -> Work {
+        self.passage.work
+    }
+
+    /// Where it was sampled, in the order of time; where one begins that was not the first, the one before has ended.
+    pub(super) fn samples(&self) -> impl Iterator<Item = Point<'_>> {
+        let known = usize::from(self.since > 0.0);
+        let path = self.passage.path.iter().skip(known);
+        self.points(path.map(|sample| (sample.time, &*sample.state)))
+    }
+
+    /// Where a state was extremal, in the order of time.
+    pub(super) fn extrema(&self) -> impl Iterator<Item = Point<'_>> {
+        let extrema = self.passage.extrema.iter();
+        self.points(extrema.map(|one| (one.time, &*one.state)))
+    }
+
+    fn points<'s>(
+        &'s self,
+        places: impl Iterator<Item = (f64, &'s [f64])>,
+    ) -> impl Iterator<Item = Point<'s>> {
+        let mut clock = Clock::new(&self.passage.segments);
+        places.map(move |(time, state)| Point {
+            flow: self.flow,
+            state,
+            modes: clock.modes(time).unwrap_or(&self.from.modes),
+            turned: self.turned,
+            time: self.since + time,
+        })
+    }
+}
+
+/// Follows the motion from `start` for `time`, or until `see` wants no more.
+///
+/// # Errors
+/// The motion cannot be followed, or `see` fails.
+pub(super) fn follow(
+    flow: &dyn Flow,
+    start: &[f64],
+    time: f64,
+    see: &mut dyn FnMut(&Stretch<'_>) -> Result<ControlFlow<()>, FlowError>,
+) -> Result<(), FlowError> {
+    let want = Want {
+        extrema: true,
+        path: true,
+        samples: (NUMBERS / start.len().max(1)).max(LEAST),
+        ..Want::default()
+    };
+    let mut place = flow.place(start)?;
+    let most = longest(flow, &place)?;
+    let (mut since, mut turned) = (0.0, 0.0);
+    loop {
+        let passage = flow.advance(&place, (time - since).min(most), want);
+        let passage = passage.map_err(|error| error.later(since))?;
+        let until = since + passage.time;
+        let over = time - until <= INSTANT * time;
+        let stretch = Stretch {
+            flow,
+            from: &place,
+            passage: &passage,
+            turned,
+            since,
+            until: if over { time } else { until },
+        };
+        if see(&stretch)?.is_break() || over {
+            return Ok(());
+        }
+        let unwrapped = passage.end.state.clone();
+        place = Place {
+            state: flow.wrapped(passage.end.state),
+            ..passage.end
+        };
+        if let Some(phase) = flow.phase() {
+            turned += unwrapped[phase] - place.state[phase];
+        }
+        since = until;
+    }
+}
+
+/// Tells the modes of a motion at times that only grow.
+struct Clock<'a> {
+    segments: &'a [Segment],
+    /// When the first of them ends.
+    end: f64,
+}
+
+impl<'a> Clock<'a> {
+    fn new(segments: &'a [Segment]) -> Self {
+        let end = segments.first().map_or(0.0, |segment| segment.duration);
+        Self { segments, end }
+    }
+
+    /// Those at a time, no earlier than the last one.
+    fn modes(&mut self, time: f64) -> Option<&'a Modes> {
+        while time > self.end && self.segments.len() > 1 {
+            self.segments = &self.segments[1..];
+            self.end += self.segments[0].duration;
+        }
+        self.segments.first().map(|segment| &segment.modes)
+    }
+}

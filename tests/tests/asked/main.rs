@@ -1,0 +1,116 @@
+//! A branch says the same, however it is asked.
+
+mod answer;
+mod question;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use answer::{Answer, compare};
+use question::Question;
+use stickslip_tests::random::Random;
+
+/// Branches that are drawn.
+const BRANCHES: usize = 500;
+/// Share of the answers that may end with a warning.
+const UNDECIDED: f64 = 0.02;
+
+/// What came of many random branches.
+#[derive(Debug, Default)]
+struct Tally {
+    branches: usize,
+    answers: usize,
+    undecided: Vec<String>,
+    differ: Vec<String>,
+}
+
+impl Tally {
+    /// Asks one random branch in four more ways.
+    fn ask(&mut self, seed: u64) {
+        let mut dice = Random::new(seed);
+        let question = Question::random(&mut dice);
+        let Some(first) = question.answer() else {
+            return;
+        };
+        self.branches += 1;
+        self.answers += 1;
+        if let Some(reason) = &first.undecided {
+            self.undecided.push(format!("{seed}: {question}: {reason}"));
+            return;
+        }
+        let others = [
+            (
+                "accuracy",
+                Some(question.at_accuracy(dice.positive(1e-11, 1e-7))),
+            ),
+            ("far end", Some(question.up_to(dice.between(0.3, 0.9)))),
+            ("reverse", question.reversed(&first)),
+            ("middle", question.from_within(&first, dice.unit())),
+        ];
+        for (way, other) in others {
+            let Some(other) = other else { continue };
+            self.answers += 1;
+            let told = format!("{seed}, {way}: {question}\n  {other}");
+            match other.answer() {
+                None => self.differ.push(format!("{told}: no orbit")),
+                Some(Answer {
+                    undecided: Some(reason),
+                    ..
+                }) => {
+                    self.undecided.push(format!("{told}: {reason}"));
+                }
+                Some(answer) => {
+                    let gap = compare(&first, &answer, way);
+                    self.differ.extend(gap.map(|gap| format!("{told}: {gap}")));
+                }
+            }
+        }
+    }
+}
+
+/// Of how many branches, and from which seed on; all of them if nothing else is said: `ASKED=60 SEED=1000`.
+fn number(name: &str, usual: usize) -> usize {
+    let given = std::env::var(name).ok();
+    given.and_then(|given| given.parse().ok()).unwrap_or(usual)
+}
+
+#[test]
+#[ignore = "long"]
+fn branches_say_the_same_however_they_are_asked() {
+    let (count, seed) = (number("ASKED", BRANCHES), number("SEED", 0));
+    let (tally, next) = (Mutex::new(Tally::default()), AtomicUsize::new(seed));
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                while tally.lock().is_ok_and(|tally| tally.branches < count) {
+                    let mut own = Tally::default();
+                    own.ask(next.fetch_add(1, Ordering::Relaxed) as u64);
+                    if let Ok(mut all) = tally.lock() {
+                        own.undecided
+                            .iter()
+                            .for_each(|one| println!("UNDECIDED {one}"));
+                        own.differ.iter().for_each(|one| println!("DIFFERS {one}"));
+                        all.branches += own.branches;
+                        all.answers += own.answers;
+                        all.undecided.extend(own.undecided);
+                        all.differ.extend(own.differ);
+                    }
+                }
+            });
+        }
+    });
+    let tally = tally.into_inner().expect("all is told");
+    let undecided = tally.undecided.len();
+    println!(
+        "{} branches, {} answers, {undecided} undecided, {} differ",
+        tally.branches,
+        tally.answers,
+        tally.differ.len()
+    );
+    assert!(tally.differ.is_empty(), "{:#?}", tally.differ);
+    assert!(
+        undecided as f64 <= UNDECIDED * tally.answers as f64,
+        "{:#?}",
+        tally.undecided
+    );
+}

@@ -1,0 +1,184 @@
+//! Questions about random branches.
+
+use std::fmt;
+use std::ops::ControlFlow;
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::study::{Along, Beginning, Case, Dynamics, System};
+use stickslip_models::friction::Weakening;
+use stickslip_models::{BeltOscillator, BeltPair, DrillString, ForcedBelt, VanDerPol};
+use stickslip_tests::random::Random;
+
+use crate::answer::Answer;
+
+/// Points after which a branch is left.
+const MOST: usize = 400;
+const ACCURACY: f64 = 1e-9;
+
+model! {
+    /// Three masses between walls, each rubbing on a belt: nondimensional.
+    pub struct Chain3 {
+        state x[3] = 0.1;
+        state v[3] = 0.0;
+        param k = 1.3 where k > 0.0;
+        param v_dr = 0.2;
+        param limit = 0.4 where limit >= 0.0;
+        param decay = 2.0 where decay >= 0.0;
+        param second = 1.1 where second > 0.0;
+        param third = 1.3 where third > 0.0;
+        friction F[0] = Weakening { limit, decay } opposing v[0] - v_dr;
+        friction F[1] = Weakening { limit: limit * second, decay } opposing v[1] - v_dr;
+        friction F[2] = Weakening { limit: limit * third, decay } opposing v[2] - v_dr;
+        for i in 0..3 {
+            der(x[i]) = v[i];
+        }
+        der(v[0]) = F[0] - k * (2 * x[0] - x[1]);
+        der(v[1]) = F[1] - k * (2 * x[1] - x[0] - x[2]);
+        der(v[2]) = F[2] - k * (2 * x[2] - x[1]);
+    }
+}
+
+/// A branch that is asked for.
+#[derive(Debug, Clone)]
+pub(crate) struct Question {
+    system: System,
+    case: Case,
+    along: Along,
+}
+
+impl Question {
+    /// Random parameters of a random system, one of them followed.
+    pub(crate) fn random(dice: &mut Random) -> Self {
+        let systems = [
+            System::of::<VanDerPol, _>,
+            System::of::<BeltOscillator, _>,
+            System::of::<BeltPair, _>,
+            System::of::<BeltPair, _>,
+            System::of::<DrillString, _>,
+            System::of::<ForcedBelt, _>,
+            System::of::<ForcedBelt, _>,
+            System::of::<Chain3, _>,
+            System::of::<Chain3, _>,
+        ];
+        let system = systems[(dice.unit() * systems.len() as f64) as usize]();
+        let dynamics = if system.info().contacts.is_empty() {
+            Dynamics::Smooth
+        } else {
+            Dynamics::Exact
+        };
+        let mut case = Case::declared(system.info(), dynamics);
+        for value in &mut case.parameters {
+            *value *= dice.positive(0.4, 2.5);
+        }
+        case.accuracy = ACCURACY;
+        let index = (dice.unit() * case.parameters.len() as f64) as usize;
+        let from = case.parameters[index];
+        let along = Along {
+            design: Design::Parameter(index),
+            from,
+            to: from * dice.positive(0.4, 2.5),
+        };
+        Self {
+            system,
+            case,
+            along,
+        }
+    }
+
+    /// The answer; `None` if there is no orbit to begin with.
+    pub(crate) fn answer(&self) -> Option<Answer> {
+        let case = Case {
+            along: Some(self.along),
+            ..self.case.clone()
+        };
+        let mut points = 0;
+        let found = self.system.branch(&case, &mut |_| {
+            points += 1;
+            if points < MOST {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        });
+        found.ok().map(Answer::of)
+    }
+
+    /// The same at another accuracy.
+    pub(crate) fn at_accuracy(&self, accuracy: f64) -> Self {
+        let mut other = self.clone();
+        other.case.accuracy = accuracy;
+        other
+    }
+
+    /// The same, up to this share of the way.
+    pub(crate) fn up_to(&self, share: f64) -> Self {
+        let mut other = self.clone();
+        other.along.to = self.along.from + share * (self.along.to - self.along.from);
+        other
+    }
+
+    /// The same the other way round, if the branch went all the way.
+    pub(crate) fn reversed(&self, answer: &Answer) -> Option<Self> {
+        let last = answer.record.points.last()?;
+        (answer.record.ended.word() == "reached-end").then(|| {
+            let mut other = self.clone();
+            (other.along.from, other.along.to) = (self.along.to, self.along.from);
+            other.begin(&last.state, last.period)
+        })
+    }
+
+    /// The same, begun with an orbit within.
+    pub(crate) fn from_within(&self, answer: &Answer, share: f64) -> Option<Self> {
+        let points = &answer.record.points;
+        let point = points.get((share * points.len() as f64) as usize)?;
+        let (low, high) = (
+            self.along.from.min(self.along.to),
+            self.along.from.max(self.along.to),
+        );
+        let r = point.r.filter(|r| *r > low && *r < high);
+        r.map(|r| {
+            let mut other = self.begin(&point.state, point.period);
+            other.case.beginning = Beginning::At(r);
+            other
+        })
+    }
+
+    fn begin(&self, state: &[f64], period: f64) -> Self {
+        let mut other = self.clone();
+        (other.case.start, other.case.period) = (Some(state.to_vec()), Some(period));
+        other
+    }
+}
+
+impl fmt::Display for Question {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let info = self.system.info();
+        write!(
+            f,
+            "branch {} --accuracy {:e}",
+            info.name, self.case.accuracy
+        )?;
+        for (parameter, value) in info.parameters.iter().zip(&self.case.parameters) {
+            if parameter.name != self.along.name(info) {
+                write!(f, " --set {}={value}", parameter.name)?;
+            }
+        }
+        if let Some(start) = &self.case.start {
+            let pairs = info.states.iter().zip(start);
+            let pairs: Vec<String> = pairs
+                .map(|(state, x)| format!("{}={x}", state.name))
+                .collect();
+            write!(f, " --start {}", pairs.join(","))?;
+        }
+        if let Some(period) = self.case.period {
+            write!(f, " --period {period}")?;
+        }
+        let (from, to) = (self.along.from, self.along.to);
+        write!(f, " --along {}={from}..{to}", self.along.name(info))?;
+        if let Beginning::At(r) = self.case.beginning {
+            write!(f, " --from {r}")?;
+        }
+        Ok(())
+    }
+}
