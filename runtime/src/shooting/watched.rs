@@ -72,29 +72,45 @@ impl Orbit {
     pub(super) fn has_word_of(&self, other: &Self, times: usize) -> bool {
         let (a, b) = (stretches(self), stretches(other));
         // A motion without events is one stretch however long it is.
-        let length = if b.len() > 1 {
+        let length = if b.len() > 1 || b.iter().any(|one| one.impact.is_some()) {
             times * b.len()
         } else {
             b.len()
         };
-        let turned = |by: usize| (0..a.len()).all(|i| a[i].0 == b[(i + by) % b.len()].0);
+        let same = |a: &Stretch<'_>, b: &Stretch<'_>| (a.modes, a.impact) == (b.modes, b.impact);
+        let turned = |by: usize| (0..a.len()).all(|i| same(&a[i], &b[(i + by) % b.len()]));
         a.len() == length && (0..b.len().max(1)).any(turned)
     }
 }
 
-/// Modes and durations once around; what the start divides is one stretch.
-fn stretches(orbit: &Orbit) -> Vec<(&Modes, f64)> {
-    let mut stretches: Vec<(&Modes, f64)> = Vec::with_capacity(orbit.segments.len());
+/// A stretch of an orbit between two events.
+struct Stretch<'a> {
+    modes: &'a Modes,
+    /// The contact whose impact began it, if one did.
+    impact: Option<usize>,
+    duration: f64,
+}
+
+/// The stretches once around; what the start divides is one.
+fn stretches(orbit: &Orbit) -> Vec<Stretch<'_>> {
+    let mut stretches: Vec<Stretch<'_>> = Vec::with_capacity(orbit.segments.len());
     for segment in &orbit.segments {
         match stretches.last_mut() {
-            Some(last) if *last.0 == segment.modes => last.1 += segment.duration,
-            _ => stretches.push((&segment.modes, segment.duration)),
+            Some(last) if *last.modes == segment.modes && segment.impact.is_none() => {
+                last.duration += segment.duration;
+            }
+            _ => stretches.push(Stretch {
+                modes: &segment.modes,
+                impact: segment.impact,
+                duration: segment.duration,
+            }),
         }
     }
     if let [first, .., last] = stretches.as_mut_slice()
-        && first.0 == last.0
+        && first.modes == last.modes
+        && first.impact.is_none()
     {
-        first.1 += last.1;
+        (first.impact, first.duration) = (last.impact, first.duration + last.duration);
         stretches.pop();
     }
     stretches
