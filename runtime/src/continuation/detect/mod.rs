@@ -13,6 +13,8 @@ const MIDDLES: [f64; 2] = [0.5, 0.4];
 const HALVINGS: u32 = 12;
 /// Divisions of a step up to which each part of it is looked at in its middle.
 const GLANCES: u32 = 3;
+/// Share of itself that a function changes by over a step in which it does not vanish and come back.
+const STILL: f64 = 0.05;
 /// Share of its values at the ends below which a function between them may well vanish.
 const NEAR: f64 = 0.1;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
@@ -93,13 +95,14 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     /// Whether a function that has one sign at both ends may have the other one between them, or the regime may change and
     /// change back: as far as a third point tells, and the parabola through all three.
     fn hides(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) -> bool {
-        if halvings + GLANCES <= HALVINGS {
+        let ends = [&from.point, &to.point];
+        let rests = |monitor: &Monitor<'_, Q::Point>| rests(ends.map(&monitor.test));
+        if halvings + GLANCES <= HALVINGS || self.monitors.iter().all(rests) {
             return false;
         }
         let Some(middle) = self.path.glance(0.5 * (from.share + to.share)) else {
             return false;
         };
-        let ends = [&from.point, &to.point];
         let dips = |monitor: &Monitor<'_, Q::Point>| {
             let [a, b] = ends.map(&monitor.test);
             !changes(a, b) && dips([a, (monitor.test)(&middle), b])
@@ -211,6 +214,12 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             reason: reason.to_owned(),
         });
     }
+}
+
+/// Whether a value hardly changes, as far as it has one.
+fn rests([a, b]: [f64; 2]) -> bool {
+    let change = (b - a).abs();
+    change.is_nan() || change <= STILL * a.abs().min(b.abs())
 }
 
 /// Whether the parabola through three values, the outer ones of one sign, comes to zero between them, or next to it.
