@@ -35,7 +35,8 @@ pub(super) struct Measure<'a> {
 
 impl Division {
     /// One segment.
-    pub(super) fn whole(start: Place) -> Self {
+    #[must_use]
+    pub fn whole(start: Place) -> Self {
         Self {
             starts: vec![start],
             shares: vec![1.0],

@@ -97,7 +97,7 @@ fn it_does_so_from_either_side() {
 fn the_drill_string_ends_at_its_graze() {
     let found = branch(&[], DrillString::eta, (4.0, 5.0), |_| {});
     let graze = &found.special[0];
-    let off = (graze.r - 4.611_989_021_286_665_3).abs();
+    let off = (graze.r - 4.611_989_021_286_665).abs();
     assert_eq!(graze.kind, Kind::GrazingSliding);
     assert!(
         off <= graze.error.expect("an error") && off < 1e-10,

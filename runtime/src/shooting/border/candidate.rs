@@ -182,11 +182,10 @@ impl<'a> Round<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
-        let times = |own: &[usize]| match own {
+        border.brief = match change.own.as_slice() {
             [first, last] => Some([first, last].map(|i| self.orbit.events[*i].time)),
             _ => None,
         };
-        border.brief = times(&change.own);
         border.modes = change.modes;
         (border.held, border.calm) = self.held(event, &change.own);
         Ok(Some(border))
