@@ -47,7 +47,7 @@ impl Division {
     ///
     /// # Errors
     /// The motion cannot be followed to their starts.
-    pub(super) fn equal(
+    pub fn equal(
         flow: &dyn Flow,
         start: Place,
         period: f64,

@@ -45,7 +45,7 @@ impl Tally {
             ),
             ("far end", Some(question.up_to(dice.between(0.3, 0.9)))),
             ("reverse", question.reversed(&first)),
-            ("middle", question.from_within(&first, dice.unit())),
+            ("middle", question.begun_within(&first, dice.unit())),
         ];
         for (way, other) in others {
             let Some(other) = other else { continue };

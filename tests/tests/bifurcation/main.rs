@@ -9,3 +9,4 @@ mod equilibria;
 mod margins;
 mod orbits;
 mod scales;
+mod unstable;
