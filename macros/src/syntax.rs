@@ -42,6 +42,7 @@ pub(crate) enum Line {
     Stick(Rule),
     Slip(Rule),
     Force(Rule),
+    Rebound(Rule),
     Stop(Rule),
     Drive(Rule),
     /// A line that could not be read; what it declares is known nevertheless.
@@ -59,8 +60,8 @@ pub(crate) struct Value {
 }
 
 /// A word, a name and a formula: `let name = formula;`, `der(state) = formula;`, `stick = formula;`,
-/// `slip(speed) = formula;`, `force(speed) = formula;`, `force(depth, rate) = formula;`, `stop state at formula;` or
-/// `drive phase at formula;`.
+/// `slip(speed) = formula;`, `force(speed) = formula;`, `force(depth, rate) = formula;`, `rebound(speed) = formula;`,
+/// `stop state at formula;` or `drive phase at formula;`.
 pub(crate) struct Rule {
     pub(crate) docs: Vec<Attribute>,
     pub(crate) word: Ident,
@@ -160,6 +161,7 @@ lines_of! {
     sticks: Stick(Rule);
     slips: Slip(Rule);
     forces: Force(Rule);
+    rebounds: Rebound(Rule);
     stops: Stop(Rule);
     drives: Drive(Rule);
     broken: Broken(Broken);
@@ -178,6 +180,7 @@ impl Line {
             Self::Stick(_) => "stick",
             Self::Slip(_) => "slip",
             Self::Force(_) => "force",
+            Self::Rebound(_) => "rebound",
             Self::Stop(_) => "stop",
             Self::Drive(_) => "drive",
             Self::Broken(line) => return line.keyword,
@@ -199,7 +202,9 @@ impl Line {
             Self::Let(line) | Self::Derivative(line) | Self::Stick(line) | Self::Slip(line) => {
                 Some(line)
             }
-            Self::Force(line) | Self::Stop(line) | Self::Drive(line) => Some(line),
+            Self::Force(line) | Self::Rebound(line) | Self::Stop(line) | Self::Drive(line) => {
+                Some(line)
+            }
             Self::State(_) | Self::Param(_) => None,
             Self::Friction(_) | Self::Press(_) | Self::Broken(_) => None,
         }

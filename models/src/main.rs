@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use stickslip::app::App;
 use stickslip::study::System;
 use stickslip_models::friction::{library, with_memory};
+use stickslip_models::press;
 use stickslip_models::reproduce::{Part, reproduce};
 use stickslip_models::{
     BeltOscillator, BeltPair, BristleOscillator, DrillString, ForcedBelt, VanDerPol,
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
         .offer(System::of::<ForcedBelt, _>())
         .laws(library())
         .laws(with_memory())
+        .laws(press::library())
         .reproduce(|folder, quiet| report(Part::Whole, folder, quiet))
         .reproduce_part("atlas", |folder, quiet| report(Part::Atlas, folder, quiet))
         .reproduce_part("extremes", |folder, quiet| {

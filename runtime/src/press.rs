@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 ///
 /// With d the penetration and v its rate, the force is force(d, v) while that is positive and d is, and none otherwise:
 /// a contact never pulls, and it opens when the force has fallen to zero, which with a damper is before the gap opens.
+/// A law that does not give way has no force of its own but a rebound: there the contact is hit and flies off again.
 /// Declared with `press_law!`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law of contacts that press",
@@ -22,6 +23,12 @@ pub trait PressLaw<D: Scalar> {
 
     /// The same with its derivatives; `along` holds the derivative of each field.
     fn slopes(&self, along: &Self, depth: D, rate: D) -> PressSlopes<D>;
+
+    /// The speed at which a contact that does not give way parts after an approach at `speed` > 0.
+    #[inline]
+    fn rebound(&self, _speed: D) -> D {
+        D::from(0.0)
+    }
 
     /// Calls `visit` with the number of each parameter, in the order of declaration, and its value.
     #[inline]
@@ -52,12 +59,29 @@ pub struct PressLawInfo {
     pub parameters: &'static [LawParameter],
     /// `let` lines in the order of declaration: name and right side, as written.
     pub abbreviations: &'static [(&'static str, &'static str)],
-    /// Name of the penetration in the formula.
-    pub depth: &'static str,
-    /// Name of its rate in the formula.
-    pub rate: &'static str,
-    /// The right side of `force(d, v) = ...`, as written.
-    pub force: &'static str,
+    /// What it says.
+    pub formula: PressFormula,
+}
+
+/// The formula of a law of contacts that press.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PressFormula {
+    /// It gives way: a force of depth and rate.
+    Compliant {
+        /// Name of the penetration in the formula.
+        depth: &'static str,
+        /// Name of its rate in the formula.
+        rate: &'static str,
+        /// The right side of `force(d, v) = ...`, as written.
+        force: &'static str,
+    },
+    /// It does not: an impact turns the speed of approach into one of departure.
+    Rigid {
+        /// Name of the speed of approach in the formula.
+        speed: &'static str,
+        /// The right side of `rebound(v) = ...`, as written.
+        rebound: &'static str,
+    },
 }
 
 impl PressLawInfo {
@@ -66,8 +90,19 @@ impl PressLawInfo {
     pub fn lines(&self) -> Vec<String> {
         let lets = self.abbreviations.iter();
         let lets = lets.map(|(name, formula)| format!("{name} = {formula}"));
-        let force = format!("force({}, {}) = {}", self.depth, self.rate, self.force);
-        lets.chain([force]).collect()
+        let formula = match self.formula {
+            PressFormula::Compliant { depth, rate, force } => {
+                format!("force({depth}, {rate}) = {force}")
+            }
+            PressFormula::Rigid { speed, rebound } => format!("rebound({speed}) = {rebound}"),
+        };
+        lets.chain([formula]).collect()
+    }
+
+    /// Whether the contact does not give way.
+    #[must_use]
+    pub const fn is_rigid(&self) -> bool {
+        matches!(self.formula, PressFormula::Rigid { .. })
     }
 }
 

@@ -120,6 +120,8 @@ pub(super) fn check_one<'a>(lines: impl Iterator<Item = &'a Rule>, errors: &mut 
 pub(super) struct Forces<'a> {
     friction: HashSet<&'a Ident>,
     presses: HashSet<&'a Ident>,
+    /// Whether presses enter linearly too.
+    straight: bool,
 }
 
 /// What a formula carries.
@@ -131,8 +133,9 @@ struct Load {
 
 impl<'a> Forces<'a> {
     /// Follows the lines from top to bottom; reports every product of forces to `errors`.
-    fn of(written: &'a Declaration, errors: &mut Errors) -> Self {
+    fn of(written: &'a Declaration, straight: bool, errors: &mut Errors) -> Self {
         let mut forces = Self {
+            straight,
             friction: HashSet::new(),
             presses: HashSet::new(),
         };
@@ -177,12 +180,13 @@ impl<'a> Forces<'a> {
             _ => false,
         };
         let friction = parts.iter().any(|part| part.friction);
-        if friction && !linear {
+        let press = parts.iter().any(|part| part.press);
+        if (friction || (press && self.straight)) && !linear {
             errors.at(formula, format!("`{formula}`: {NONLINEAR}"));
         }
         Load {
             friction: friction && linear,
-            press: parts.iter().any(|part| part.press),
+            press,
         }
     }
 }
@@ -192,7 +196,16 @@ const NONLINEAR: &str = "friction forces must enter linearly, so that the sticki
 
 /// Friction forces enter the equations linearly: what carries them, and what carries a press.
 pub(super) fn check_forces_linear<'a>(written: &'a Declaration, errors: &mut Errors) -> Forces<'a> {
-    Forces::of(written, errors)
+    Forces::of(written, false, errors)
+}
+
+/// Whether a press enters the equations otherwise than linearly.
+pub(super) fn bends(written: &Declaration) -> bool {
+    let mut errors = Errors::new();
+    Forces::of(written, true, &mut errors);
+    let bends = !errors.is_empty();
+    errors.forget();
+    bends
 }
 
 /// The speed of a contact and the fields of its law depend on no friction force.

@@ -16,6 +16,8 @@ pub(crate) struct Model<'a> {
     pub(crate) parameters: Vec<Parameter<'a>>,
     /// Whether the last of the states is the phase of a drive.
     pub(crate) driven: bool,
+    /// Whether a press stands in a product with a force, in a denominator or inside a function.
+    pub(crate) bent: bool,
     /// `let`, friction and press lines in the order in which they are computed.
     pub(crate) steps: Vec<Step<'a>>,
 }
@@ -106,6 +108,8 @@ pub(crate) enum Force<'a> {
     Memory(Whole<'a>),
     /// Of a press, at any depth and rate.
     Press(Whole<'a>),
+    /// Of a press that does not give way: its speed after an impact.
+    Rigid(Whole<'a>),
 }
 
 pub(crate) struct LawState<'a> {

@@ -98,16 +98,27 @@ pub(super) fn check_a_force(written: &Declaration, errors: &mut Errors) {
     check_one(written.forces(), errors);
 }
 
-/// A law of presses has one force.
+/// A law of presses has one force, or one rebound.
 pub(super) fn check_a_press(written: &Declaration, errors: &mut Errors) {
     let name = &written.header.name;
-    if written.forces().next().is_none() && !written.lost("force") {
+    let lost = written.lost("force") || written.lost("rebound");
+    if written.forces().chain(written.rebounds()).next().is_none() && !lost {
         errors.at(
             name,
-            format!("law `{name}` has no force: add `force(d, v) = ...;` at the depth d that grows at the rate v"),
+            format!(
+                "law `{name}` has no force: add `force(d, v) = ...;` at the depth d that grows at the rate v, or, where \
+                 nothing gives way, `rebound(v) = ...;` after an approach at the speed v"
+            ),
         );
     }
     check_one(written.forces(), errors);
+    check_one(written.rebounds(), errors);
+    if let (Some(_), Some(rebound)) = (written.forces().next(), written.rebounds().next()) {
+        errors.at(
+            &rebound.word,
+            "`rebound` is for a contact that does not give way, and one with a `force` does; keep one of the two",
+        );
+    }
 }
 
 /// A law with a `force` line has internal state.

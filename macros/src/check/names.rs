@@ -22,6 +22,7 @@ fn noun(keyword: &str) -> Option<&'static str> {
         "press" => Some("press"),
         "slip" => Some("sliding speed"),
         "force" => Some("relative speed"),
+        "rebound" => Some("speed of approach"),
         "drive" => Some("phase of the drive"),
         _ => None,
     }

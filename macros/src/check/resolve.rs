@@ -8,6 +8,7 @@ use quote::format_ident;
 use syn::ext::IdentExt;
 
 use super::dimension::Dimension;
+use super::equations::bends;
 use super::known::{
     Carrier, Contact, Force, Law, LawState, Let, Measures, Model, Parameter, State, Step, Unit,
     Whole,
@@ -23,6 +24,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
     let phase = written.drives().map(|line| Some(phase(line, units)));
     Some(Model {
         driven: written.drives().next().is_some(),
+        bent: bends(written),
         header: &written.header,
         states: states.chain(phase).collect::<Option<_>>()?,
         parameters: parameters(written, units),
@@ -41,6 +43,8 @@ pub(super) fn law<'a>(written: &'a Declaration, units: &Units) -> Option<Law<'a>
         let (rate, formula) = (force.rate.as_ref(), whole(&force.formula));
         let force_of = rate.map_or(Force::Memory as fn(_) -> _, |_| Force::Press);
         (&force.name, rate, force_of(formula))
+    } else if let Some(rebound) = written.rebounds().next() {
+        (&rebound.name, None, Force::Rigid(whole(&rebound.formula)))
     } else {
         let (stick, slip) = (written.sticks().next()?, written.slips().next()?);
         let [stick, sliding] = [stick, slip].map(|line| whole(&line.formula));

@@ -39,7 +39,8 @@ impl Units {
             .collect();
         let mut units = Self { known, time };
         if !plain {
-            for line in written.slips().chain(written.forces()) {
+            let speeds = written.slips().chain(written.rebounds());
+            for line in speeds.chain(written.forces()) {
                 let (first, rate) = (line.name.clone(), line.rate.clone());
                 let of_first = match rate {
                     Some(_) => Dimension::LENGTH,
@@ -253,6 +254,16 @@ pub(super) fn check_law(written: &Declaration, units: &Units, errors: &mut Error
     } else {
         Dimension::FORCE
     };
+    let speed = if plain {
+        Dimension::NONE
+    } else {
+        Dimension::SPEED
+    };
+    for Rule { word, formula, .. } in written.rebounds() {
+        units.demand(formula, Some(speed), errors, |speed, found| {
+            format!("`{word}` is a speed, in {speed}, but `{formula}` is in {found}")
+        });
+    }
     let reads_speed = |formula: &Formula| {
         let names = formula.names();
         written.slips().any(|slip| names.contains(&&slip.name))

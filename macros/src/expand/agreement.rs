@@ -22,6 +22,9 @@ pub(super) fn assertions(model: &Model) -> TokenStream {
         if contact.has_memory() {
             all.extend(of_stops(contact, model, &info));
         }
+        if contact.is_press() {
+            all.extend(of_reaction(contact, model, &info));
+        }
         all
     });
     assertions.collect()
@@ -71,6 +74,34 @@ fn of_stops(contact: &Contact, model: &Model, info: &TokenStream) -> Vec<TokenSt
         }
     });
     assertions.collect()
+}
+
+/// That a rigid press, whose reaction is solved for, enters linearly, and that no friction reads it.
+fn of_reaction(contact: &Contact, model: &Model, info: &TokenStream) -> Vec<TokenStream> {
+    let name = &contact.line.name;
+    let law = law(contact);
+    let others = model.contacts().chain(model.memories());
+    let reads = |other: &&Contact| pattern::presses_of(other, model).contains(&contact.place);
+    let reader = others.filter(reads).map(|other| {
+        let other = &other.line.name;
+        format!(
+            "the law of `{other}` reads `{name}`, and friction under the reaction of a rigid contact is not known yet: press \
+             with a compliant law"
+        )
+    });
+    let bent = model.bent.then(|| {
+        format!(
+            "`{law}` does not give way, and the reaction of such a contact is solved for: presses must enter linearly then, \
+             and here one is multiplied by a force, stands in a denominator or inside a function"
+        )
+    });
+    let messages = reader.chain(bent);
+    let assertion = |message: String| {
+        quote_spanned! {name.span()=>
+            const _: () = ::core::assert!(!#info.is_rigid(), #message);
+        }
+    };
+    messages.map(assertion).collect()
 }
 
 fn law(contact: &Contact) -> String {

@@ -60,17 +60,13 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
         Force::Press(force) => {
             let [depth, rate] = [law.speed, law.rate.unwrap_or(law.speed)].map(text);
             let force = force.written.to_string();
-            let lets = abbreviations(law);
-            quote! {
-                const INFO: &'static ::stickslip::press::PressLawInfo = &::stickslip::press::PressLawInfo {
-                    #head
-                    #parameters,
-                    abbreviations: &[#(#lets),*],
-                    depth: #depth,
-                    rate: #rate,
-                    force: #force,
-                };
-            }
+            let formula = quote!(Compliant { depth: #depth, rate: #rate, force: #force });
+            of_press_law(law, &head, &parameters, &formula)
+        }
+        Force::Rigid(rebound) => {
+            let (speed, rebound) = (text(law.speed), rebound.written.to_string());
+            let formula = quote!(Rigid { speed: #speed, rebound: #rebound });
+            of_press_law(law, &head, &parameters, &formula)
         }
         Force::Memory(force) => {
             let states = law.states.iter().map(law_state);
@@ -87,6 +83,23 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
                 };
             }
         }
+    }
+}
+
+fn of_press_law(
+    law: &Law,
+    head: &TokenStream,
+    parameters: &TokenStream,
+    formula: &TokenStream,
+) -> TokenStream {
+    let lets = abbreviations(law);
+    quote! {
+        const INFO: &'static ::stickslip::press::PressLawInfo = &::stickslip::press::PressLawInfo {
+            #head
+            #parameters,
+            abbreviations: &[#(#lets),*],
+            formula: ::stickslip::press::PressFormula::#formula,
+        };
     }
 }
 

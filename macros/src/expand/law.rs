@@ -48,6 +48,10 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
             let kind = quote!(press::PressLaw<D>);
             (kind, presses::items(law, force, lift))
         }
+        Force::Rigid(rebound) => {
+            let kind = quote!(press::PressLaw<D>);
+            (kind, presses::rigid(law, rebound, &lift))
+        }
     };
     let fields = fields(&law.parameters);
     quote! {

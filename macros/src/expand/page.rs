@@ -34,6 +34,14 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
             let rows = rows.chain(law.states.iter().filter_map(stop));
             rows.chain([force]).collect()
         }
+        Force::Rigid(rebound) => {
+            let row = Row::of(
+                &format!("rebound({speed})"),
+                applied("rebound"),
+                rebound.written,
+            );
+            lets(&law.lets).chain([row]).collect()
+        }
         Force::Press(force) => {
             let rate = law.rate.unwrap_or(speed);
             let both = format!("{}<mo>,</mo>{}", typeset::name(speed), typeset::name(rate));

@@ -39,3 +39,31 @@ pub(super) fn items<'l>(law: &'l Law<'_>, force: &Whole, lift: Lift<'l>) -> Toke
         }
     }
 }
+
+/// A law that does not give way: it has no force of its own.
+pub(super) fn rigid(law: &Law, rebound: &Whole, lift: &Lift) -> TokenStream {
+    let (opening, formula) = (opening(law), lift.formula(&rebound.formula));
+    quote! {
+        #[inline]
+        fn force(&self, _: D, _: D) -> D {
+            D::from(0.0)
+        }
+
+        #[inline]
+        fn slopes(&self, _: &Self, _: D, _: D) -> ::stickslip::press::PressSlopes<D> {
+            let nothing = D::from(0.0);
+            ::stickslip::press::PressSlopes {
+                force: nothing,
+                by_depth: nothing,
+                by_rate: nothing,
+                along: nothing,
+            }
+        }
+
+        #[inline]
+        fn rebound(&self, __speed: D) -> D {
+            #opening
+            #formula
+        }
+    }
+}

@@ -60,6 +60,11 @@ impl Reader<'_> {
                 rate = Some(growth);
                 (Line::Force, depth, self.right_side(input)?)
             }
+            "rebound" => (
+                Line::Rebound,
+                self.argument(input)?,
+                self.right_side(input)?,
+            ),
             "force" => (Line::Force, self.argument(input)?, self.moving_side(input)?),
             _ => (
                 Line::Derivative,

@@ -48,6 +48,7 @@ fn lines(grammar: Grammar) -> &'static [(&'static str, &'static str)] {
             ("param", "param stiffness: N/m where stiffness > 0.0;"),
             ("let", LET),
             ("force", "force(d, v) = stiffness * d + damping * v;"),
+            ("rebound", "rebound(v) = restitution * v;"),
         ],
     }
 }

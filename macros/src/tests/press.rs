@@ -132,7 +132,8 @@ fn a_law_of_presses_has_one_force_of_depth_and_rate() {
     assert_eq!(
         of_press("param k: N/m;"),
         [
-            "law `L` has no force: add `force(d, v) = ...;` at the depth d that grows at the rate v",
+            "law `L` has no force: add `force(d, v) = ...;` at the depth d that grows at the rate v, or, where \
+             nothing gives way, `rebound(v) = ...;` after an approach at the speed v",
             "parameter `k` is never used in this law; use it or remove its line",
         ]
     );
@@ -154,5 +155,20 @@ fn a_law_of_presses_has_one_force_of_depth_and_rate() {
     assert!(
         told[0].starts_with("`stick` does not begin a line"),
         "{told:?}"
+    );
+}
+
+#[test]
+fn a_rigid_law_rebounds() {
+    assert_eq!(
+        of_press("param e: 1 where 0.0 <= e <= 1.0; rebound(v) = e * v;"),
+        NONE
+    );
+    assert_eq!(
+        of_press("param e: 1; param k: N/m; rebound(v) = e; force(d, w) = k * d;"),
+        [
+            "`rebound` is for a contact that does not give way, and one with a `force` does; keep one of the two",
+            "unit mismatch: `rebound` is a speed, in m/s, but `e` is in 1",
+        ]
     );
 }

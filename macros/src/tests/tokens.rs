@@ -136,6 +136,7 @@ fn no_mutilated_declaration_is_lost() {
     let belt = format!("pub struct M {{ {} }}", super::BELT);
     let law = "pub struct L { param a: N where 0 <= a < 1e3; stick = a; slip(s) = a / (1.0 + s); }";
     let press = "pub struct L { param a: N/m where 0 <= a < 1e3; let b = a; force(d, v) = b * d * (1.0 + v); }";
+    let rigid = "pub struct L { param e: 1 where 0 <= e < 1; rebound(v) = e * v; }";
     let rattle = "pub struct M { state y: m = 0.0; state v: m/s = 0.0; param k: N/m = 1.0; param m: kg = 1.0; \
                   press N: N = Law { stiffness: k } closing y - sin(y / 1.0); der(y) = v; der(v) = N / m; }";
     let cases = [
@@ -145,6 +146,7 @@ fn no_mutilated_declaration_is_lost() {
         ),
         (law, crate::expand::law),
         (press, crate::expand::press_law),
+        (rigid, crate::expand::press_law),
         (rattle, crate::expand::model),
     ];
     for (declaration, expand) in cases {

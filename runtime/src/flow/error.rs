@@ -97,6 +97,34 @@ pub enum FlowError {
         /// ẅ.
         second_rate: f64,
     },
+    /// A state behind a wall that does not give way.
+    #[error("contact {contact} does not give way, and its gap is {gap:e}: begin where it is open")]
+    Inside {
+        /// Number of the contact.
+        contact: usize,
+        /// Its gap, below zero.
+        gap: f64,
+    },
+    /// A contact that does not give way and stays closed.
+    #[error(
+        "contact {contact} does not give way and comes to rest with its gap closed: only its impacts are known yet, not \
+         contact that lasts"
+    )]
+    Resting {
+        /// Number of the contact.
+        contact: usize,
+    },
+    /// Impacts at one time.
+    #[error(
+        "contacts {} are hit together at t = {time}: what follows depends on the order of their impacts",
+        listed(.contacts)
+    )]
+    HitTogether {
+        /// Numbers of the contacts.
+        contacts: Vec<usize>,
+        /// When.
+        time: f64,
+    },
     /// Event upon event in next to no time.
     #[error("{events} events in no time at contact {contact}, up to t = {}", brief(*.time))]
     Chattering {

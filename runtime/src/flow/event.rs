@@ -28,6 +28,13 @@ pub enum EventKind {
     Closing,
     /// The force of a contact that pressed has fallen to zero, and it is open.
     Opening,
+    /// A gap that does not give way closed, and opens again.
+    Impact {
+        /// Speed at which it closed.
+        approach: f64,
+        /// Speed at which it opens.
+        departure: f64,
+    },
     /// It came nearest to an event that did not happen: a local minimum of |w|, of stick − |λ|, or of a gap.
     Nearest {
         /// That minimum.

@@ -216,6 +216,8 @@ pub struct Segment<Mode> {
     pub mode: Mode,
     /// Its duration.
     pub duration: f64,
+    /// The contact whose impact began it, if one did.
+    pub impact: Option<usize>,
 }
 
 /// The nodes of a step of length `length` from `time`; `probe` is the step map at a fraction of the step.

@@ -71,6 +71,32 @@ impl<const N: usize> Saltation<N> {
         if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
             return Ok(());
         }
+        let (shift, shifts) = self.shifts(motion, grazes)?;
+        leap(motion, &jump, shift, &shifts);
+        Ok(())
+    }
+
+    /// The same where the state jumps as well: Ξ = R_y + (f⁺ − R_y f⁻) h_y/(h_y f⁻) with the reset R.
+    ///
+    /// # Errors
+    /// As [`Saltation::apply`].
+    pub(crate) fn reset(
+        &self,
+        motion: &mut Motion<N>,
+        reset: &Reset<N>,
+        grazes: bool,
+    ) -> Result<(), f64> {
+        let jump = std::array::from_fn(|i| self.after[i] - dot(&reset.slopes[i], &self.before));
+        let (shift, shifts) = self.shifts(motion, grazes)?;
+        motion.design =
+            std::array::from_fn(|i| dot(&reset.slopes[i], &motion.design) + reset.design[i]);
+        motion.tangent = product(&reset.slopes, &motion.tangent);
+        leap(motion, &jump, shift, &shifts);
+        Ok(())
+    }
+
+    /// (h_y p + h_r)/(h_y f⁻) and h_y Φ/(h_y f⁻).
+    fn shifts(&self, motion: &Motion<N>, grazes: bool) -> Result<(f64, [f64; N]), f64> {
         let rate = dot(&self.gradient, &self.before);
         // A comparison that fails for NaN too.
         let crosses = rate.abs() > ROUNDING * norm(&self.gradient) * norm(&self.before);
@@ -78,16 +104,29 @@ impl<const N: usize> Saltation<N> {
             return Err(rate);
         }
         let shift = (dot(&self.gradient, &motion.design) + self.design) / rate;
-        motion.design.add(shift, &jump);
         let mut shifts = [0.0; N];
         for (row, slope) in motion.tangent.iter().zip(&self.gradient) {
             shifts.add(slope / rate, row);
         }
-        for (row, leap) in motion.tangent.iter_mut().zip(&jump) {
-            row.add(*leap, &shifts);
-        }
-        Ok(())
+        Ok((shift, shifts))
     }
+}
+
+/// Adds a jump in each direction by as much as time is shifted there.
+fn leap<const N: usize>(motion: &mut Motion<N>, jump: &[f64; N], shift: f64, shifts: &[f64; N]) {
+    motion.design.add(shift, jump);
+    for (row, leap) in motion.tangent.iter_mut().zip(jump) {
+        row.add(*leap, shifts);
+    }
+}
+
+/// The derivatives of a jump of the state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Reset<const N: usize> {
+    /// R_y, row by row.
+    pub(crate) slopes: [[f64; N]; N],
+    /// R_r.
+    pub(crate) design: [f64; N],
 }
 
 /// A state z caught by its stop b: f jumps in its row alone, from g to 0, so that with h = b − z the formula is

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::formula::{Part, evaluate};
 use super::info::{Contact, Memory, ModelInfo, Press};
 use super::values::brief;
+use crate::press::PressFormula;
 
 /// What is known by name, as far as it is known.
 type Known<'a> = HashMap<&'a str, f64>;
@@ -103,16 +104,24 @@ fn of_press(press: &Press, known: &Known<'_>) -> Result<(), (String, Part)> {
     let Some(gap) = value(press.gap, known, || format!("{force} = .. closing .."))? else {
         return Ok(());
     };
-    own.insert(law.depth, gap.abs());
-    own.insert(law.rate, 0.0);
+    let (line, formula) = match law.formula {
+        PressFormula::Compliant { depth, rate, force } => {
+            own.insert(depth, gap.abs());
+            own.insert(rate, 0.0);
+            (format!("force({depth}, {rate})"), force)
+        }
+        PressFormula::Rigid { speed, rebound } => {
+            own.insert(speed, 0.0);
+            (format!("rebound({speed})"), rebound)
+        }
+    };
     let at = |line: &str| format!("{line} of {} at {force}", law.name);
     for (name, formula) in law.abbreviations {
         if let Some(value) = value(formula, &own, || at(&format!("let {name}")))? {
             own.insert(name, value);
         }
     }
-    let line = || at(&format!("force({}, {})", law.depth, law.rate));
-    value(law.force, &own, line).map(drop)
+    value(formula, &own, || at(&line)).map(drop)
 }
 
 fn of_memory(memory: &Memory, known: &Known<'_>, state: &[f64]) -> Result<(), (String, Part)> {

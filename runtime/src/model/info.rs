@@ -153,6 +153,14 @@ impl ModelInfo {
         rubs.chain(presses).nth(number)
     }
 
+    /// Whether the contact of this number presses and does not give way.
+    #[must_use]
+    pub fn is_rigid(&self, contact: usize) -> bool {
+        let press = contact.checked_sub(self.contacts.len());
+        let press = press.and_then(|press| self.presses.get(press));
+        press.is_some_and(|press| press.law.is_rigid())
+    }
+
     /// Why no smooth copy stands for the model, where none does.
     #[must_use]
     pub fn unsmoothed(&self) -> Option<String> {

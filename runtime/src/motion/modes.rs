@@ -21,14 +21,14 @@ pub fn spelt(modes: &[Mode]) -> String {
 }
 
 /// The cyclic word of an orbit, for instance `stick(F) slip-(F)`: a letter for each contact that enters
-/// a mode, in its least rotation (sticking before sliding). With no event at all, the mode of every contact.
+/// a mode or is hit, in its least rotation (sticking before sliding). With no event at all, the mode of every contact.
 #[must_use]
 pub fn word(info: &ModelInfo, segments: &[Segment]) -> String {
-    let name = |(mode, contact): &(Mode, usize)| {
-        let letter = if *mode == Mode::Closed {
-            "close".to_owned()
-        } else {
-            mode.to_string()
+    let name = |(letter, contact): &(Letter, usize)| {
+        let letter = match letter {
+            Letter::Impact => "impact".to_owned(),
+            Letter::Mode(Mode::Closed) => "close".to_owned(),
+            Letter::Mode(mode) => mode.to_string(),
         };
         format!("{letter}({})", info.contact(*contact).unwrap_or("?"))
     };
@@ -36,18 +36,27 @@ pub fn word(info: &ModelInfo, segments: &[Segment]) -> String {
     names.join(" ")
 }
 
-fn letters(segments: &[Segment]) -> Vec<(Mode, usize)> {
+/// What happens to a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Letter {
+    Impact,
+    Mode(Mode),
+}
+
+fn letters(segments: &[Segment]) -> Vec<(Letter, usize)> {
     let count = segments.len();
     let mut letters = Vec::new();
     for (i, segment) in segments.iter().enumerate() {
         let before = &segments[(i + count - 1) % count].modes;
+        letters.extend(segment.impact.map(|contact| (Letter::Impact, contact)));
         for (contact, (mode, old)) in segment.modes.iter().zip(before).enumerate() {
-            letters.extend(letter(*old, *mode).map(|letter| (letter, contact)));
+            letters.extend(letter(*old, *mode).map(|mode| (Letter::Mode(mode), contact)));
         }
     }
     if letters.is_empty() {
         let modes = segments.first().map(|segment| &segment.modes);
-        return modes.into_iter().flatten().copied().zip(0..).collect();
+        let modes = modes.into_iter().flatten().map(|mode| Letter::Mode(*mode));
+        return modes.zip(0..).collect();
     }
     least_rotation(letters)
 }
@@ -64,15 +73,16 @@ fn letter(old: Mode, new: Mode) -> Option<Mode> {
     }
 }
 
-fn least_rotation(letters: Vec<(Mode, usize)>) -> Vec<(Mode, usize)> {
-    let rank = |&(mode, contact): &(Mode, usize)| {
-        let order = match mode {
-            Mode::Stick => 0,
-            Mode::SlideBackward => 1,
-            Mode::SlideForward => 2,
-            Mode::Loose => 3,
-            Mode::Closed => 4,
-            Mode::Open | Mode::Parted => 5,
+fn least_rotation(letters: Vec<(Letter, usize)>) -> Vec<(Letter, usize)> {
+    let rank = |&(letter, contact): &(Letter, usize)| {
+        let order = match letter {
+            Letter::Mode(Mode::Stick) => 0,
+            Letter::Mode(Mode::SlideBackward) => 1,
+            Letter::Mode(Mode::SlideForward) => 2,
+            Letter::Mode(Mode::Loose) => 3,
+            Letter::Mode(Mode::Closed) => 4,
+            Letter::Mode(Mode::Open | Mode::Parted) => 5,
+            Letter::Impact => 6,
         };
         (order, contact)
     };

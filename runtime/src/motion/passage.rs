@@ -77,6 +77,8 @@ pub struct Segment {
     pub modes: Modes,
     /// Its duration.
     pub duration: f64,
+    /// The contact whose impact began it, if one did.
+    pub impact: Option<usize>,
 }
 
 impl Place {
@@ -99,6 +101,7 @@ impl Passage {
         let segment = |segment: &flow::Segment<M>| Segment {
             modes: modes(&segment.mode),
             duration: segment.duration,
+            impact: segment.impact,
         };
         Self {
             end: Place::of(&passage.end, &modes),

@@ -103,11 +103,10 @@ impl Guess {
 
 /// The place of a shot at a time.
 fn along(flow: &dyn Flow, shot: &Shot, time: f64) -> Result<Place, FlowError> {
-    let share = shot.period / shot.passages.len().max(1) as f64;
-    let before = (time / share) as usize;
+    let before = shot.begins.partition_point(|begin| *begin <= time).max(1) - 1;
     let ends = shot.passages.iter().map(|passage| &passage.end);
     let from = std::iter::once(&shot.start).chain(ends).nth(before);
-    let rest = (time - before as f64 * share).max(0.0);
+    let rest = (time - shot.begins[before]).max(0.0);
     let passage = flow.advance(from.unwrap_or(&shot.start), rest, Default::default());
     Ok(passage?.end)
 }

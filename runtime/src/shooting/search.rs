@@ -80,6 +80,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             period,
             magnitude,
             pins: Vec::new(),
+            division: None,
         };
         return near(family, r, &guess, search);
     }

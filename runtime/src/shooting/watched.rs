@@ -1,12 +1,10 @@
 //! What is watched of an orbit along its branch.
 
 use super::orbit::Orbit;
-use crate::bifurcation::{Floquet, Kind, Margin, PeriodicPoint};
+use crate::bifurcation::{Floquet, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
-use crate::field::exact::Mode as ContactMode;
-use crate::flow::EventKind;
-use crate::motion::{Event, Modes, Segment};
+use crate::motion::{Modes, Segment};
 
 impl Watched for Orbit {
     fn r(&self) -> f64 {
@@ -48,64 +46,8 @@ impl PeriodicPoint for Orbit {
         &self.floquet
     }
 
-    fn word_length(&self) -> usize {
-        stretches(self).len()
-    }
-
     fn asymmetry(&self) -> f64 {
         self.halves()
-    }
-
-    fn near_misses(&self) -> Vec<Margin> {
-        let margin = |event: &Event| {
-            let (kind, value) = match event.kind {
-                EventKind::Crossing { margin, .. } => (Kind::CrossingSliding, margin),
-                EventKind::Landing { margin, .. } => (Kind::SwitchingSliding, margin),
-                EventKind::Nearest { margin } if event.mode.is_of_press() => {
-                    (Kind::Grazing, margin)
-                }
-                EventKind::Nearest { margin } if event.mode == ContactMode::Stick => {
-                    (Kind::AddingSliding, margin)
-                }
-                EventKind::Nearest { margin } => (Kind::GrazingSliding, margin),
-                EventKind::Release { .. } | EventKind::Closing | EventKind::Opening => return None,
-            };
-            let contact = event.contact;
-            Some(Margin {
-                kind,
-                contact,
-                value: value.abs(),
-            })
-        };
-        self.events.iter().filter_map(margin).collect()
-    }
-
-    fn close_calls(&self) -> Vec<Margin> {
-        let graze = |event: &Event| {
-            let kind = match event.kind {
-                EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
-                EventKind::Release { .. } => Kind::AddingSliding,
-                EventKind::Closing | EventKind::Opening => Kind::Grazing,
-                EventKind::Nearest { .. } => return None,
-            };
-            (event.rate < 0.0).then_some(Margin {
-                kind,
-                contact: event.contact,
-                value: -event.rate,
-            })
-        };
-        let stretches = stretches(self);
-        let shortest = stretches.iter().map(|(_, duration)| *duration);
-        let shortest = shortest.min_by(f64::total_cmp).map(|value| Margin {
-            kind: Kind::VanishingSegment,
-            contact: 0,
-            value,
-        });
-        self.events
-            .iter()
-            .filter_map(graze)
-            .chain(shortest)
-            .collect()
     }
 }
 
@@ -130,29 +72,45 @@ impl Orbit {
     pub(super) fn has_word_of(&self, other: &Self, times: usize) -> bool {
         let (a, b) = (stretches(self), stretches(other));
         // A motion without events is one stretch however long it is.
-        let length = if b.len() > 1 {
+        let length = if b.len() > 1 || b.iter().any(|one| one.impact.is_some()) {
             times * b.len()
         } else {
             b.len()
         };
-        let turned = |by: usize| (0..a.len()).all(|i| a[i].0 == b[(i + by) % b.len()].0);
+        let same = |a: &Stretch<'_>, b: &Stretch<'_>| (a.modes, a.impact) == (b.modes, b.impact);
+        let turned = |by: usize| (0..a.len()).all(|i| same(&a[i], &b[(i + by) % b.len()]));
         a.len() == length && (0..b.len().max(1)).any(turned)
     }
 }
 
-/// Modes and durations once around; what the start divides is one stretch.
-fn stretches(orbit: &Orbit) -> Vec<(&Modes, f64)> {
-    let mut stretches: Vec<(&Modes, f64)> = Vec::with_capacity(orbit.segments.len());
+/// A stretch of an orbit between two events.
+struct Stretch<'a> {
+    modes: &'a Modes,
+    /// The contact whose impact began it, if one did.
+    impact: Option<usize>,
+    duration: f64,
+}
+
+/// The stretches once around; what the start divides is one.
+fn stretches(orbit: &Orbit) -> Vec<Stretch<'_>> {
+    let mut stretches: Vec<Stretch<'_>> = Vec::with_capacity(orbit.segments.len());
     for segment in &orbit.segments {
         match stretches.last_mut() {
-            Some(last) if *last.0 == segment.modes => last.1 += segment.duration,
-            _ => stretches.push((&segment.modes, segment.duration)),
+            Some(last) if *last.modes == segment.modes && segment.impact.is_none() => {
+                last.duration += segment.duration;
+            }
+            _ => stretches.push(Stretch {
+                modes: &segment.modes,
+                impact: segment.impact,
+                duration: segment.duration,
+            }),
         }
     }
     if let [first, .., last] = stretches.as_mut_slice()
-        && first.0 == last.0
+        && first.modes == last.modes
+        && first.impact.is_none()
     {
-        first.1 += last.1;
+        (first.impact, first.duration) = (last.impact, first.duration + last.duration);
         stretches.pop();
     }
     stretches

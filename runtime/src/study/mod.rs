@@ -7,7 +7,7 @@
 //! | room | what is asked there |
 //! |---|---|
 //! | `question` | nothing: it says what can be asked |
-//! | `law` | the force of a friction law on its own |
+//! | `law` | the force of a law on its own |
 //! | `predict` | what a smoothing would make of an exact orbit |
 //! | `system` | whether a case can be asked at all |
 //! | `motion` | [`System::motion`], [`System::crossings`] |
@@ -45,7 +45,7 @@ pub use diagram::{
 pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
-pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen};
+pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen, Strike};
 pub use motion::{Envelope, Limits, Trajectory};
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};

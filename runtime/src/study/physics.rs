@@ -95,7 +95,9 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
 
     fn laws(&self, case: &Case, start: &[f64], see: &mut dyn FnMut(Acting<'_>)) {
         let values = model::<M, N>(case).values();
-        let _ = M::rhs(&values, fixed(start), &mut Laws(see));
+        let rubbing = M::INFO.contacts.len();
+        let mut laws = Laws { see, rubbing };
+        let _ = M::rhs(&values, fixed(start), &mut laws);
     }
 
     fn enclosure(&self, case: &Case, sliding: Option<&[Mode]>) -> Box<dyn Enclosure> {

@@ -76,9 +76,11 @@ impl Model<2> for Belt {
             speed: "v - v_dr",
             speed_unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]),
             states: &[],
+            presses: &[],
         }],
         memories: &[],
-            moving: false,
+        presses: &[],
+        moving: false,
         drive: None,
     };
     const KINEMATIC: [Option<usize>; 2] = [Some(1), None];

@@ -8,7 +8,7 @@ use std::path::Path;
 use files::{Files, Graph, beside, circle};
 
 /// Modules from the ground up.
-const ORDER: [&str; 24] = [
+const ORDER: [&str; 25] = [
     "scalar",
     "math",
     "linear",
@@ -16,6 +16,7 @@ const ORDER: [&str; 24] = [
     "suggest",
     "model",
     "memory",
+    "press",
     "friction",
     "declared",
     "field",
@@ -46,7 +47,9 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
             ("model", "friction"),
             ("model/info", "friction"),
             ("model/info", "memory"),
+            ("model/info", "press"),
             ("memory", "friction"),
+            ("press", "friction"),
         ],
     ),
     (
@@ -62,6 +65,7 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
         "one type, too long for one file: its parts know it, and it calls them",
         &[
             ("field/exact/constants", "field/exact/affine"),
+            ("flow/exact/press", "flow/exact"),
             ("flow/exact/run", "flow/exact"),
             ("flow/exact/switch", "flow/exact/run"),
             ("integrate/radau/control", "integrate/radau"),

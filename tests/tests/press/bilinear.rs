@@ -4,8 +4,6 @@ use std::f64::consts::PI;
 
 use stickslip::field::exact::Mode;
 use stickslip::flow::{EventKind, Flow, Want};
-use stickslip::model::Model;
-use stickslip::study::{Case, Dynamics, System};
 
 use crate::models::{Bilinear, flow};
 
@@ -75,16 +73,4 @@ fn a_damped_wall_lets_go_before_its_gap_opens() {
     assert!((leaves + speed).abs() < 1e-9, "{leaves} {speed}");
     assert!(leaves < 1.0 && leaves > 0.0);
     assert_eq!(passage.end.mode.as_slice(), [Mode::Open]);
-}
-
-#[test]
-fn its_orbit_is_found_with_its_word() {
-    let system = System::of::<Bilinear, 2>();
-    let mut case = Case::declared(Bilinear::INFO, Dynamics::Exact);
-    case.start = Some(vec![0.0, 1.0]);
-    println!(
-        "{:?}",
-        system.orbit(&case).map(|orbit| (orbit.word, orbit.period))
-    );
-    println!("{:?}", system.equilibria(&case));
 }

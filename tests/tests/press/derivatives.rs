@@ -8,7 +8,7 @@ use stickslip::flow::{EventKind, Flow, Want};
 use stickslip::model::Model;
 use stickslip_tests::random::Random;
 
-use crate::models::{Ball, Bilinear, Squeal, Stack, TIGHT, flow};
+use crate::models::{Ball, Bilinear, Rattle, Squeal, Stack, TIGHT, flow};
 
 /// A difference that changes by more with its step is none.
 const DOUBT: f64 = 1e-6;
@@ -41,6 +41,7 @@ fn compare<M: Model<N>, const N: usize>(model: &M, start: [f64; N], time: f64, t
             EventKind::Closing => "closing",
             EventKind::Opening if event.mode == Mode::Parted => "parting",
             EventKind::Opening => "opening",
+            EventKind::Impact { .. } => "impact",
             EventKind::Nearest { .. } => continue,
         };
         let contact = M::INFO.contact(event.contact).unwrap();
@@ -208,4 +209,34 @@ fn through_two_round_walls() {
         &tally,
         &["closing L", "opening L", "closing R", "opening R"],
     );
+}
+
+#[test]
+fn through_impacts() {
+    let tally = tally(40, |random| {
+        let model = Rattle {
+            shake: random.between(0.05, 0.3),
+            omega: random.between(1.0, 3.0),
+            e1: random.between(0.3, 0.95),
+            e2: random.between(0.3, 0.95),
+            m2: random.between(0.3, 2.0),
+            ..Default::default()
+        };
+        let mut start = [0.4, 0.0, 0.9, 0.0, 0.0];
+        for component in &mut start[..4] {
+            *component += random.real(0.2);
+        }
+        start[1] += random.real(1.5);
+        start[3] += random.real(1.5);
+        (model, start, random.between(2.0, 5.0))
+    });
+    let events = [
+        "impact A",
+        "impact B",
+        "closing C",
+        "parting C",
+        "landing F",
+        "release F",
+    ];
+    happened(&tally, &events);
 }

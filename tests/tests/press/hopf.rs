@@ -2,12 +2,14 @@
 
 use std::ops::ControlFlow;
 
-use stickslip::continuation::Kind;
+use stickslip::continuation::{Ending, Kind};
 use stickslip::equilibrium::{find, follow, settings};
 use stickslip::field::exact::Mode;
 use stickslip::flow::ExactFamily;
 use stickslip::integrate::Tolerance;
+use stickslip::model::Model;
 use stickslip::motion::Family;
+use stickslip::study::{Case, Dynamics, System};
 use stickslip_tests::random::Random;
 
 use crate::models::Squeal;
@@ -85,4 +87,56 @@ fn squeal_begins_where_the_closed_form_says() {
             "{frequency} against {omega}"
         );
     }
+}
+
+/// y = P/(B − k₁₂ (k₁₂ − μ k₃)/A): without a load nothing presses.
+#[test]
+fn steady_sliding_ends_where_nothing_presses() {
+    let model = Squeal {
+        mu: 0.3,
+        load: 2.0,
+        ..Default::default()
+    };
+    let family = Family::from(ExactFamily {
+        model,
+        design: Some(Squeal::load.index),
+        tolerance: Tolerance::for_accuracy(1e-9),
+        magnitude: [1.0; 4],
+    });
+    let modes = vec![Mode::SlideBackward, Mode::Closed];
+    let first = find(&family, 2.0, &[vec![0.0, 0.3, 0.0, 0.0]], |_| {
+        vec![modes.clone()]
+    });
+    let place = &first[0].place;
+    let Squeal {
+        a, b, k12, k3, mu, ..
+    } = model;
+    let depth = 2.0 / (b + k3 - k12 * (k12 - mu * k3) / a);
+    assert!((place.state[1] - depth).abs() < 1e-13);
+    let (walked, _) = follow(&family, place, settings(2.0, -1.0), &mut |_| {
+        ControlFlow::Continue(())
+    })
+    .expect("a branch");
+    assert!(matches!(
+        walked.ending,
+        Ending::At(Kind::BoundaryEquilibrium, _)
+    ));
+    let last = walked.points.last().unwrap();
+    assert_eq!(last.margin().map(|(contact, _)| contact), Some(1));
+    assert!(last.r.abs() < 1e-12, "{}", last.r);
+}
+
+/// Sliding, sticking and open: what is pressed by nothing neither slides nor sticks.
+#[test]
+fn equilibria_are_found_in_every_mode() {
+    let system = System::of::<Squeal, 4>();
+    let mut case = Case::declared(Squeal::INFO, Dynamics::Exact);
+    let mut modes = |parameter: usize, value: f64| {
+        case.parameters[parameter] = value;
+        let found = system.equilibria(&case).unwrap().into_iter();
+        found.map(|one| one.mode.unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(modes(Squeal::mu.index, 0.3), ["slip-(F) close(N)"]);
+    assert_eq!(modes(Squeal::belt.index, 0.0), ["stick(F) close(N)"]);
+    assert_eq!(modes(Squeal::load.index, -1.0), ["loose(F) open(N)"]);
 }

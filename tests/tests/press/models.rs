@@ -5,7 +5,7 @@ use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
 use stickslip_models::friction::{Coulomb, CoulombStatic};
-use stickslip_models::press::{Compliant, Hertz, HuntCrossley};
+use stickslip_models::press::{Compliant, Hertz, HuntCrossley, Rigid};
 
 model! {
     /// A mass on a spring beside which, on one side, another stands.
@@ -101,6 +101,85 @@ model! {
         press R = Hertz { load: right, depth: 0.2 } closing 0.7 - x;
         der(x) = v;
         der(v) = L - R - 0.5 * x;
+    }
+}
+
+model! {
+    /// A driven oscillator beside a wall.
+    pub(crate) struct Hammer {
+        state x = 0.0;
+        state v = 0.0;
+        param load = 1.0;
+        param omega = 1.0 where omega > 0.0;
+        param c = 0.1 where c >= 0.0;
+        param k = 1.0 where k > 0.0;
+        param wall = 1.0;
+        param e = 0.8 where 0.0 < e <= 1.0;
+        drive phi at omega;
+        press R = Rigid { restitution: e } closing wall - x;
+        der(x) = v;
+        der(v) = load * cos(phi) - k * x - c * v - R;
+    }
+}
+
+model! {
+    /// A ball on a table that moves up and down.
+    pub(crate) struct Bouncing {
+        state y = 1.0;
+        state v = 0.0;
+        param amplitude = 0.5;
+        param e = 0.8 where 0.0 < e <= 1.0;
+        param omega = 1.0 where omega > 0.0;
+        param g = 1.0 where g > 0.0;
+        drive phi at omega;
+        press R = Rigid { restitution: e } closing y - amplitude * sin(phi);
+        der(y) = v;
+        der(v) = R - g;
+    }
+}
+
+model! {
+    /// Two masses in a row, shaken from one side, hit by each other, and rubbing on ground that moves.
+    pub(crate) struct Rattle {
+        state x1 = 0.3;
+        state v1 = 0.0;
+        state x2 = 0.9;
+        state v2 = 0.0;
+        param shake = 0.2 where shake >= 0.0;
+        param omega = 1.7 where omega > 0.0;
+        param e1 = 0.7 where 0.0 < e1 <= 1.0;
+        param e2 = 0.5 where 0.0 < e2 <= 1.0;
+        param m2 = 0.6 where m2 > 0.0;
+        param rough = 0.1 where rough >= 0.0;
+        param spring = 0.7;
+        param k = 9.0 where k > 0.0;
+        drive phi at omega;
+        press A = Rigid { restitution: e1 } closing x1 - shake * sin(phi);
+        press B = Rigid { restitution: e2 } closing x2 - x1 - 0.1 * (1.0 + 0.2 * x1 * x1);
+        press C = Compliant { stiffness: k, damping: 0.3 } closing 1.2 - x2;
+        friction F = Coulomb { level: rough } opposing v1 - 0.15;
+        der(x1) = v1;
+        der(v1) = A - B * (1.0 + 0.04 * x1 * x1) + F - spring * x1;
+        der(x2) = v2;
+        der(v2) = (B - C - spring * (x2 - 1.0)) / m2;
+    }
+}
+
+model! {
+    /// The pressure relief valve of Hos and Champneys.
+    pub(crate) struct Valve {
+        state y = 2.4;
+        state v = 0.0;
+        state p = 12.4;
+        param kappa = 1.25;
+        param delta = 10.0;
+        param beta = 20.0;
+        param q = 9.0;
+        param r = 0.8 where 0.0 < r <= 1.0;
+        press R = Rigid { restitution: r } closing y;
+        der(y) = v;
+        der(v) = -kappa * v - (y + delta) + p + R;
+        der(p) = beta * (q - y * sqrt(p));
     }
 }
 

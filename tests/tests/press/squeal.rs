@@ -1,7 +1,11 @@
 //! The limit cycle of squeal, bounded by stick or by lift-off, against a small event-driven run of its own.
 
+use std::ops::ControlFlow;
+
+use stickslip::continuation::Kind;
+use stickslip::field::Design;
 use stickslip::model::Model;
-use stickslip::study::{Case, Dynamics, System};
+use stickslip::study::{Along, Case, Dynamics, System};
 
 use crate::models::Squeal;
 
@@ -16,10 +20,18 @@ enum Rub {
     Sticks,
 }
 
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Press {
+    Open,
+    Closed,
+    /// The force has fallen to zero before the gap has opened.
+    Parted,
+}
+
 /// The equations in one mode, written by hand.
 struct Run<'a> {
     model: &'a Squeal,
-    closed: bool,
+    press: Press,
     rub: Rub,
     state: State,
     time: f64,
@@ -46,7 +58,10 @@ impl Run<'_> {
             mu,
             ..
         } = *self.model;
-        let normal = if self.closed { self.normal(y) } else { 0.0 };
+        let normal = match self.press {
+            Press::Closed => self.normal(y),
+            Press::Open | Press::Parted => 0.0,
+        };
         let friction = match self.rub {
             Rub::Slips(sign) => -sign * mu * normal,
             Rub::Sticks => self.holding(y),
@@ -102,9 +117,13 @@ impl Run<'_> {
 
     /// What is positive while the modes last: of the press, and of friction.
     fn guards(&self, y: &State) -> [f64; 2] {
-        let press = if self.closed { self.normal(y) } else { -y[1] };
+        let press = match self.press {
+            Press::Closed => self.normal(y),
+            Press::Open => -y[1],
+            Press::Parted => y[1].min(-self.normal(y)),
+        };
         let rub = match self.rub {
-            _ if !self.closed => 1.0,
+            _ if self.press != Press::Closed => 1.0,
             Rub::Slips(sign) => sign * (y[2] - self.model.belt),
             Rub::Sticks => self.model.mu * self.normal(y) - self.holding(y).abs(),
         };
@@ -156,7 +175,12 @@ impl Run<'_> {
             -1.0
         };
         if press {
-            self.closed = !self.closed;
+            self.press = match self.press {
+                Press::Closed if self.state[1] > 0.0 => Press::Parted,
+                Press::Parted if self.state[1] > 0.0 => Press::Closed,
+                Press::Closed | Press::Parted => Press::Open,
+                Press::Open => Press::Closed,
+            };
             self.rub = Rub::Slips(way);
         } else if rub {
             self.rub = match self.rub {
@@ -180,13 +204,13 @@ impl Run<'_> {
 fn period(model: &Squeal) -> f64 {
     let mut run = Run {
         model,
-        closed: true,
+        press: Press::Closed,
         rub: Rub::Slips(-1.0),
         state: [0.0, 0.5 * model.load, 0.01, 0.0],
         time: 0.0,
     };
     let mut falls: Vec<(f64, State)> = Vec::new();
-    while run.time < 1500.0 {
+    for _ in 0..600_000 {
         falls.extend(run.step());
     }
     let (end, last) = *falls.last().unwrap();
@@ -196,39 +220,86 @@ fn period(model: &Squeal) -> f64 {
     end - before
 }
 
-fn orbit(model: &Squeal) -> (f64, String) {
-    let system = System::of::<Squeal, 4>();
+fn case(model: &Squeal) -> Case {
     let mut case = Case::declared(Squeal::INFO, Dynamics::Exact);
     case.parameters = model.values().to_vec();
     case.start = Some(vec![0.0, 0.5 * model.load, 0.01, 0.0]);
     case.accuracy = 1e-10;
-    let orbit = system.orbit(&case).unwrap();
-    println!(
-        "{model:?}: {} {:?} {:?}",
-        orbit.period, orbit.word, orbit.floquet.multipliers
-    );
+    case
+}
+
+fn orbit(model: &Squeal) -> (f64, String) {
+    let orbit = System::of::<Squeal, 4>().orbit(&case(model)).unwrap();
     (orbit.period, orbit.word.unwrap())
 }
 
 #[test]
 fn stick_or_lift_off_bounds_squeal() {
     let cases = [
-        (1.0, 1.0, "stick(F) slip-(F)"),
-        (1.0, 0.2, "close(N) open(N)"),
-        (3.0, 0.1, ""),
+        (1.0, 1.0, 0.0, "close(N) open(N)"),
+        (3.0, 0.1, 0.0, "stick(F) slip-(F)"),
+        (1.0, 1.0, 0.3, "stick(F) slip-(F) open(N) close(N)"),
     ];
-    for (load, belt, word) in cases {
+    for (load, belt, c3, word) in cases {
         let model = Squeal {
             load,
             belt,
+            c3,
             ..Default::default()
         };
         let (found, spelt) = orbit(&model);
         let expected = period(&model);
-        println!("{found} {expected} {spelt} {word}");
         assert!(
             (found - expected).abs() < 1e-8,
             "{found} against {expected}: {spelt}"
         );
+        assert_eq!(spelt, word);
     }
+}
+
+/// Between what bounds it slowly and what bounds it fast lies a grazing: on its orbit the force just touches zero.
+#[test]
+fn a_branch_of_squeal_passes_from_stick_to_lift_off() {
+    let model = Squeal {
+        load: 3.0,
+        belt: 0.1,
+        ..Default::default()
+    };
+    let mut along = case(&model);
+    along.accuracy = 1e-9;
+    along.along = Some(Along {
+        design: Design::Parameter(Squeal::belt.index),
+        from: 0.1,
+        to: 1.5,
+    });
+    let system = System::of::<Squeal, 4>();
+    let branch = system
+        .branch(&along, &mut |_| ControlFlow::Continue(()))
+        .unwrap();
+    let kinds: Vec<Kind> = branch.special.iter().map(|special| special.kind).collect();
+    assert_eq!(kinds[0], Kind::Grazing);
+    let graze = branch.special[0].r;
+    for point in &branch.points {
+        let (r, word) = (point.r.unwrap(), point.word.as_deref().unwrap());
+        assert_eq!(r > graze, word.contains("open(N)"), "{r} {word}");
+        assert_eq!(r > graze, point.min[1] < 0.0, "{r} {}", point.min[1]);
+    }
+    assert_eq!(
+        branch.points.last().unwrap().word.as_deref(),
+        Some("close(N) open(N)")
+    );
+    // Everything but the load and the belt is linear: at the grazing their ratio alone decides, and the gap just closes.
+    let touching = Squeal {
+        belt: graze,
+        ..model
+    };
+    let orbit = system.orbit(&case(&touching)).unwrap();
+    assert!(orbit.min[1].abs() < 1e-8, "{}", orbit.min[1]);
+    let double = Squeal {
+        belt: 2.0 * graze,
+        load: 6.0,
+        ..model
+    };
+    let orbit = system.orbit(&case(&double)).unwrap();
+    assert!(orbit.min[1].abs() < 1e-8, "{}", orbit.min[1]);
 }

@@ -3,6 +3,8 @@
 mod affine;
 mod columns;
 mod constants;
+mod impact;
+mod loose;
 mod mode;
 mod pressed;
 mod rest;

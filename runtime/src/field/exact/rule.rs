@@ -60,6 +60,9 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
     fn press<L: PressLaw<D>>(&mut self, contact: usize, law: &L, gap: D, rate: D) -> D {
         let mode = self.modes.get(contact).copied().unwrap_or(Mode::Open);
         self.speed.as_mut()[contact] = gap;
+        if L::INFO.is_rigid() {
+            return D::from(0.0);
+        }
         if mode == Mode::Open || !mode.is_of_press() {
             return D::from(0.0);
         }

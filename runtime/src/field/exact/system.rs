@@ -5,9 +5,9 @@ use num_dual::Dual64;
 use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
-use super::mode::{Mode, Modes};
-use super::pressed::{hold_terms, rough};
-use super::rest::{idle, layers, limits, loose};
+use super::mode::Modes;
+use super::pressed::rough;
+use super::rest::{idle, layers, limits};
 use super::rule::Branches;
 use super::strip::Strip;
 use crate::field::memory;
@@ -65,7 +65,7 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     /// Which contacts no force ever holds: where w = 0 nothing happens to them.
     pub(super) idle: M::PerContact<bool>,
     /// Which presses have a force that is no power series in the depth.
-    rough: M::PerContact<bool>,
+    pub(super) rough: M::PerContact<bool>,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -146,42 +146,9 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         limits::<M, f64, N>(&self.plain, state, &|_| None)
     }
 
-    /// The magnitude of the terms of what holds a press closed.
-    pub(crate) fn terms_of_hold(&self, state: &[f64; N], press: usize) -> f64 {
-        hold_terms::<M, N>(&self.plain, state, press)
-    }
-
-    /// The modes with those contacts loose, and only those, whose presses are open and which hold with no force then;
-    /// what is loose no longer slides the way it moves.
-    pub(crate) fn loosened(&self, mut modes: Modes<M, N>, speeds: &[f64]) -> Modes<M, N> {
-        let reads = |i: usize| !M::INFO.contacts[i].presses.is_empty();
-        if !(0..M::INFO.contacts.len()).any(reads) {
-            return modes;
-        }
-        let before = modes;
-        let open = |i: usize| !before.as_slice()[i].acts();
-        let loose = loose::<M, N>(&self.turned, open);
-        for i in (0..M::INFO.contacts.len()).filter(|&i| reads(i)) {
-            let is_loose = before.as_slice()[i] == Mode::Loose;
-            let unloaded =
-                loose.as_ref()[i] && M::INFO.contacts[i].presses.iter().any(|&i| open(i));
-            match (unloaded, is_loose) {
-                (true, false) => modes.set(i, Mode::Loose),
-                (false, true) => modes.set(i, Mode::sliding(speeds[i])),
-                _ => {}
-            }
-        }
-        modes
-    }
-
     /// Whether no force ever holds this contact: where w = 0 nothing happens to it.
     pub(crate) fn is_idle(&self, contact: usize) -> bool {
         self.idle.as_ref()[contact]
-    }
-
-    /// Whether the force of a press is no power series in the depth, as that of Hertz is not.
-    pub(crate) fn is_rough(&self, press: usize) -> bool {
-        self.rough.as_ref()[press]
     }
 
     /// The values of the parameters.

@@ -63,8 +63,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         design: Design,
     ) -> Result<Self, SmoothingError> {
         if let Some(press) = M::INFO.presses.first() {
-            let press = press.name;
-            return Err(SmoothingError::Press { press });
+            return Err(SmoothingError::Press { press: press.name });
         }
         let values = model.values();
         let smoothing = smoothing.unwrap_or(UNUSED);

@@ -52,6 +52,17 @@ impl<const N: usize> Extrema<N> {
         }
     }
 
+    /// Notes where states jump: as if they moved on very fast.
+    pub(super) fn jump(&mut self, time: f64, before: &[f64; N], after: &[f64; N]) {
+        for index in 0..N {
+            let way = after[index] - before[index];
+            if way != 0.0 {
+                self.meet(index, way.signum(), (time, *before));
+                self.sign[index] = way.signum();
+            }
+        }
+    }
+
     /// Notes where the phase of a drive begins anew in the step just made.
     pub(super) fn strobe<F: Field<N>, V: Carried<N>>(
         &mut self,

@@ -1,6 +1,7 @@
 //! The exact flow: friction is set-valued, switching instants are located, derivatives jump through them.
 
 mod approach;
+mod bounce;
 mod box_qp;
 mod chatter;
 mod depart;

@@ -9,6 +9,8 @@ use crate::model::Model;
 
 /// Rounding error of a gap or of what holds a press closed, in units of its terms.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Speed at a closed gap, in units of its terms, below which a contact that does not give way would stay closed.
+const RESTS: f64 = 1e-13;
 /// Distance on the wrong side of its gap, relative to its scale, from which a motion may still depart.
 const WRONG_SIDE: f64 = 1e-6;
 
@@ -95,6 +97,9 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             Vanishing::Rounded if gap.re < 0.0 && is_small(hold.re, terms()) => Vanishing::Hold,
             known => known,
         };
+        if M::INFO.is_rigid(press) {
+            return self.flies(state, press, gap.re, scale, vanishing);
+        }
         let side = f64::from(u8::from(vanishing == Vanishing::Hold));
         let pressing = |pushes: bool| if pushes { Mode::Closed } else { Mode::Parted };
         let first = Departure { side, order: 1 };
@@ -114,6 +119,31 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             Vanishing::Rounded if gap.re > 0.0 => (Mode::Open, Departure::default()),
             Vanishing::Rounded => (pressing(hold.re > 0.0), Departure::default()),
         })
+    }
+
+    /// The mode of a press that does not give way: it is in flight, from its surface or off it.
+    fn flies(
+        &self,
+        state: &[f64; N],
+        press: usize,
+        gap: f64,
+        scale: f64,
+        vanishing: Vanishing,
+    ) -> Result<(Mode, Departure), FlowError> {
+        let touches = vanishing == Vanishing::Gap;
+        if !touches && gap < 0.0 {
+            return Err(FlowError::Inside {
+                contact: press,
+                gap,
+            });
+        }
+        let approach = self.system.impact(state, press).approach;
+        let rests = touches && approach.abs() <= RESTS * scale;
+        if rests {
+            return Err(FlowError::Resting { contact: press });
+        }
+        let order = usize::from(touches && approach < 0.0);
+        Ok((Mode::Open, Departure { side: 0.0, order }))
     }
 
     /// Whether each press is as it should be, within what rounding may have done.

@@ -43,6 +43,8 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     /// The longest step so far; before the first one what may be one.
     pub(super) longest: f64,
     segment_from: f64,
+    /// The press whose impact was the last event.
+    pub(super) impact: Option<usize>,
     segments: Vec<Segment<Modes<M, N>>>,
     pub(super) extrema: Extrema<N>,
     pub(super) path: Vec<Sample<N>>,
@@ -76,6 +78,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             rates: (Inline::from_fn(|_| 0.0), f64::NAN),
             longest: FIRST * span,
             segment_from: 0.0,
+            impact: None,
             segments: Vec::new(),
             extrema: Extrema::new(),
             path: Vec::new(),
@@ -106,11 +109,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             },
             time: self.time,
             derivatives,
-            extrema: if self.want.extrema {
-                self.extrema.finish()
-            } else {
-                Vec::new()
-            },
+            extrema: self.extrema.finish(),
             segments: self.segments,
             events: self.events,
             path: self.path,
@@ -294,6 +293,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         self.segments.push(Segment {
             mode: self.modes,
             duration,
+            impact: self.impact.take(),
         });
         self.segment_from = self.time;
         if let Some(motion) = self.carried.motion() {

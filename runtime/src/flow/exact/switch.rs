@@ -83,6 +83,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
 
     /// Passes to the modes after an event.
     pub(super) fn switch(&mut self, strike: &Strike<M, N>) -> Result<(), FlowError> {
+        if let Some(press) = self.hit(strike)? {
+            return self.bounce(press, strike);
+        }
         let fallen = strike.fallen.as_ref();
         let presses = self.switched_presses(strike)?;
         let before = presses.modes;

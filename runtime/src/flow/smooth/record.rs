@@ -186,6 +186,7 @@ impl<const N: usize> Record<N> {
             derivatives,
             extrema: self.extrema.finish(),
             segments: vec![Segment {
+                impact: None,
                 mode: (),
                 duration: time,
             }],

@@ -12,6 +12,7 @@ pub(in crate::study) fn spelt(info: &ModelInfo, modes: &Modes) -> Option<String>
     let segment = Segment {
         modes: modes.clone(),
         duration: 0.0,
+        impact: None,
     };
     (!modes.is_empty()).then(|| word(info, &[segment]))
 }
@@ -46,7 +47,8 @@ fn sliding(info: &ModelInfo, measures: &[f64], turned: usize) -> Modes {
     let way = |i: usize| if turned >> i & 1 == 0 { 1.0 } else { -1.0 };
     let mode = |(i, measure): (usize, &f64)| match info.contacts.get(i) {
         Some(_) => Mode::sliding(way(i) * measure),
-        None if way(i) * measure > 0.0 => Mode::Open,
+        // What does not give way bears nothing unless contact lasts.
+        None if info.is_rigid(i) || way(i) * measure > 0.0 => Mode::Open,
         None => Mode::Closed,
     };
     measures.iter().enumerate().map(mode).collect()
@@ -56,10 +58,13 @@ fn sliding(info: &ModelInfo, measures: &[f64], turned: usize) -> Modes {
 pub(in crate::study) fn sticking_modes(flow: &dyn Flow, info: &ModelInfo) -> Vec<Modes> {
     const RUBBING: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
     const PRESSING: [Mode; 2] = [Mode::Closed, Mode::Open];
+    const FLYING: [Mode; 1] = [Mode::Open];
     let rubs = info.contacts.iter().map(|_| RUBBING.as_slice());
-    let choices: Vec<&[Mode]> = rubs
-        .chain(info.presses.iter().map(|_| PRESSING.as_slice()))
-        .collect();
+    let presses = info.presses.iter().map(|press| match press.law.is_rigid() {
+        true => FLYING.as_slice(),
+        false => PRESSING.as_slice(),
+    });
+    let choices: Vec<&[Mode]> = rubs.chain(presses).collect();
     if choices.len() > COMBINED {
         return vec![choices.iter().map(|choice| choice[0]).collect()];
     }

@@ -1,9 +1,11 @@
 //! Friction force against sliding speed, whatever the type of the law.
 
 use super::hysteresis::{Hysteresis, Shaken};
+use super::strike::{Strike, Struck};
 use crate::field::{Smoothed, Smoothing, SmoothingError};
 use crate::friction::{ContactRule, FrictionLaw, LawInfo};
 use crate::memory::{Answer, MemoryLaw};
+use crate::press::{PressLaw, pressing};
 
 /// A friction law at given values of its parameters.
 pub trait Characteristic {
@@ -58,15 +60,27 @@ pub enum Acting<'a> {
     Static(usize, &'a dyn Characteristic),
     /// Of the friction of this number among those with internal state.
     Remembering(usize, &'a dyn Hysteresis),
+    /// Of the press of this number among those, and its gap.
+    Pressing(usize, &'a dyn Strike, f64),
 }
 
-/// Shows the law of each contact, and each law with internal state; the forces of contacts are zero.
-pub(in crate::study) struct Laws<'a>(pub(in crate::study) &'a mut dyn FnMut(Acting<'_>));
+/// Shows the law of each contact, and each law with internal state; the forces of contacts that rub are zero.
+pub(in crate::study) struct Laws<'a> {
+    pub(in crate::study) see: &'a mut dyn FnMut(Acting<'_>),
+    /// How many contacts rub.
+    pub(in crate::study) rubbing: usize,
+}
 
 impl ContactRule<f64> for Laws<'_> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
-        (self.0)(Acting::Static(contact, law));
+        (self.see)(Acting::Static(contact, law));
         0.0
+    }
+
+    fn press<L: PressLaw<f64>>(&mut self, contact: usize, law: &L, gap: f64, rate: f64) -> f64 {
+        let struck = Struck::<&L, L>::new(law, None);
+        (self.see)(Acting::Pressing(contact - self.rubbing, &struck, gap));
+        pressing(law, gap, rate)
     }
 
     fn recall<L: MemoryLaw<f64, S>, const S: usize>(
@@ -77,7 +91,7 @@ impl ContactRule<f64> for Laws<'_> {
         speed: f64,
     ) -> Answer<f64, S> {
         let shaken = Shaken::<&L, L, S>::new(law, None);
-        (self.0)(Acting::Remembering(element, &shaken));
+        (self.see)(Acting::Remembering(element, &shaken));
         law.answer(memory, speed)
     }
 }

@@ -1,14 +1,17 @@
-//! Friction laws with values for their parameters, to be listed and drawn whatever their types.
+//! Laws with values for their parameters, to be listed and drawn whatever their types.
 
 use super::characteristic::Characteristic;
 use super::hysteresis::{Hysteresis, Shaken};
+use super::strike::{Strike, Struck};
 use crate::friction::{FrictionLaw, LawInfo, LawParameter};
 use crate::memory::{MemoryLaw, MemoryLawInfo};
 use crate::model::ParameterError;
+use crate::press::{PressLaw, PressLawInfo};
 
-/// A friction law with values for its parameters: made by [`specimen!`](crate::specimen).
+/// A law with values for its parameters: made by [`specimen!`](crate::specimen).
 ///
-/// `L` is what can be asked of it: [`Characteristic`], or [`Hysteresis`] of a law with internal state.
+/// `L` is what can be asked of it: [`Characteristic`], [`Hysteresis`] of a law with internal state, or [`Strike`] of a law
+/// of presses.
 pub struct Specimen<L: ?Sized = dyn Characteristic> {
     parameters: &'static [LawParameter],
     /// The parameters in the order in which `build` takes them.
@@ -19,12 +22,14 @@ pub struct Specimen<L: ?Sized = dyn Characteristic> {
 
 type Build<L> = dyn Fn(&[f64]) -> Box<L> + Send + Sync;
 
-/// A law of either kind, as a program lists it.
+/// A law of any kind, as a program lists it.
 pub enum Shown {
     /// A law without internal state.
     Static(Specimen),
     /// A law with internal state.
     Remembering(Specimen<dyn Hysteresis>),
+    /// A law of presses.
+    Pressing(Specimen<dyn Strike>),
 }
 
 impl From<Specimen> for Shown {
@@ -36,6 +41,12 @@ impl From<Specimen> for Shown {
 impl From<Specimen<dyn Hysteresis>> for Shown {
     fn from(specimen: Specimen<dyn Hysteresis>) -> Self {
         Self::Remembering(specimen)
+    }
+}
+
+impl From<Specimen<dyn Strike>> for Shown {
+    fn from(specimen: Specimen<dyn Strike>) -> Self {
+        Self::Pressing(specimen)
     }
 }
 
@@ -77,6 +88,28 @@ impl Specimen<dyn Hysteresis> {
     /// The law as data.
     #[must_use]
     pub fn law(&self) -> &'static MemoryLawInfo {
+        (self.build)(&self.values).law()
+    }
+}
+
+impl Specimen<dyn Strike> {
+    /// The same of a law of presses, shown by a strike of this depth and speed.
+    #[must_use]
+    pub fn of_press<L: PressLaw<f64> + 'static, const N: usize>(
+        fields: [&'static str; N],
+        values: [f64; N],
+        build: fn([f64; N]) -> L,
+        strike: [f64; 2],
+    ) -> Self {
+        let build = move |values: &[f64]| -> Box<dyn Strike> {
+            Box::new(Struck::<L, L>::new(build(taken(values)), Some(strike)))
+        };
+        Self::of(L::INFO.parameters, &fields, &values, Box::new(build))
+    }
+
+    /// The law as data.
+    #[must_use]
+    pub fn law(&self) -> &'static PressLawInfo {
         (self.build)(&self.values).law()
     }
 }
@@ -142,7 +175,8 @@ impl<L: ?Sized> Specimen<L> {
 /// A law with typical values of its parameters: `specimen!(Weakening { limit: 1.0, decay: 3.0 })`.
 ///
 /// A law with internal state has a swing that shows its hysteresis as well, its amplitude and its speed:
-/// `specimen!(Dahl { stiffness: 1e4, level: 1.0 } swinging 5e-4 at 1e-3)`.
+/// `specimen!(Dahl { stiffness: 1e4, level: 1.0 } swinging 5e-4 at 1e-3)`. A law of presses has a strike, its depth and its
+/// speed: `specimen!(Hertz { load: 1.0, depth: 1e-5 } striking 2e-5 at 0.1)`.
 ///
 /// ```
 /// use stickslip::{friction_law, specimen};
@@ -176,6 +210,14 @@ macro_rules! specimen {
             [$($value),*],
             |[$($field),*]| $law { $($field),* },
             [$amplitude, $speed],
+        )
+    };
+    ($law:ident { $($field:ident: $value:expr),* $(,)? } striking $depth:literal at $speed:literal) => {
+        $crate::study::Specimen::of_press(
+            [$(::core::stringify!($field)),*],
+            [$($value),*],
+            |[$($field),*]| $law { $($field),* },
+            [$depth, $speed],
         )
     };
 }

@@ -5,7 +5,7 @@ use heck::ToKebabCase;
 use super::curve::Curve;
 use super::drawn::drawn;
 use super::exhibit::{Exhibit, Place, Wish};
-use super::swing::swing;
+use super::swing::{strike, swing};
 use crate::app::document::unit;
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
@@ -25,6 +25,7 @@ fn type_name(law: &Shown) -> &'static str {
     match law {
         Shown::Static(specimen) => specimen.law().name,
         Shown::Remembering(specimen) => specimen.law().name,
+        Shown::Pressing(specimen) => specimen.law().name,
     }
 }
 
@@ -62,6 +63,10 @@ pub(super) fn lone(law: &Shown, set: &[Assignment], wish: &Wish) -> Result<Exhib
             let (values, built) = at_values(specimen, specimen.law().name, set)?;
             swing(built.as_ref(), None, &values, wish)
         }
+        Shown::Pressing(specimen) => {
+            let (values, built) = at_values(specimen, specimen.law().name, set)?;
+            strike(built.as_ref(), None, &values, wish, 1.0)
+        }
     }
 }
 
@@ -90,7 +95,7 @@ pub(super) fn acting(
     wish: &Wish,
 ) -> Result<Vec<Exhibit>, Failure> {
     let info = entry.info();
-    if info.contacts.is_empty() && info.memories.is_empty() {
+    if !info.touches() && info.memories.is_empty() {
         return refuse!("`{}` has no friction", info.command);
     }
     let mut case = Case::declared(info, Dynamics::Exact);
@@ -117,6 +122,17 @@ fn exhibit(info: &ModelInfo, law: Acting<'_>, wish: &Wish) -> Result<Exhibit, Fa
             let with = states.collect::<Vec<_>>().join(", ");
             let place = (name, format!("{place} with {with}"));
             swing(law, Some(place), &[], wish)
+        }
+        Acting::Pressing(index, law, gap) => {
+            let press = &info.presses[index];
+            let (name, fields, gap_of) = (press.name, press.fields, press.gap);
+            let declared = format!(
+                "{name} = {} {{ {fields} }} closing {gap_of}",
+                press.law.name
+            );
+            let place = (format!("{}-{name}", info.command), declared);
+            let depth = if gap == 0.0 { 1.0 } else { gap.abs() };
+            strike(law, Some(place), &[], wish, depth)
         }
     }
 }

@@ -1,4 +1,5 @@
-//! A law with internal state: the loops of its force as its contact swings, slowly and ten times as fast.
+//! The loops of the force of a law with internal state as its contact swings, or of a press as it strikes, slowly and ten
+//! times as fast.
 
 use serde_json::{Value, json};
 
@@ -8,7 +9,7 @@ use crate::app::failure::{Failure, refuse};
 use crate::app::spreadsheet::{Columns, Spreadsheet};
 use crate::app::text::{line, number, table};
 use crate::report::{Axis, Curve, Panel};
-use crate::study::Hysteresis;
+use crate::study::{Hysteresis, Strike};
 
 /// How much faster the second swing is: what it changes is the rate dependence of a law.
 const FASTER: f64 = 10.0;
@@ -64,25 +65,103 @@ pub(super) fn swing(
         parameters: law.parameters,
         values,
     };
-    let found = Computed {
-        text: text(amplitude, &loops),
-        fields: fields(amplitude, &loops),
-        panel: panel(&loops),
-        sheet: sheet(&loops),
+    let swings = Swings {
+        amplitude,
+        loops,
+        title: "swinging by {} m to and fro",
+        turn: "force at the turn (N)",
+        axes: ["displacement (m)", "friction force opposing it (N)"],
     };
-    Ok(known.exhibit(place, found))
+    Ok(known.exhibit(place, swings.computed()))
 }
 
-fn text(amplitude: f64, loops: &[Loop]) -> String {
-    let shown = |value: f64| number(value, DIGITS);
-    let mut lines = "speed (m/s)\tlargest force (N)\tforce at the turn (N)\n".to_owned();
-    for one in loops {
-        let forces = one.points.iter().map(|[_, force]| force.abs());
-        let turn = one.points.last().map_or(f64::NAN, |[_, force]| *force);
-        lines += &line([one.speed, forces.fold(0.0, f64::max), turn].map(shown));
+/// A law of presses as it is shown, alone or where it acts; `depth` is that of a strike if nothing else is said.
+pub(super) fn strike(
+    built: &dyn Strike,
+    place: Option<Place>,
+    values: &[f64],
+    wish: &Wish,
+    depth: f64,
+) -> Result<Exhibit, Failure> {
+    let law = built.law();
+    if let Some(smoothing) = wish.smoothing {
+        return refuse!(
+            "`--smooth {smoothing}`: `{}` presses and lets go, and no smoothing rounds that yet",
+            law.name
+        );
     }
-    let amplitude = shown(amplitude);
-    format!("\nswinging by {amplitude} m to and fro\n{}", table(&lines))
+    let usual = built.usual();
+    let amplitude = wish.amplitude.or(usual.map(|[depth, _]| depth));
+    let amplitude = amplitude.unwrap_or(depth);
+    let slow = wish.speed.or(usual.map(|[_, speed]| speed));
+    let slow = slow.unwrap_or(amplitude);
+    let loops = [slow, FASTER * slow].map(|speed| Loop {
+        speed,
+        points: built.strike(amplitude, speed),
+    });
+    let mut fields = json!({ "formula": law.lines().pop() });
+    if let Some((_, declared)) = &place {
+        fields["contact"] = json!(declared);
+    }
+    let known = Known {
+        name: law.name,
+        doc: law.doc,
+        formulas: law.lines(),
+        fields,
+        parameters: law.parameters,
+        values,
+    };
+    let swings = Swings {
+        amplitude,
+        loops: loops.into(),
+        title: "striking to the depth of {} m",
+        turn: "force at the end (N)",
+        axes: ["depth (m)", "force (N)"],
+    };
+    Ok(known.exhibit(place, swings.computed()))
+}
+
+/// Loops and how they are told of.
+struct Swings {
+    amplitude: f64,
+    loops: Vec<Loop>,
+    /// The line above them, with a place for the amplitude.
+    title: &'static str,
+    /// The head of the column with the last force.
+    turn: &'static str,
+    axes: [&'static str; 2],
+}
+
+impl Swings {
+    fn computed(&self) -> Computed {
+        Computed {
+            text: self.text(),
+            fields: fields(self.amplitude, &self.loops),
+            panel: self.panel(),
+            sheet: sheet(&self.loops),
+        }
+    }
+
+    fn text(&self) -> String {
+        let shown = |value: f64| number(value, DIGITS);
+        let mut lines = format!("speed (m/s)\tlargest force (N)\t{}\n", self.turn);
+        for one in &self.loops {
+            let forces = one.points.iter().map(|[_, force]| force.abs());
+            let turn = one.points.last().map_or(f64::NAN, |[_, force]| *force);
+            lines += &line([one.speed, forces.fold(0.0, f64::max), turn].map(shown));
+        }
+        let title = self.title.replace("{}", &shown(self.amplitude));
+        format!("\n{title}\n{}", table(&lines))
+    }
+
+    fn panel(&self) -> Panel {
+        let curves = self.loops.iter().enumerate().map(|(series, one)| {
+            let label = format!("at {} m/s", number(one.speed, 2));
+            Curve::line(label, series, one.points.clone())
+        });
+        let [x, y] = self.axes.map(Axis::new);
+        Panel::new(x, y).curves(curves)
+    }
 }
 
 fn fields(amplitude: f64, loops: &[Loop]) -> Value {
@@ -95,15 +174,6 @@ fn fields(amplitude: f64, loops: &[Loop]) -> Value {
         "units": { "amplitude": "m", "speed": "m/s", "displacement": "m", "force": "N" },
         "loops": loops.collect::<Vec<_>>(),
     })
-}
-
-fn panel(loops: &[Loop]) -> Panel {
-    let curves = loops.iter().enumerate().map(|(series, one)| {
-        let label = format!("at {} m/s", number(one.speed, 2));
-        Curve::line(label, series, one.points.clone())
-    });
-    let [x, y] = ["displacement (m)", "friction force opposing it (N)"].map(Axis::new);
-    Panel::new(x, y).curves(curves)
 }
 
 fn sheet(loops: &[Loop]) -> Spreadsheet {

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::app::document::unit;
 use crate::app::text::{assigned, indented, label, summary, table};
-use crate::model::{Bound, Contact, Memory, ModelInfo};
+use crate::model::{Bound, Contact, Memory, ModelInfo, Press};
 
 /// A model in a list.
 pub(super) fn brief(info: &ModelInfo) -> String {
@@ -13,12 +13,17 @@ pub(super) fn brief(info: &ModelInfo) -> String {
     let contacts = contacts.map(|contact| named(contact.name, contact.law.name));
     let memories = info.memories.iter();
     let friction = contacts.chain(memories.map(|line| named(line.name, line.law.name)));
-    let lines = format!(
+    let mut lines = format!(
         "states\t{}\nparameters\t{}\nfriction\t{}\n",
         names(info.states.iter().map(|state| state.name.to_owned())),
         names(info.parameters.iter().map(|one| one.name.to_owned())),
         names(friction),
     );
+    if !info.presses.is_empty() {
+        let presses = info.presses.iter();
+        let presses = presses.map(|press| named(press.name, press.law.name));
+        lines += &format!("presses\t{}\n", names(presses));
+    }
     let (name, summary) = (info.command, summary(info.doc));
     format!("{name}\n  {summary}\n{}", table(&lines))
 }
@@ -45,6 +50,7 @@ pub(super) fn describe(info: &ModelInfo) -> String {
     });
     let contacts = info.contacts.iter().map(contact);
     let memories = info.memories.iter().map(|line| memory(info, line));
+    let presses = info.presses.iter().map(press);
     let observables = info.observables.iter().map(|line| {
         let name = label(line.name, line.unit);
         format!("{name} = {}\t{}\n", line.formula, summary(line.doc))
@@ -55,6 +61,7 @@ pub(super) fn describe(info: &ModelInfo) -> String {
         ("states", states.collect::<String>()),
         ("parameters", parameters.collect()),
         ("friction", contacts.chain(memories).collect()),
+        ("presses", presses.collect()),
         ("observables", observables.collect()),
         ("equations", equations.collect()),
     ];
@@ -75,6 +82,19 @@ fn contact(contact: &Contact) -> String {
         summary(contact.doc),
         law.stick,
         law.slip,
+        summary(law.doc),
+    )
+}
+
+fn press(press: &Press) -> String {
+    let (law, name) = (press.law, label(press.name, press.unit));
+    format!(
+        "{name}\t{} {{ {} }} closing {}\t{}\n\t{}\t{}\n",
+        law.name,
+        press.fields,
+        press.gap,
+        summary(press.doc),
+        law.lines().join("; "),
         summary(law.doc),
     )
 }
@@ -125,11 +145,17 @@ pub(super) fn document(info: &ModelInfo) -> Value {
                 "with": carriers(info, memory).collect::<Vec<_>>(), "states": states.collect::<Vec<_>>(),
                 "lets": lets.collect::<Vec<_>>(), "force": law.force })
     });
+    let presses = info.presses.iter().map(|press| {
+        let law = press.law;
+        json!({ "name": press.name, "doc": press.doc.trim(), "unit": unit(press.unit),
+                "law": law.name, "fields": press.fields, "gap": press.gap, "gap_unit": unit(press.gap_unit),
+                "force": law.lines() })
+    });
     json!({
         "model": info.command, "name": info.name, "doc": info.doc.trim(),
         "states": states.collect::<Vec<_>>(), "parameters": parameters.collect::<Vec<_>>(),
         "observables": observables.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
-        "memories": memories.collect::<Vec<_>>(),
+        "memories": memories.collect::<Vec<_>>(), "presses": presses.collect::<Vec<_>>(),
     })
 }
 

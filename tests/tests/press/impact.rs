@@ -1,0 +1,210 @@
+//! Impacts against closed forms.
+
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+
+use stickslip::continuation::Kind;
+use stickslip::field::Design;
+use stickslip::flow::{EventKind, Flow, Want};
+use stickslip::model::Model;
+use stickslip::study::{Along, BranchRecord, Case, Dynamics, OrbitRecord, System};
+
+use crate::models::{Bouncing, Hammer, Valve, flow};
+
+fn case<M: Model<N>, const N: usize>(model: &M, start: &[f64]) -> Case {
+    let mut case = Case::declared(M::INFO, Dynamics::Exact);
+    case.parameters = model.values().as_ref().to_vec();
+    case.start = Some(start.to_vec());
+    case.accuracy = 1e-11;
+    case
+}
+
+fn branch<M: Model<N>, const N: usize>(
+    case: &Case,
+    parameter: usize,
+    (from, to): (f64, f64),
+) -> BranchRecord {
+    let mut along = case.clone();
+    along.parameters[parameter] = from;
+    along.along = Some(Along {
+        design: Design::Parameter(parameter),
+        from,
+        to,
+    });
+    let branch = System::of::<M, N>().branch(&along, &mut |_| ControlFlow::Continue(()));
+    let branch = branch.unwrap();
+    for special in &branch.special {
+        println!("{:?} {} {:?}", special.kind, special.r, special.multipliers);
+    }
+    println!("{:?}", branch.ended);
+    branch
+}
+
+/// The approach, the departure and the phase of each impact of an orbit.
+fn impacts<M: Model<N>, const N: usize>(model: &M, orbit: &OrbitRecord) -> Vec<[f64; 3]> {
+    let flow = flow(model, None);
+    let start = std::array::from_fn(|i| orbit.state[i]);
+    let place = flow.place(start).unwrap();
+    let passage = flow.advance(&place, orbit.period, Want::default()).unwrap();
+    let impact = |event: &stickslip::flow::Event<N>| match event.kind {
+        EventKind::Impact {
+            approach,
+            departure,
+        } => Some([approach, departure, event.time]),
+        _ => None,
+    };
+    passage.events.iter().filter_map(impact).collect()
+}
+
+fn determinant(orbit: &OrbitRecord) -> f64 {
+    let multipliers = orbit.floquet.multipliers.iter();
+    multipliers.product::<nalgebra::Complex<f64>>().re
+}
+
+#[test]
+fn the_impact_oscillator_has_its_closed_form() {
+    let table = [
+        (
+            1.0,
+            1.3565863500759048,
+            0.0759521649383116,
+            [-0.5842953143415295, 0.0056003514924761],
+        ),
+        (
+            0.5,
+            0.6696128185597274,
+            0.1771123596906624,
+            [-0.5811658910453443, 0.0606513428027527],
+        ),
+    ];
+    for (load, departure, phase, multiplier) in table {
+        let hammer = Hammer {
+            load,
+            ..Default::default()
+        };
+        let case = case(&hammer, &[1.0 - 0.07 * departure, -departure, 0.0]);
+        let orbit = System::of::<Hammer, 3>().orbit(&case).unwrap();
+        assert_eq!(orbit.word.as_deref(), Some("impact(R)"));
+        assert!((orbit.period - TAU).abs() < 1e-12);
+        let found = impacts(&hammer, &orbit);
+        let [[v_in, v_out, time]] = found.as_slice() else {
+            panic!("{found:?}");
+        };
+        println!("{load} {found:?} {:?}", orbit.floquet.multipliers);
+        assert!((v_out - departure).abs() < 1e-10, "{v_out}");
+        assert!((v_in - departure / 0.8).abs() < 1e-10, "{v_in}");
+        assert!((time - phase).abs() < 1e-10, "{time}");
+        let found = orbit.floquet.multipliers[0];
+        assert!((found.re - multiplier[0]).abs() < 1e-8, "{found}");
+        assert!((found.im.abs() - multiplier[1]).abs() < 1e-8, "{found}");
+        assert!((determinant(&orbit) - 0.34143237829830614).abs() < 1e-9);
+        assert!(orbit.max[0] <= 1.0 + 1e-12, "never through the wall");
+        assert!(orbit.max[1] > *v_in && (orbit.min[1] + v_out).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn free_motion_ends_where_it_grazes_the_wall() {
+    let free = case(&Hammer::default(), &[0.0, 0.0, 0.0]);
+    let branch = branch::<Hammer, 3>(&free, Hammer::load.index, (0.05, 0.2));
+    assert_eq!(branch.special[0].kind, Kind::Grazing);
+    assert!(
+        (branch.special[0].r - 0.1).abs() < 1e-9,
+        "{}",
+        branch.special[0].r
+    );
+    let free = Hammer {
+        omega: 0.9,
+        ..Default::default()
+    };
+    let free = case(&free, &[0.0, 0.0, 0.0]);
+    let branch = self::branch::<Hammer, 3>(&free, Hammer::load.index, (0.1, 0.3));
+    assert_eq!(branch.special[0].kind, Kind::Grazing);
+    assert!((branch.special[0].r - 0.21023796041628634).abs() < 1e-9);
+}
+
+#[test]
+fn impacting_motion_folds() {
+    let hit = case(&Hammer::default(), &[0.91, -1.356, 0.0]);
+    let branch = branch::<Hammer, 3>(&hit, Hammer::load.index, (1.0, 0.05));
+    let fold = branch
+        .special
+        .iter()
+        .find(|special| special.kind == Kind::Fold);
+    let fold = fold.expect("a fold");
+    assert!((fold.r - 0.09997075362831327).abs() < 1e-9, "{}", fold.r);
+}
+
+/// Born in a fold at Γ = π (1 − e)/(1 + e), doubled at Γ² = that² + (2 (1 + e²)/(1 + e)²)².
+#[test]
+fn a_ball_keeps_time_with_its_table_in_a_window() {
+    for e in [0.8, 0.5, 0.3] {
+        let born = PI * (1.0 - e) / (1.0 + e);
+        let flips = born.hypot(2.0 * (1.0 + e * e) / ((1.0 + e) * (1.0 + e)));
+        let gamma = 0.5 * (born + flips);
+        let model = Bouncing {
+            e,
+            amplitude: gamma,
+            ..Default::default()
+        };
+        let phase = (born / gamma).acos();
+        // It leaves at speed π relative to the still table: v⁺ of the flight, seen from the phase 0 before the impact.
+        let start = [
+            gamma * phase.sin() + PI * phase - 0.5 * phase * phase,
+            -PI + phase,
+            0.0,
+        ];
+        let start = [start[0], start[1], 0.0];
+        let case = case(&model, &start);
+        let orbit = System::of::<Bouncing, 3>().orbit(&case).unwrap();
+        println!(
+            "{e} {:?} {:?} {:?}",
+            orbit.word,
+            impacts(&model, &orbit),
+            orbit.floquet.multipliers
+        );
+        let trace: f64 = orbit.floquet.multipliers.iter().map(|m| m.re).sum();
+        assert!((trace - (1.0 + e * e - (1.0 + e).powi(2) * gamma * phase.sin())).abs() < 1e-8);
+        assert!((determinant(&orbit) - e * e).abs() < 1e-9);
+        let up = branch::<Bouncing, 3>(&case, Bouncing::amplitude.index, (gamma, 1.1 * flips));
+        let flip = up
+            .special
+            .iter()
+            .find(|special| special.kind == Kind::Flip)
+            .expect("a flip");
+        assert!((flip.r - flips).abs() < 1e-9, "{} {flips}", flip.r);
+        let down = branch::<Bouncing, 3>(&case, Bouncing::amplitude.index, (gamma, 0.9 * born));
+        let fold = down
+            .special
+            .iter()
+            .find(|special| special.kind == Kind::Fold)
+            .expect("a fold");
+        assert!((fold.r - born).abs() < 1e-9, "{} {born}", fold.r);
+    }
+}
+
+#[test]
+fn a_valve_flutters_into_its_seat() {
+    let mut rest = Case::declared(Valve::INFO, Dynamics::Exact);
+    rest.along = Some(Along {
+        design: Design::Parameter(Valve::q.index),
+        from: 9.0,
+        to: 8.0,
+    });
+    let system = System::of::<Valve, 3>();
+    let steady = system
+        .equilibria_along(&rest, &mut |_| ControlFlow::Continue(()))
+        .unwrap();
+    let hopf = &steady.special[0];
+    println!("{hopf:?}");
+    assert!((hopf.r - 8.491117635183326).abs() < 1e-9);
+    assert!((TAU / hopf.period.unwrap() - 3.0907088479743408).abs() < 1e-9);
+    let valve = Valve {
+        q: 8.3,
+        ..Default::default()
+    };
+    let cycle = case(&valve, &[2.0, 0.0, 12.0]);
+    let branch = branch::<Valve, 3>(&cycle, Valve::q.index, (8.3, 7.0));
+    assert_eq!(branch.special[0].kind, Kind::Grazing);
+    println!("{}", branch.special[0].r);
+}
