@@ -7,7 +7,6 @@
 
 use nalgebra::{DVector, RowDVector};
 
-use super::shot::Shot;
 use crate::continuation::Linearisation;
 
 /// A condition c·x = b on the start of an orbit in a neutral direction.
@@ -83,7 +82,7 @@ impl Condition {
     }
 
     /// Adds it to the equations of an orbit as far as u says.
-    pub(super) fn enter(&self, left: &DVector<f64>, at: &mut Linearisation<Shot>) {
+    pub(super) fn enter<Extra>(&self, left: &DVector<f64>, at: &mut Linearisation<Extra>) {
         at.residual.axpy(self.value, left, 1.0);
         at.design.axpy(self.design, left, 1.0);
         at.jacobian += left * &self.gradient;
