@@ -257,12 +257,18 @@ impl<R: Reader> Walk<'_, R> {
             self.wasted += point.work().copied().unwrap_or_default();
             Verdict::Again
         } else {
-            Verdict::End(Ending::FallsBack(point.r()))
+            let reason = self.followed.reader.explain(&self.points);
+            let falls = Ending::FallsBack(point.r());
+            Verdict::End(reason.map_or(falls, |reason| self.end(reason)))
         }
     }
 
     fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
-        let ending = Ending::At(reason.kind, reason.r);
+        let ending = if reason.last && reason.kind == Kind::Flip {
+            Ending::Meets(reason.r)
+        } else {
+            Ending::At(reason.kind, reason.r)
+        };
         let after = self.points.len();
         self.located.push(Located { after, ..reason });
         ending

@@ -3,6 +3,7 @@
 //! At a border an event begins or ceases to happen. Whatever the side from which it is come to, the orbit there solves
 //! equations that are smooth on both sides of it, and what its return maps are on both sides says where it continues.
 
+mod around;
 mod candidate;
 mod crossing;
 mod located;
