@@ -233,6 +233,14 @@ impl<R: Reader> Walk<'_, R> {
             found.after = self.points.len();
             reader.refine(&branch.problem, found);
         }
+        if let Some(last) = findings.located.last_mut().filter(|event| event.last)
+            && let Some(met) = reader.explain(&self.points)
+            && met.kind == last.kind
+            && (met.r - last.r).abs() > met.error
+        {
+            // So near to where branches meet a multiplier says less than what the points lead to.
+            (last.r, last.error) = (met.r, met.error);
+        }
         let first = findings.unexplained.into_iter().next();
         let last = findings.located.last().filter(|event| event.last).cloned();
         self.located.extend(findings.located);

@@ -84,11 +84,9 @@ impl<'a> Around<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
-        let times = |own: &[usize]| match own {
-            [first, last] => Some([first, last].map(|i| self.orbit.events[*i].time)),
-            _ => None,
-        };
-        border.brief = times(&change.own);
+        if let [first, last] = change.own[..] {
+            border.brief = Some([first, last].map(|i| self.orbit.events[i].time));
+        }
         border.modes = change.modes;
         (border.held, border.calm) = self.held(event, &change.own);
         Ok(Some(border))
