@@ -13,8 +13,24 @@ const NEAR: f64 = 0.25;
 /// Drop of the force at release, as a share of its limit at rest, that is rounding error.
 const FLAT: f64 = 1e-9;
 
+/// The borders near to which an orbit is, the nearest first; none of a smooth system.
+///
+/// # Errors
+/// The forces are not determined at an event.
+pub fn borders(flow: &dyn Flow, orbit: &Orbit) -> Result<Vec<Border>, FlowError> {
+    let around = Around::of(orbit);
+    let mut found = Vec::new();
+    for event in 0..orbit.events.len() {
+        for condition in [Condition::Touch, Condition::Edge] {
+            found.extend(around.border(flow, event, condition)?);
+        }
+    }
+    found.sort_by(|a: &Border, b| a.away.total_cmp(&b.away));
+    Ok(found)
+}
+
 /// An orbit once around.
-pub(super) struct Around<'a> {
+struct Around<'a> {
     orbit: &'a Orbit,
     /// When each stretch ends.
     ends: Vec<f64>,
@@ -30,7 +46,7 @@ struct Change {
 }
 
 impl<'a> Around<'a> {
-    pub(super) fn of(orbit: &'a Orbit) -> Self {
+    fn of(orbit: &'a Orbit) -> Self {
         let mut end = 0.0;
         let mut sum = |duration: f64| {
             end += duration;
@@ -47,7 +63,7 @@ impl<'a> Around<'a> {
     }
 
     /// The border of this condition at an event, if that is near to one.
-    pub(super) fn border(
+    fn border(
         &self,
         flow: &dyn Flow,
         index: usize,

@@ -1,10 +1,8 @@
 //! Where an orbit comes near to another order of events, and how the motion around that is divided.
 
-use super::around::Around;
 use crate::bifurcation::Kind;
 use crate::field::exact::Mode;
-use crate::flow::FlowError;
-use crate::motion::{Flow, Modes, Place};
+use crate::motion::{Modes, Place};
 use crate::shooting::Orbit;
 
 /// A stretch of this share of the period is none.
@@ -44,22 +42,6 @@ pub struct Border {
 }
 
 impl Border {
-    /// The borders near to which an orbit is, the nearest first; none of a smooth system.
-    ///
-    /// # Errors
-    /// The forces are not determined at an event.
-    pub fn near(flow: &dyn Flow, orbit: &Orbit) -> Result<Vec<Self>, FlowError> {
-        let around = Around::of(orbit);
-        let mut found = Vec::new();
-        for event in 0..orbit.events.len() {
-            for condition in [Condition::Touch, Condition::Edge] {
-                found.extend(around.border(flow, event, condition)?);
-            }
-        }
-        found.sort_by(|a: &Self, b| a.away.total_cmp(&b.away));
-        Ok(found)
-    }
-
     /// Whether a sliding contact comes to rest for a moment there.
     #[must_use]
     pub fn is_graze(&self) -> bool {

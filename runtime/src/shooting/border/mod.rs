@@ -11,6 +11,7 @@ mod problem;
 mod sheet;
 mod sides;
 
+pub use around::borders;
 pub use candidate::{Border, Condition};
 pub(super) use crossing::{between, cross};
 pub use problem::{BorderProblem, BorderShot};
