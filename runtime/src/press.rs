@@ -90,13 +90,20 @@ impl PressLawInfo {
     pub fn lines(&self) -> Vec<String> {
         let lets = self.abbreviations.iter();
         let lets = lets.map(|(name, formula)| format!("{name} = {formula}"));
-        let formula = match self.formula {
+        let (name, _, formula) = self.line();
+        lets.chain([format!("{name} = {formula}")]).collect()
+    }
+
+    /// The line that says what the contact does: its left side, the symbols in it, and its right side.
+    pub(crate) fn line(&self) -> (String, Vec<&'static str>, &'static str) {
+        match self.formula {
             PressFormula::Compliant { depth, rate, force } => {
-                format!("force({depth}, {rate}) = {force}")
+                (format!("force({depth}, {rate})"), vec![depth, rate], force)
             }
-            PressFormula::Rigid { speed, rebound } => format!("rebound({speed}) = {rebound}"),
-        };
-        lets.chain([formula]).collect()
+            PressFormula::Rigid { speed, rebound } => {
+                (format!("rebound({speed})"), vec![speed], rebound)
+            }
+        }
     }
 
     /// Whether the contact does not give way.

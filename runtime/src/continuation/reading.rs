@@ -15,7 +15,7 @@ use super::point::Point;
 use super::range::Stop;
 use crate::field::Work;
 
-/// Share of the accuracy of what lies between two points to which it is found once more, where its error is measured.
+/// Share of the sharpness of what lies between two points to which it is found once more, where its error is measured.
 const AGAIN: f64 = 0.1;
 
 /// What the points of a branch are read as, what is looked for among them, and where it ends.
@@ -43,7 +43,7 @@ pub trait Reader: Clone {
         self.read(problem, point, Work::default())
     }
 
-    /// Share of the accuracy of the points to which what lies between them is found.
+    /// Share of the accuracy of the points to which what lies between them is evaluated.
     const SHARPER: f64 = 1.0;
 
     /// Evaluates what lies between two points to this share of their accuracy.
@@ -177,7 +177,7 @@ impl<R: Reader> Reading<R> {
     /// What lies between the last two points, these; `None` at the first.
     pub(super) fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
         let mut link = self.branch.link()?.clone();
-        sharpen(&self.reader, &mut link, 1.0);
+        self.reader.sharpen(&mut link.problem, R::SHARPER);
         Some(Between {
             counted: R::work(&link.problem),
             straight: self.reader.straight(ends),
@@ -197,12 +197,6 @@ impl<R: Reader> Iterator for Reading<R> {
         let point = self.branch.next()?;
         Some(self.read(&point))
     }
-}
-
-/// What lies between two points is found more sharply than they are, and `times` that.
-fn sharpen<R: Reader>(reader: &R, link: &mut Link<R::Problem>, times: f64) {
-    link.sharpen(times * R::SHARPER);
-    reader.sharpen(&mut link.problem, times * R::SHARPER);
 }
 
 /// What lies between two neighbouring points.
@@ -241,9 +235,12 @@ impl<R: Reader> Path for Between<R> {
     }
 
     fn sharper(&mut self, share: f64) -> Option<R::Point> {
-        sharpen(&self.reader, &mut self.link, AGAIN);
+        self.link.sharpen(AGAIN * R::SHARPER);
+        self.reader
+            .sharpen(&mut self.link.problem, AGAIN * R::SHARPER);
         let point = self.at(share).ok();
-        sharpen(&self.reader, &mut self.link, 1.0);
+        self.link.sharpen(1.0);
+        self.reader.sharpen(&mut self.link.problem, R::SHARPER);
         point
     }
 

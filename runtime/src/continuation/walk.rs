@@ -233,6 +233,14 @@ impl<R: Reader> Walk<'_, R> {
             found.after = self.points.len();
             reader.refine(&branch.problem, found);
         }
+        if let Some(last) = findings.located.last_mut().filter(|event| event.last)
+            && let Some(met) = reader.explain(&self.points)
+            && met.kind == last.kind
+            && (met.r - last.r).abs() > met.error
+        {
+            // So near to where branches meet a multiplier says less than what the points lead to.
+            (last.r, last.error) = (met.r, met.error);
+        }
         let first = findings.unexplained.into_iter().next();
         let last = findings.located.last().filter(|event| event.last).cloned();
         self.located.extend(findings.located);
@@ -257,12 +265,18 @@ impl<R: Reader> Walk<'_, R> {
             self.wasted += point.work().copied().unwrap_or_default();
             Verdict::Again
         } else {
-            Verdict::End(Ending::FallsBack(point.r()))
+            let reason = self.followed.reader.explain(&self.points);
+            let falls = Ending::FallsBack(point.r());
+            Verdict::End(reason.map_or(falls, |reason| self.end(reason)))
         }
     }
 
     fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
-        let ending = Ending::At(reason.kind, reason.r);
+        let ending = if reason.last && reason.kind == Kind::Flip {
+            Ending::Meets(reason.r)
+        } else {
+            Ending::At(reason.kind, reason.r)
+        };
         let after = self.points.len();
         self.located.push(Located { after, ..reason });
         ending

@@ -9,7 +9,7 @@ use super::point::moved;
 use crate::continuation::{self, Branch, Failure, Monitor, Point, Reader, Settings, Watched};
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::shooting::{Border, BorderProblem, BorderShot, Orbit};
+use crate::shooting::{Border, BorderProblem, BorderShot, Orbit, borders};
 
 /// A grazing orbit, and where.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +54,7 @@ pub fn follow_graze(
     watch: &mut dyn FnMut(&GrazingPoint) -> ControlFlow<()>,
 ) -> Result<Option<Curve<GrazingPoint>>, Failure<FlowError>> {
     let flow = plane.at(p, settings.from).map_err(Failure::Evaluation)?;
-    let near = Border::near(flow.as_ref(), orbit).map_err(Failure::Evaluation)?;
+    let near = borders(flow.as_ref(), orbit).map_err(Failure::Evaluation)?;
     let Some(graze) = near.into_iter().find(Border::is_graze) else {
         return Ok(None);
     };

@@ -27,7 +27,7 @@ mod watched;
 
 pub use anchor::anchored;
 pub(crate) use anchor::problem;
-pub use border::{Border, BorderProblem, BorderShot, Condition, Sheet};
+pub use border::{Border, BorderProblem, BorderShot, Condition, Sheet, borders};
 pub use branch::{OrbitBranch, Orbits};
 pub use certificate::{Certificate, Constants, Uncertified, certify};
 pub use converge::converge;

@@ -15,8 +15,6 @@ const HALVINGS: u32 = 12;
 const GLANCES: u32 = 3;
 /// Share of itself that a function changes by over a step in which it does not vanish and come back.
 const STILL: f64 = 0.05;
-/// Share of its values at the ends below which a function between them may well vanish.
-const NEAR: f64 = 0.1;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
 const ONE_CHANGE: f64 = 30.0;
 
@@ -222,7 +220,7 @@ fn rests([a, b]: [f64; 2]) -> bool {
     change.is_nan() || change <= STILL * a.abs().min(b.abs())
 }
 
-/// Whether the parabola through three values, the outer ones of one sign, comes to zero between them, or next to it.
+/// Whether the parabola through three values, the outer ones of one sign, passes zero between them.
 fn dips([a, m, b]: [f64; 3]) -> bool {
     let sign = if a < 0.0 || b < 0.0 { -1.0 } else { 1.0 };
     let [a, m, b] = [a, m, b].map(|value| sign * value);
@@ -233,7 +231,7 @@ fn dips([a, m, b]: [f64; 3]) -> bool {
     } else {
         m
     };
-    least < NEAR * a.min(b)
+    least < 0.0
 }
 
 /// Whether the special points account for the change in the number of unstable directions. Where it may be a marginal one

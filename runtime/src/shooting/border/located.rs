@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::around::borders;
 use super::candidate::Border;
 use super::problem::BorderProblem;
 use super::sides::Sides;
@@ -48,7 +49,7 @@ pub(in crate::shooting) fn edge(
         return None;
     }
     let flow = family.at(orbit.r).ok()?;
-    let near = Border::near(flow.as_ref(), orbit).ok()?;
+    let near = borders(flow.as_ref(), orbit).ok()?;
     near.into_iter()
         .filter(wanted)
         .take(TRIED)

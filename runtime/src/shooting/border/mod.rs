@@ -3,6 +3,7 @@
 //! At a border an event begins or ceases to happen. Whatever the side from which it is come to, the orbit there solves
 //! equations that are smooth on both sides of it, and what its return maps are on both sides says where it continues.
 
+mod around;
 mod candidate;
 mod crossing;
 mod located;
@@ -10,6 +11,7 @@ mod problem;
 mod sheet;
 mod sides;
 
+pub use around::borders;
 pub use candidate::{Border, Condition};
 pub(super) use crossing::{between, cross};
 pub use problem::{BorderProblem, BorderShot};

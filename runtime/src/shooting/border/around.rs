@@ -1,0 +1,246 @@
+//! The events of an orbit once around, and which of them belong to a border.
+
+use super::candidate::{BRIEF, Border, Condition};
+use crate::field::exact::Mode;
+use crate::flow::{EventKind, FlowError};
+use crate::motion::{Event, Flow, Modes};
+use crate::shooting::Orbit;
+
+/// Share of the period along which the rate of a guard is compared with itself.
+const AHEAD: f64 = 1e-5;
+/// Distance in time, as a share of the period, beyond which an orbit is not near a border.
+const NEAR: f64 = 0.25;
+/// Drop of the force at release, as a share of its limit at rest, that is rounding error.
+const FLAT: f64 = 1e-9;
+
+/// The borders near to which an orbit is, the nearest first; none of a smooth system.
+///
+/// # Errors
+/// The forces are not determined at an event.
+pub fn borders(flow: &dyn Flow, orbit: &Orbit) -> Result<Vec<Border>, FlowError> {
+    let around = Around::of(orbit);
+    let mut found = Vec::new();
+    for event in 0..orbit.events.len() {
+        for condition in [Condition::Touch, Condition::Edge] {
+            found.extend(around.border(flow, event, condition)?);
+        }
+    }
+    found.sort_by(|a: &Border, b| a.away.total_cmp(&b.away));
+    Ok(found)
+}
+
+/// An orbit once around.
+struct Around<'a> {
+    orbit: &'a Orbit,
+    /// When each stretch ends.
+    ends: Vec<f64>,
+    /// The events at which modes change, in the order of time.
+    switches: Vec<usize>,
+}
+
+/// The change at an event: what comes next, if that belongs to it.
+struct Change {
+    modes: [Modes; 2],
+    /// Which switches are part of it.
+    own: Vec<usize>,
+}
+
+impl<'a> Around<'a> {
+    fn of(orbit: &'a Orbit) -> Self {
+        let mut end = 0.0;
+        let mut sum = |duration: f64| {
+            end += duration;
+            end
+        };
+        let ends = orbit.segments.iter().map(|one| sum(one.duration)).collect();
+        let all = 0..orbit.events.len();
+        let switches = all.filter(|i| orbit.events[*i].kind.is_switch());
+        Self {
+            orbit,
+            ends,
+            switches: switches.collect(),
+        }
+    }
+
+    /// The border of this condition at an event, if that is near to one.
+    fn border(
+        &self,
+        flow: &dyn Flow,
+        index: usize,
+        condition: Condition,
+    ) -> Result<Option<Border>, FlowError> {
+        let event = &self.orbit.events[index];
+        let Some([before, after]) = self.around(event) else {
+            return Ok(None);
+        };
+        let contact = event.contact;
+        let drops = flow.loosening(&event.state, contact) > FLAT;
+        let mut border = Border {
+            contact,
+            condition,
+            drops,
+            happens: event.kind.is_switch(),
+            state: event.state.clone(),
+            modes: [before.clone(), after.clone()],
+            held: [0.0; 2],
+            calm: 0.0,
+            away: f64::INFINITY,
+            brief: None,
+        };
+        let Some(rate) = self.approach(flow, &mut border, event)? else {
+            return Ok(None);
+        };
+        let change = match condition {
+            Condition::Touch => self.touched(index, [before, after], drops),
+            Condition::Edge => self.crossed(index, [before, after], rate),
+        };
+        let Some(change) = change.filter(|_| border.away <= NEAR) else {
+            return Ok(None);
+        };
+        if condition == Condition::Edge {
+            border.happens = matches!(event.kind, EventKind::Landing { .. });
+        }
+        if let [first, last] = change.own[..] {
+            border.brief = Some([first, last].map(|i| self.orbit.events[i].time));
+        }
+        border.modes = change.modes;
+        (border.held, border.calm) = self.held(event, &change.own);
+        Ok(Some(border))
+    }
+
+    /// How far away in time the border is, told to it, and the rate of what vanishes there.
+    fn approach(
+        &self,
+        flow: &dyn Flow,
+        border: &mut Border,
+        event: &Event,
+    ) -> Result<Option<f64>, FlowError> {
+        let period = self.orbit.period;
+        let switches = match event.kind {
+            EventKind::Nearest { .. } => false,
+            _ if event.rate < 0.0 => true,
+            _ => return Ok(None),
+        };
+        let coming = border.coming(&event.state);
+        if border.condition == Condition::Edge {
+            let lands = matches!(
+                event.kind,
+                EventKind::Landing { .. } | EventKind::Crossing { .. }
+            );
+            if !lands {
+                return Ok(None);
+            }
+            let held = flow.touch(&border.stuck(&event.state), border.contact)?;
+            return Ok(held.map(|[value, rate]| {
+                border.away = (value / rate).abs() / period;
+                rate
+            }));
+        }
+        let Some([value, rate]) = flow.touch(&coming, border.contact)? else {
+            return Ok(None);
+        };
+        let field = flow.velocity(&coming)?.f;
+        let mut ahead = coming;
+        for (x, f) in ahead.state.iter_mut().zip(field.iter()) {
+            *x += AHEAD * period * f;
+        }
+        let later = flow.touch(&ahead, border.contact)?;
+        let bend = later.map_or(f64::NAN, |[_, later]| (later - rate) / (AHEAD * period));
+        border.away = if switches {
+            rate.abs() / bend
+        } else {
+            // Events are those of the last motion, one correction away from the orbit.
+            (2.0 * value.abs() / bend).sqrt()
+        } / period;
+        Ok((bend > 0.0).then_some(rate))
+    }
+
+    /// What belongs to a touch: where nothing drops, what happens between falling and rising again is brief.
+    fn touched(&self, index: usize, around: [&Modes; 2], drops: bool) -> Option<Change> {
+        let event = &self.orbit.events[index];
+        let [before, after] = around.map(Clone::clone);
+        if !event.kind.is_switch() {
+            return Some(Change {
+                modes: [before, after],
+                own: Vec::new(),
+            });
+        }
+        let own = before.get(event.contact);
+        if drops {
+            let touches =
+                own == Some(&Mode::Stick) || after.get(event.contact) == Some(&Mode::Stick);
+            return touches.then_some(Change {
+                modes: [before, after],
+                own: vec![index],
+            });
+        }
+        let next = self.next(index)?;
+        let back = self.around(&self.orbit.events[next])?[1];
+        (back == &before).then(|| Change {
+            modes: [before.clone(), before],
+            own: vec![index, next],
+        })
+    }
+
+    /// What belongs to an arrival at the edge of where a contact can stick: on its way out, a stick before it goes on is
+    /// brief; on its way in, a slip before it sticks.
+    fn crossed(&self, index: usize, around: [&Modes; 2], rate: f64) -> Option<Change> {
+        let event = &self.orbit.events[index];
+        let [before, after] = around.map(Clone::clone);
+        let landed = matches!(event.kind, EventKind::Landing { .. });
+        if landed == (rate > 0.0) {
+            return Some(Change {
+                modes: [before, after],
+                own: vec![index],
+            });
+        }
+        let next = self.next(index)?;
+        let last = self.around(&self.orbit.events[next])?[1].clone();
+        let contact = event.contact;
+        let other =
+            self.orbit.events[next].contact == contact && last.get(contact) != before.get(contact);
+        other.then(|| Change {
+            modes: [before, last],
+            own: vec![index, next],
+        })
+    }
+
+    /// The switch after this one.
+    fn next(&self, index: usize) -> Option<usize> {
+        let place = self.switches.iter().position(|one| *one == index)?;
+        let next = self.switches[(place + 1) % self.switches.len()];
+        (next != index).then_some(next)
+    }
+
+    /// The modes before and after an event.
+    fn around(&self, event: &Event) -> Option<[&'a Modes; 2]> {
+        let segments = &self.orbit.segments;
+        let near = BRIEF * 1e-6 * self.orbit.period;
+        let modes = |i: usize| &segments[i % segments.len()].modes;
+        let switches = event.kind.is_switch();
+        let mut ends = self.ends.iter().enumerate();
+        ends.find_map(|(i, end)| match (switches, end - event.time) {
+            (true, off) if off.abs() <= near => Some([modes(i), modes(i + 1)]),
+            (false, off) if off > 0.0 => Some([modes(i), modes(i)]),
+            _ => None,
+        })
+    }
+
+    /// Shares of the period, from the event on, between which others happen: half of the way to the next and from the last;
+    /// and the middle of the longest stretch without any.
+    fn held(&self, event: &Event, own: &[usize]) -> ([f64; 2], f64) {
+        let period = self.orbit.period;
+        let others = self.switches.iter().filter(|other| !own.contains(other));
+        let ahead =
+            |i: &usize| (self.orbit.events[*i].time - event.time).rem_euclid(period) / period;
+        let mut times: Vec<f64> = others.map(ahead).chain([0.0, 1.0]).collect();
+        times.sort_by(f64::total_cmp);
+        let middle = |gap: &[f64]| 0.5 * (gap[0] + gap[1]);
+        let length = |gap: &&[f64]| gap[1] - gap[0];
+        let longest = times
+            .windows(2)
+            .max_by(|a, b| length(a).total_cmp(&length(b)));
+        let ends = [&times[..2], &times[times.len() - 2..]].map(middle);
+        (ends, longest.map_or(0.5, middle))
+    }
+}
