@@ -89,6 +89,32 @@ fn an_endless_motion_ends_with_whole_files() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn a_signal_that_is_to_be_ignored_is() {
+    use std::process::{Command, Stdio};
+    let out = folder("ignored");
+    let line = "simulate belt-oscillator --time 3e4 --quiet --out";
+    let mut child = Command::new("sh")
+        .args([
+            "-c",
+            "trap '' HUP; exec \"$0\" \"$@\"",
+            env!("CARGO_BIN_EXE_stickslip"),
+        ])
+        .args(words(line))
+        .arg(&out)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    crate::interrupted::wait_for(&mut child, &out.join("trajectory.csv"), 100);
+    let id = child.id().to_string();
+    let _ = Command::new("kill").args(["-HUP", &id]).status();
+    let answer = end(child);
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    assert!(out.join("trajectory.json").exists());
+}
+
+#[test]
 fn a_search_that_is_ended_prints_a_document() {
     // It has no other file to wait for than the one that it makes sure of.
     let out = folder("searching");

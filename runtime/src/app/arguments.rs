@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::failure::{Failure, refuse};
-use super::values::{Assignment, Range, Reading, SmoothCopy, Start, accuracy};
+use super::saved::Start;
+use super::values::{Assignment, Range, Reading, SmoothCopy, accuracy};
 use super::words::positive;
 
 #[derive(Debug, Clone, Args)]

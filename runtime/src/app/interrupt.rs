@@ -14,7 +14,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use super::failure::{Failure, INTERRUPTED};
-use super::output::print;
+use super::print::print;
 
 /// How the names of notes end.
 pub(super) const ENDING: &str = "resume";
@@ -89,15 +89,28 @@ fn held<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Listens from now on. Where no signal can be heard, the system does with it what it always does.
+/// Listens from now on. Where no signal can be heard, the system does with it what it always does; one that whoever
+/// called the program wants to be ignored, as `nohup` does, is.
 fn listen() {
+    let ignored = ignored();
     for signal in [SIGHUP, SIGINT, SIGTERM] {
+        if ignored & (1 << (signal - 1)) != 0 {
+            continue;
+        }
         // In this order the first signal finds the flag down, and only the second one ends the program.
         let second = flag::register_conditional_shutdown(signal, INTERRUPTED.into(), &ASKED);
         let _ = second.and_then(|_| flag::register(signal, &ASKED));
     }
     let sentry = std::thread::Builder::new().name("sentry".to_owned());
     let _ = sentry.spawn(wait);
+}
+
+/// The signals that are ignored, a bit each, where the system tells.
+fn ignored() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok())
+        .unwrap_or(0)
 }
 
 /// Ends the program if a computation does not end by itself.

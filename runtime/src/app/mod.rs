@@ -13,6 +13,7 @@ mod journal;
 mod offer;
 mod output;
 mod passages;
+mod print;
 mod progress;
 mod request;
 mod resume;

@@ -1,7 +1,7 @@
 //! Where what a command has found goes: to stdout and to a folder.
 
 use std::fmt::Display;
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -13,6 +13,7 @@ use super::document::value_of;
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
+use super::print::print;
 use super::spreadsheet::{Row, csv};
 use crate::report::whole;
 use crate::study::Ended;
@@ -177,18 +178,4 @@ fn json(document: &impl Serialize) -> Result<String, Failure> {
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
     whole::write(path, text)
         .map_err(|error| Failure::failed(format!("cannot write {}: {error}", path.display())))
-}
-
-/// Prints on stdout; a reader who has left is no error.
-pub(super) fn print(text: &str) -> Result<(), Failure> {
-    let mut stdout = std::io::stdout().lock();
-    match stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-    {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::failed(format!("cannot write the answer: {error}")))
-        }
-        _ => Ok(()),
-    }
 }

@@ -1,13 +1,41 @@
-//! `--start FILE.json`: where something begins that was found before, with the parameters and the friction that it had.
+//! `--start`: values, or `FILE.json`: where something begins that was found before, with the parameters and the friction
+//! that it had.
 
 use std::path::PathBuf;
 
 use serde_json::Value;
 
 use super::failure::{Failure, refuse};
+use super::values::{Assignment, SMOOTH};
 use crate::field::Smoothing;
 use crate::model::{ModelInfo, within_reach};
 use crate::study::Dynamics;
+
+/// Where to begin.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Start {
+    /// `name=value,...`, each name once.
+    Given(Vec<Assignment>),
+    /// What a file holds.
+    Saved(Named),
+}
+
+impl Start {
+    pub(super) fn read(option: &str, word: &str) -> Result<Self, Failure> {
+        if let Some(named) = Named::read(word) {
+            return Ok(Self::Saved(named));
+        }
+        let mut given: Vec<Assignment> = Vec::new();
+        for pair in word.split(',') {
+            let one = Assignment::read(option, pair)?;
+            if given.iter().any(|other| other.name == one.name) {
+                return refuse!("`{option} {word}` gives `{}` more than once", one.name);
+            }
+            given.push(one);
+        }
+        Ok(Self::Given(given))
+    }
+}
 
 /// A file with an answer, and which part of it is meant.
 #[derive(Debug, Clone, PartialEq)]
@@ -181,7 +209,7 @@ fn dynamics(document: &Value, part: &Value) -> Option<Dynamics> {
         return Some(Dynamics::Exact);
     }
     let smoothing: Smoothing = word.parse().ok()?;
-    let followed = document["along"]["name"].as_str() == Some(super::values::SMOOTH);
+    let followed = document["along"]["name"].as_str() == Some(SMOOTH);
     let size = followed.then(|| positive(&part["r"])).flatten();
     Some(Dynamics::Smoothed(Smoothing {
         size: size.unwrap_or(smoothing.size),

@@ -127,14 +127,11 @@ pub(super) fn with_points<'a>(
 
 /// When and where, numbers as they shall be shown.
 fn columns(info: &ModelInfo, shown: fn(f64) -> String) -> Columns<'static, Crossing> {
-    let time = Columns::new().column(timed(info, "t", "s"), move |point: &Crossing| {
-        shown(point.time)
-    });
-    states(info, "")
-        .enumerate()
-        .fold(time, |columns, (j, head)| {
-            columns.column(head, move |point| shown(point.state[j]))
+    Columns::new()
+        .column(timed(info, "t", "s"), move |point: &Crossing| {
+            shown(point.time)
         })
+        .each(states(info, ""), move |point, j| shown(point.state[j]))
 }
 
 /// The points as a table, under a line that says where they lie.

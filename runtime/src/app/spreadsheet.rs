@@ -56,16 +56,25 @@ impl<'a, T: 'a> Columns<'a, T> {
         self.column(head, move |finding| optional(value(finding).into()))
     }
 
-    /// One more such column for each head, which `value` is told the number of.
+    /// One more column for each head, which `cell` is told the number of.
+    pub(super) fn each(
+        self,
+        heads: impl IntoIterator<Item = String>,
+        cell: impl Fn(&T, usize) -> String + Copy + 'a,
+    ) -> Self {
+        let heads = heads.into_iter().enumerate();
+        heads.fold(self, |columns, (j, head)| {
+            columns.column(head, move |finding| cell(finding, j))
+        })
+    }
+
+    /// The same with numbers, empty where there is none.
     pub(super) fn numbers(
         self,
         heads: impl IntoIterator<Item = String>,
         value: impl Fn(&T, usize) -> Option<f64> + Copy + 'a,
     ) -> Self {
-        let heads = heads.into_iter().enumerate();
-        heads.fold(self, |columns, (j, head)| {
-            columns.number(head, move |finding| value(finding, j))
-        })
+        self.each(heads, move |finding, j| optional(value(finding, j)))
     }
 
     pub(super) fn head(&self) -> Row {

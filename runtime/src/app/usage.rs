@@ -6,7 +6,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error};
 
 use super::failure::Failure;
-use super::output::print;
+use super::print::print;
 use super::words::unknown;
 
 /// Turns a refusal into a message; a request for help or the version is answered.

@@ -7,7 +7,6 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, Error};
 
 use super::failure::{Failure, refuse};
-use super::saved::Named;
 use super::words::{both_sides, count, number, place, positive};
 use crate::field::{Kernel, Smoothing, SmoothingError};
 
@@ -123,32 +122,6 @@ impl SmoothCopy {
     pub(super) fn sized(&self) -> Result<Smoothing, Failure> {
         let refused = |error| Failure::usage(format!("`--smooth {}`: {error}", self.word));
         self.smoothing.clone().map_err(refused)
-    }
-}
-
-/// Where to begin.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Start {
-    /// `name=value,...`, each name once.
-    Given(Vec<Assignment>),
-    /// What a file holds.
-    Saved(Named),
-}
-
-impl Start {
-    pub(super) fn read(option: &str, word: &str) -> Result<Self, Failure> {
-        if let Some(named) = Named::read(word) {
-            return Ok(Self::Saved(named));
-        }
-        let mut given: Vec<Assignment> = Vec::new();
-        for pair in word.split(',') {
-            let one = Assignment::read(option, pair)?;
-            if given.iter().any(|other| other.name == one.name) {
-                return refuse!("`{option} {word}` gives `{}` more than once", one.name);
-            }
-            given.push(one);
-        }
-        Ok(Self::Given(given))
     }
 }
 

@@ -16,5 +16,5 @@ pub use ending::explain;
 pub use floquet::{Floquet, floquet};
 pub use growth::{Growth, Growths};
 pub use monitors::monitors;
-pub use periodic::{Margin, PeriodicPoint};
+pub use periodic::PeriodicPoint;
 pub use stability::Stability;

@@ -2,29 +2,29 @@
 
 use super::Kind;
 use super::growth::Growths;
-use super::periodic::{Margin, PeriodicPoint};
+use super::periodic::PeriodicPoint;
 use super::test_function::{flip, fold};
-use crate::continuation::{Monitor, Monitors, Spot, Verdict, changes};
+use crate::continuation::{Monitor, Verdict, changes};
 
 /// A doubled orbit whose halves differ by this share of what they did has met the orbit that it doubles.
 const MEETING: f64 = 0.1;
 /// Halves that differ by less than this are one: where branches meet, steps become short.
 const NO_ASYMMETRY: f64 = 1e-3;
-/// A margin that has shrunk to this share of its largest value vanishes at a change of word.
-const SHRUNK: f64 = 1e-2;
+/// A multiplier 1 of an orbit whose halves differ by less than this, and ever less, is that of the meeting.
+const CLOSING: f64 = 1e-2;
 
 /// The monitors of smooth bifurcations of orbits with this many multipliers, and what tells the others apart.
 ///
 /// A doubled orbit may meet the one from which it branches: there both of its halves become one, and beyond, its branch
 /// only runs back.
 #[must_use]
-pub fn monitors<'a, P: PeriodicPoint + 'a>(multipliers: usize) -> Monitors<'a, P> {
+pub fn monitors<'a, P: PeriodicPoint + 'a>(multipliers: usize) -> Vec<Monitor<'a, P>> {
     let branch_point = Monitor::new(Kind::BranchPoint, closed)
         .only_if(|ends| !turns(ends))
         .judged(|[from, _], at: &P| {
             // So near a meeting a multiplier is 1 but for its digits.
             let halves = at.asymmetry();
-            let closing = halves <= NO_ASYMMETRY && halves < from.asymmetry();
+            let closing = halves <= CLOSING && halves < from.asymmetry();
             Some(if closing {
                 Verdict::Last(Kind::Flip)
             } else {
@@ -38,10 +38,7 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(multipliers: usize) -> Monitors<'a, P
     for k in 0..multipliers {
         named.extend([torus(k), krein(k)]);
     }
-    Monitors {
-        named,
-        change: word_change,
-    }
+    named
 }
 
 /// Where multiplier k, one of a pair, passes through the unit circle.
@@ -102,32 +99,4 @@ fn turn<P: PeriodicPoint>(ends: [&P; 2], at: &P) -> Option<Verdict> {
         return Some(Verdict::Last(Kind::Flip));
     }
     critical.then_some(Verdict::Special(Kind::Fold))
-}
-
-/// The margin that vanishes: on the side of the shorter word what is about to happen, else on the
-/// side of the longer one what is about to be missed.
-fn word_change<P: PeriodicPoint>(before: &[Spot<P>], after: &[Spot<P>]) -> Kind {
-    let length = |side: &[Spot<P>]| side.first().map_or(0, |spot| spot.point.word_length());
-    let (short, long) = if length(before) <= length(after) {
-        (before, after)
-    } else {
-        (after, before)
-    };
-    let happens = vanishing(short, P::near_misses);
-    happens
-        .or_else(|| vanishing(long, P::close_calls))
-        .unwrap_or(Kind::VanishingSegment)
-}
-
-/// The kind of the margin that has shrunk most towards the last of these spots.
-fn vanishing<P: PeriodicPoint>(spots: &[Spot<P>], margins: fn(&P) -> Vec<Margin>) -> Option<Kind> {
-    let smallest = |spot: &Spot<P>, wanted: &Margin| wanted.smallest(&margins(&spot.point));
-    let shrunk = |near: &Margin| {
-        let largest = spots.iter().filter_map(|spot| smallest(spot, near));
-        near.value / largest.fold(f64::MIN_POSITIVE, f64::max)
-    };
-    let last = margins(&spots.last()?.point);
-    let ratios = last.iter().map(|margin| (margin.kind, shrunk(margin)));
-    let (kind, ratio) = ratios.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    (ratio <= SHRUNK).then_some(kind)
 }

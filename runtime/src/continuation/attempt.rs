@@ -43,8 +43,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let problem = self.problem.clone();
         let before = (problem.clone(), base.clone(), length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
+        let arrives = self.tangent(&corrected, &direction)?;
+        let tangents = [direction.clone(), arrives];
         let point = self.accept(corrected, &direction)?;
-        self.link = Some(Link::new(problem, ends, self.r_scale, accuracy));
+        self.link = Some(Link::new(problem, ends, tangents, self.r_scale, accuracy));
         self.before = Some(before);
         self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
         self.step = (self.step * factor).min(self.settings.largest_step);

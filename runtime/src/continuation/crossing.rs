@@ -5,7 +5,6 @@ use super::branch::Started;
 use super::located::Located;
 
 /// A point to which a branch comes and beyond which its equations are others.
-
 pub struct Crossing<Q: ZeroProblem, P> {
     /// The point.
     pub located: Located<P>,
@@ -14,7 +13,6 @@ pub struct Crossing<Q: ZeroProblem, P> {
 }
 
 /// What continues a branch.
-
 pub enum Beyond<Q: ZeroProblem> {
     /// Nothing does, as is known of such points.
     Nothing,

@@ -9,6 +9,8 @@ use super::{Corrected, ZeroProblem};
 
 /// Distance from the chord, relative to its length, beyond which a point lies on another branch.
 const OFF: f64 = 0.5;
+/// Corrections below this are rounding errors.
+const FINEST: f64 = 1e-14;
 
 /// One step of a branch: its ends, and the problem as it was when the step was made.
 #[derive(Debug, Clone)]
@@ -19,14 +21,19 @@ pub struct Link<P> {
     /// Unit vector from end to end, in scaled coordinates with r last.
     chord: DVector<f64>,
     length: f64,
+    /// Unit tangents at both ends.
+    tangents: [DVector<f64>; 2],
     r_scale: f64,
     accuracy: f64,
+    /// Share of the accuracy to which points between are found.
+    share: f64,
 }
 
 impl<P: ZeroProblem> Link<P> {
     pub(super) fn new(
         problem: P,
         ends: [(DVector<f64>, f64); 2],
+        tangents: [DVector<f64>; 2],
         r_scale: f64,
         accuracy: f64,
     ) -> Self {
@@ -38,9 +45,16 @@ impl<P: ZeroProblem> Link<P> {
             chord: chord / length,
             length,
             ends,
+            tangents,
             r_scale,
             accuracy,
+            share: 1.0,
         }
+    }
+
+    /// Finds points between its ends to this share of its accuracy.
+    pub(super) fn sharpen(&mut self, share: f64) {
+        self.share = share;
     }
 
     /// Unit vector from end to end, in scaled coordinates with r last.
@@ -80,6 +94,32 @@ impl<P: ZeroProblem> Link<P> {
         Ok(found)
     }
 
+    /// About the point at this share of the way: that of the cubic through both ends along both tangents, not corrected.
+    pub(super) fn glance(&mut self, share: f64) -> Option<Point<P::Extra>> {
+        let (s, scale) = (share, self.problem.scale());
+        let along = |tangent: &DVector<f64>| tangent * (self.length / tangent.dot(&self.chord));
+        let [leaves, arrives] = self.tangents.each_ref().map(along);
+        let chord = &self.chord * self.length;
+        // Hermite's basis: what the chord and both tangents add.
+        let way = &chord * (s * s * (3.0 - 2.0 * s)) + &leaves * (s * (1.0 - s) * (1.0 - s))
+            - &arrives * (s * s * (1.0 - s));
+        let tangent = &chord * (6.0 * s * (1.0 - s))
+            + &leaves * ((1.0 - s) * (1.0 - 3.0 * s))
+            + &arrives * (s * (3.0 * s - 2.0));
+        let ((z, r), n) = (&self.ends[0], scale.len());
+        let z = z + way.rows(0, n).component_mul(&scale);
+        let r = r + way[n] * self.r_scale;
+        let at = self.problem.evaluate(&z, r).ok()?;
+        Some(Point {
+            residual: at.residual.norm(),
+            tangent: tangent.try_normalize(0.0)?,
+            extra: at.extra,
+            newton: 0,
+            z,
+            r,
+        })
+    }
+
     /// The point of the branch at which r has gone this share of its way, 0 < share < 1; where r turns between the ends,
     /// it may be none of those between.
     ///
@@ -106,7 +146,8 @@ impl<P: ZeroProblem> Link<P> {
         normal: &DVector<f64>,
     ) -> Result<Point<P::Extra>, Failure<P::Error>> {
         let (z, r) = self.on_chord(share);
-        let found = correct(&mut self.problem, z, r, normal, self.r_scale, self.accuracy)?;
+        let accuracy = (self.share * self.accuracy).max(FINEST);
+        let found = correct(&mut self.problem, z, r, normal, self.r_scale, accuracy)?;
         let scale = self.problem.scale();
         let direction = tangent(&found.linearisation, &scale, self.r_scale, normal)
             .ok_or(Failure::Singular { r: found.r })?;

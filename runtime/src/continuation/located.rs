@@ -20,6 +20,8 @@ pub struct Located<P> {
     pub after: usize,
     /// Estimated error of r.
     pub error: f64,
+    /// r-component of the unit tangent with which the branch leaves it, where it is not smooth.
+    pub(super) left: f64,
     pub(super) share: f64,
     /// Whether it was found between two regimes.
     pub(super) abrupt: bool,
@@ -37,6 +39,7 @@ impl<P> Located<P> {
             sides: [(r, 0); 2],
             after: 0,
             error: f64::NAN,
+            left: f64::NAN,
             share: 1.0,
             abrupt: false,
         }
@@ -94,6 +97,19 @@ pub struct Unexplained {
     pub unstable: [usize; 2],
     /// Why it was not looked at more closely.
     pub reason: String,
+}
+
+impl<P: Watched> Findings<P> {
+    /// Whether the branch, beyond a point at which it is not smooth, has been taken up the wrong way round.
+    pub(super) fn runs_back(&self, to: &P) -> bool {
+        let corner = self.located.iter().rposition(|found| !found.left.is_nan());
+        corner.is_some_and(|corner| {
+            let turns = self.located[corner..].iter();
+            let turns = turns.filter(|found| found.kind == Kind::Fold).count();
+            let way = if turns % 2 == 0 { 1.0 } else { -1.0 };
+            way * self.located[corner].left * to.slope() < 0.0
+        })
+    }
 }
 
 /// All that was found on one step of a branch.

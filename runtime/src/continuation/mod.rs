@@ -26,7 +26,7 @@ mod walk;
 pub use branch::{Branch, Started};
 pub use corrector::{Corrected, Failure, correct, correct_at};
 pub use crossing::{Beyond, Crossing};
-pub use detect::{Monitors, RegimeChange, detect};
+pub use detect::detect;
 pub use ending::Ending;
 pub use kind::Kind;
 pub use link::Link;

@@ -56,6 +56,11 @@ pub trait Path {
     /// No point could be found there.
     fn at(&mut self, share: f64) -> Result<Self::Point, Self::Error>;
 
+    /// About what lies at a share of the way, as cheaply as may be; `None` where that cannot be told.
+    fn glance(&mut self, _share: f64) -> Option<Self::Point> {
+        None
+    }
+
     /// The point at a share of the way once more, more sharply; `None` where that cannot be done.
     fn sharper(&mut self, _share: f64) -> Option<Self::Point> {
         None
@@ -78,6 +83,8 @@ pub struct Border<P> {
     pub share: f64,
     /// Estimated error of r there.
     pub error: f64,
+    /// Whether nothing continues the branch beyond.
+    pub last: bool,
 }
 
 /// A point and its place on a path.

@@ -6,14 +6,17 @@ use super::ZeroProblem;
 use super::branch::{Branch, Started};
 use super::corrector::Failure;
 use super::crossing::Crossing;
-use super::detect::Monitors;
 use super::ending::Ending;
 use super::link::Link;
 use super::located::Located;
+use super::monitor::Monitor;
 use super::path::{Border, Path, Watched};
 use super::point::Point;
 use super::range::Stop;
 use crate::field::Work;
+
+/// Share of the accuracy of what lies between two points to which it is found once more, where its error is measured.
+const AGAIN: f64 = 0.1;
 
 /// What the points of a branch are read as, what is looked for among them, and where it ends.
 pub trait Reader: Clone {
@@ -40,11 +43,14 @@ pub trait Reader: Clone {
         self.read(problem, point, Work::default())
     }
 
-    /// Evaluates what lies between two points more sharply than the points: `once_more` tells errors.
-    fn sharpen(&self, _problem: &mut Self::Problem, _once_more: i32) {}
+    /// Share of the accuracy of the points to which what lies between them is found.
+    const SHARPER: f64 = 1.0;
+
+    /// Evaluates what lies between two points to this share of their accuracy.
+    fn sharpen(&self, _problem: &mut Self::Problem, _share: f64) {}
 
     /// What is looked for.
-    fn monitors(&self) -> Monitors<'_, Self::Point>;
+    fn monitors(&self) -> Vec<Monitor<'_, Self::Point>>;
 
     /// Whether r itself measures the way between two points: a branch may bend back over its chord.
     fn straight(&self, _ends: [&Self::Point; 2]) -> bool {
@@ -64,12 +70,12 @@ pub trait Reader: Clone {
         None
     }
 
-    /// The point at which its equations become others that a branch comes to after its last point, and what continues it
+    /// The point at which its equations become others that a branch comes to after these points, and what continues it
     /// there; `None` if it comes to none.
     fn cross(
         &self,
         _branch: &Branch<Self::Problem>,
-        _last: &Self::Point,
+        _points: &[Self::Point],
     ) -> Option<Crossing<Self::Problem, Self::Point>> {
         None
     }
@@ -171,7 +177,7 @@ impl<R: Reader> Reading<R> {
     /// What lies between the last two points, these; `None` at the first.
     pub(super) fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
         let mut link = self.branch.link()?.clone();
-        self.reader.sharpen(&mut link.problem, 0);
+        sharpen(&self.reader, &mut link, 1.0);
         Some(Between {
             counted: R::work(&link.problem),
             straight: self.reader.straight(ends),
@@ -191,6 +197,12 @@ impl<R: Reader> Iterator for Reading<R> {
         let point = self.branch.next()?;
         Some(self.read(&point))
     }
+}
+
+/// What lies between two points is found more sharply than they are, and `times` that.
+fn sharpen<R: Reader>(reader: &R, link: &mut Link<R::Problem>, times: f64) {
+    link.sharpen(times * R::SHARPER);
+    reader.sharpen(&mut link.problem, times * R::SHARPER);
 }
 
 /// What lies between two neighbouring points.
@@ -222,10 +234,16 @@ impl<R: Reader> Path for Between<R> {
         Ok(self.reader.between(problem, &point, chord))
     }
 
+    fn glance(&mut self, share: f64) -> Option<R::Point> {
+        let point = self.link.glance(share)?;
+        let (problem, chord) = (&self.link.problem, self.link.chord());
+        Some(self.reader.between(problem, &point, chord))
+    }
+
     fn sharper(&mut self, share: f64) -> Option<R::Point> {
-        self.reader.sharpen(&mut self.link.problem, 1);
+        sharpen(&self.reader, &mut self.link, AGAIN);
         let point = self.at(share).ok();
-        self.reader.sharpen(&mut self.link.problem, 0);
+        sharpen(&self.reader, &mut self.link, 1.0);
         point
     }
 

@@ -129,7 +129,9 @@ pub(super) fn zero<Q: Path>(
         let value = test(&spot.point);
         // A secant that creeps along a flat stretch moves little as well, but changes nothing.
         let nears = value.abs() <= 0.5 * last.abs() || (value < 0.0) != (last < 0.0);
-        let settled = spot.point.moved(&best.point) <= SETTLED * accuracy && nears;
+        // Where r turns it moves with the square of the way.
+        let still = (spot.share - best.share).abs() <= (SETTLED * accuracy).sqrt();
+        let settled = spot.point.moved(&best.point) <= SETTLED * accuracy && nears && still;
         others.push(seen(&spot));
         (best, last) = (spot, value);
         if value == 0.0 || (settled && !slow && iteration > 1) {

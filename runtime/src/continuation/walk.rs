@@ -6,6 +6,7 @@ use super::branch::Started;
 use super::crossing::{Beyond, Crossing};
 use super::detect::detect;
 use super::ending::Ending;
+use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::path::Watched;
 use super::range::{Settings, Stop};
@@ -156,8 +157,8 @@ impl<R: Reader> Walk<'_, R> {
 
     /// The point to which the branch comes, unless it has just come from it.
     fn crossing(&self) -> Option<CrossingOf<R>> {
-        let last = self.points.last()?;
-        let found = self.followed.reader.cross(&self.followed.branch, last)?;
+        let Reading { reader, branch, .. } = &*self.followed;
+        let found = reader.cross(branch, &self.points)?;
         let before = self.located.last();
         let new = before.is_none_or(|before| {
             let off = (before.r - found.located.r).abs();
@@ -183,7 +184,7 @@ impl<R: Reader> Walk<'_, R> {
             return Verdict::GoOn;
         };
         let findings = detect(&mut path, &self.followed.reader.monitors(), ends, accuracy);
-        if !findings.unexplained.is_empty() {
+        if !findings.unexplained.is_empty() || findings.runs_back(point) {
             // Beyond a border, what was found need not be the same motion any more.
             let short = self
                 .followed
@@ -239,7 +240,10 @@ impl<R: Reader> Walk<'_, R> {
             (Some(last), _) if R::ENDS_ON_POINTS => {
                 return Verdict::Last(last.point, Ending::At(last.kind, last.r));
             }
-            (Some(last), _) => return Verdict::End(Ending::Meets(last.r)),
+            (Some(last), _) if last.kind == Kind::Flip => {
+                return Verdict::End(Ending::Meets(last.r));
+            }
+            (Some(last), _) => return Verdict::End(Ending::At(last.kind, last.r)),
             (None, Some(bound)) => return Verdict::Last(bound, Ending::Left),
             (None, None) => {}
         }

@@ -7,7 +7,7 @@ use super::condition::Condition;
 use super::critical::{CriticalProblem, CriticalShot, joined, split};
 use super::plane::Plane;
 use super::point::CurvePoint;
-use crate::continuation::{self, Branch, Failure, Kind, Monitors, Point, Reader, Settings, Walked};
+use crate::continuation::{self, Branch, Failure, Kind, Monitor, Point, Reader, Settings, Walked};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::shooting::{Orbit, Solution, problem};
@@ -99,9 +99,9 @@ impl Reader for Critical {
         }
     }
 
-    fn monitors(&self) -> Monitors<'_, CurvePoint> {
+    fn monitors(&self) -> Vec<Monitor<'_, CurvePoint>> {
         let bounds = bounds(self.window, |point: &CurvePoint| point.p);
-        Monitors::smooth(bounds.chain(monitors(self.kind)).collect())
+        bounds.chain(monitors(self.kind)).collect()
     }
 
     /// Whether the multipliers do not say what the condition does any more.

@@ -6,7 +6,7 @@ use super::codimension::window;
 use super::follow::Curve;
 use super::plane::Plane;
 use super::point::moved;
-use crate::continuation::{self, Branch, Failure, Monitors, Point, Reader, Settings, Watched};
+use crate::continuation::{self, Branch, Failure, Monitor, Point, Reader, Settings, Watched};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::shooting::{Border, BorderProblem, BorderShot, Orbit};
@@ -103,8 +103,8 @@ impl Reader for Grazing {
         }
     }
 
-    fn monitors(&self) -> Monitors<'_, GrazingPoint> {
-        Monitors::smooth(window(self.window, |point: &GrazingPoint| point.p).collect())
+    fn monitors(&self) -> Vec<Monitor<'_, GrazingPoint>> {
+        window(self.window, |point: &GrazingPoint| point.p).collect()
     }
 
     /// Whether the speed of the contact is largest there, and not least.

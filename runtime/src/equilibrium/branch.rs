@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use super::EquilibriumProblem;
 use super::special::{EquilibriumPoint, monitors, turns};
 use super::spectrum::Spectrum;
-use crate::continuation::{self, Failure, Monitors, Point, Reader, Settings, Walked};
+use crate::continuation::{self, Failure, Monitor, Point, Reader, Settings, Walked};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Family, Place, Velocity};
@@ -76,7 +76,7 @@ impl Reader for Equilibria {
         }
     }
 
-    fn monitors(&self) -> Monitors<'_, EquilibriumPoint> {
+    fn monitors(&self) -> Vec<Monitor<'_, EquilibriumPoint>> {
         monitors(self.order)
     }
 

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::Spectrum;
 use crate::bifurcation::Growths;
-use crate::continuation::{Kind, Monitor, Monitors, Verdict, Watched, changes};
+use crate::continuation::{Kind, Monitor, Verdict, Watched, changes};
 
 /// A point of a branch of equilibria.
 #[derive(Debug, Clone)]
@@ -79,7 +79,7 @@ impl Watched for EquilibriumPoint {
 
 /// Folds, branch points, Hopf points and flutter among this many eigenvalues, and where a contact no longer slides as it
 /// did.
-pub(super) fn monitors<'a>(eigenvalues: usize) -> Monitors<'a, EquilibriumPoint> {
+pub(super) fn monitors<'a>(eigenvalues: usize) -> Vec<Monitor<'a, EquilibriumPoint>> {
     type Point = EquilibriumPoint;
     let boundary = |point: &Point| point.margin().map_or(f64::INFINITY, |(_, margin)| margin);
     let mut named = vec![
@@ -95,7 +95,7 @@ pub(super) fn monitors<'a>(eigenvalues: usize) -> Monitors<'a, EquilibriumPoint>
         named.push(collision(k).marked(move |point| point.critical = Some(k)));
         named.push(divergence(k));
     }
-    Monitors::smooth(named)
+    named
 }
 
 /// Where the real part of eigenvalue k passes zero: a Hopf point, or a branch point at which, by symmetry, two real

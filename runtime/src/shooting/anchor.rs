@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::division::Division;
 use super::guess::Guess;
 use super::phase::Phase;
 use super::pin::through;
@@ -29,19 +30,15 @@ pub(crate) fn problem(
     segments: usize,
 ) -> Result<(OrbitProblem, DVector<f64>), FlowError> {
     let flow = family.at(r)?;
-    let segments = segments.max(1);
-    let mut places = vec![guess.place.clone()];
-    while places.len() < segments {
-        let from = &places[places.len() - 1];
-        let share = guess.period / segments as f64;
-        let next = flow.advance(from, share, Default::default())?.end;
-        places.push(next);
-    }
+    let division = match &guess.division {
+        Some(division) => division.clone(),
+        None => Division::equal(flow.as_ref(), guess.place.clone(), guess.period, segments)?,
+    };
     let velocity = flow.velocity(&guess.place)?;
     let phase = phase(flow.phase(), &velocity, guess);
-    let z = OrbitProblem::unknowns(&places, guess.period);
+    let z = OrbitProblem::unknowns(&division.starts, guess.period);
     let magnitude = guess.magnitude.clone();
-    let mut problem = OrbitProblem::new(family, phase, &places, guess.period, magnitude);
+    let mut problem = OrbitProblem::new(family, phase, &division, guess.period, magnitude);
     problem.pins = guess.pins.clone();
     Ok((problem, z))
 }
@@ -79,12 +76,15 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
     let shot = &found.linearisation.extra;
     let first = shot.minima().next();
     let place = match first {
-        Some((_, first)) if first != shot.start.state => family.at(r)?.place(&first)?,
+        Some((_, first)) if first != shot.start.state && shot.passages.len() == 1 => {
+            family.at(r)?.place(&first)?
+        }
         _ => shot.start.clone(),
     };
     let (period, magnitude) = once_around(shot);
     Ok(Guess {
         pins: through(&shot.pins, &place.state),
+        division: shot.division(&found.z).filter(|_| period == shot.period),
         place,
         period,
         magnitude,
@@ -119,6 +119,7 @@ impl Guess {
             period: found.z[found.z.len() - 1],
             magnitude: self.magnitude.clone(),
             pins: self.pins.clone(),
+            division: found.linearisation.extra.division(&found.z),
         }
     }
 }

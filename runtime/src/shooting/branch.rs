@@ -10,7 +10,7 @@ use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
-    Border, Branch, Crossing, Ending, Failure, Located, Monitors, Point, Reader, Reading, Settings,
+    Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading, Settings,
     Started,
 };
 use crate::field::Work;
@@ -20,8 +20,6 @@ use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
-/// And what of that, where their errors are measured.
-const AGAIN: f64 = 0.1;
 /// Two orbits at one r are one if they differ by this share of their extents at most.
 const SAME_ORBIT: f64 = 1e-5;
 /// A branch whose period has grown this many times has none in the end.
@@ -74,7 +72,7 @@ impl OrbitBranch {
             problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
         problem.centre(r).map_err(Failure::Evaluation)?;
         problem
-            .float(&orbit.place, r)
+            .float(&guess.place, r)
             .map_err(Failure::Evaluation)?;
         let mut direction = DVector::zeros(z.len() + 1);
         direction[z.len()] = if upwards { 1.0 } else { -1.0 };
@@ -118,13 +116,14 @@ impl Reader for Orbits {
     }
 
     /// Multipliers lose digits that the orbit keeps.
-    fn sharpen(&self, problem: &mut OrbitProblem, once_more: i32) {
-        let share = SHARPER * AGAIN.powi(once_more);
+    const SHARPER: f64 = SHARPER;
+
+    fn sharpen(&self, problem: &mut OrbitProblem, share: f64) {
         let tolerance = Tolerance::for_accuracy(share * self.accuracy);
         problem.family = problem.family.with_tolerance(tolerance);
     }
 
-    fn monitors(&self) -> Monitors<'_, Orbit> {
+    fn monitors(&self) -> Vec<Monitor<'_, Orbit>> {
         monitors(self.order)
     }
 
@@ -145,9 +144,9 @@ impl Reader for Orbits {
     fn cross(
         &self,
         branch: &Branch<OrbitProblem>,
-        last: &Orbit,
+        orbits: &[Orbit],
     ) -> Option<Crossing<OrbitProblem, Orbit>> {
-        cross(branch, last, self.accuracy)
+        cross(branch, orbits, self.accuracy)
     }
 
     fn border(

@@ -13,7 +13,7 @@ use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
 use crate::bifurcation::Floquet;
-use crate::continuation::{Corrected, ZeroProblem, correct_at};
+use crate::continuation::{Corrected, Failure, ZeroProblem, correct_at};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Flow};
@@ -226,7 +226,14 @@ fn newton(
     }
     let (mut problem, z) = problem(family, r, guess, segments)?;
     problem.want.factors = effort.factors;
-    let found = correct_at(&mut problem, z, r, effort.accuracy).map_err(OrbitError::Newton)?;
+    let found = correct_at(&mut problem, z.clone(), r, effort.accuracy);
+    let found = found.or_else(|failure| {
+        let shot = problem.evaluate(&z, r).map_err(Failure::Evaluation)?.extra;
+        let division = problem.divided(&z, r, &shot).map_err(Failure::Evaluation)?;
+        let z = problem.divide(&division.ok_or(failure)?);
+        correct_at(&mut problem, z, r, effort.accuracy)
+    });
+    let found = found.map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
     if !shot.pins.is_empty() && shot.closure > UNCLOSED * effort.accuracy {
         return Err(OrbitError::NotIsolated {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::division::Division;
 use super::pin::Pin;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Place, apart};
@@ -27,6 +28,8 @@ pub struct Guess {
     pub magnitude: Vec<f64>,
     /// What is held in neutral directions.
     pub pins: Vec<Pin>,
+    /// The segments of an orbit along which errors grow much; the first begins at the place.
+    pub division: Option<Division>,
 }
 
 /// Where a settling motion ended.
@@ -186,6 +189,7 @@ impl Watch {
                     period,
                     magnitude: self.magnitude(),
                     pins: Vec::new(),
+                    division: None,
                 });
             }
         }

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::branch::OrbitBranch;
+use super::division::Division;
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::switch::SwitchError;
@@ -51,9 +52,9 @@ impl OrbitBranch {
                 at: start.state.clone(),
                 velocity,
             };
-            let starts = [start];
-            let problem = OrbitProblem::new(family, phase, &starts, period, magnitude);
-            let z = OrbitProblem::unknowns(&starts, period);
+            let whole = Division::whole(start);
+            let problem = OrbitProblem::new(family, phase, &whole, period, magnitude);
+            let z = OrbitProblem::unknowns(&whole.starts, period);
             let mut direction = DVector::zeros(order + 2);
             direction.rows_mut(0, order).copy_from(&axis);
             match Branch::set_out(problem, (z, r), &direction, settings) {

@@ -4,8 +4,11 @@
 //! lap may differ from those of the next by that. So nothing is concluded from how near they are: a shorter orbit must
 //! converge by itself, and then lie where the long one does, as well as that is known.
 
+use std::f64::consts::TAU;
+
 use super::anchor::SAME_POINT;
 use super::guess::Guess;
+use super::orbit::Orbit;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
@@ -15,9 +18,14 @@ use crate::motion::{Flow, Place, apart, half_extents};
 const LAPS: [u32; 11] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31];
 /// A motion that is further than this from its start has not come back, in half extents.
 const NEAR: f64 = 0.05;
-/// Parts of a period that are tried where the whole leads nowhere, and how near to its start a motion comes after one.
+/// Parts of a period that are looked at.
 const PARTS: u32 = 12;
+/// How near to its start a motion comes back once around an orbit that it is to go around several times, and how much worse
+/// than after the whole period it may be.
 const BACK: f64 = 1e-3;
+const WORSE: f64 = 10.0;
+/// Share of a turn of the drive by which a return may be off.
+const TURN: f64 = 1e-3;
 /// How many times as far as two runs a shorter orbit may be from the long one.
 const BLUR: f64 = 10.0;
 
@@ -39,15 +47,11 @@ pub(super) fn shorter(
     converge: impl Fn(&Guess) -> Option<Corrected<Shot>>,
 ) -> Result<Option<Guess>, FlowError> {
     for laps in LAPS {
-        let period = orbit.period / f64::from(laps);
-        let place = along(flow, shot, period)?;
+        let place = along(flow, shot, orbit.period / f64::from(laps))?;
         if gap(flow, &place.state, orbit) > NEAR {
             continue;
         }
-        let guess = Guess {
-            period,
-            ..orbit.clone()
-        };
+        let guess = orbit.part(laps);
         let Some(found) = converge(&guess) else {
             continue;
         };
@@ -59,48 +63,73 @@ pub(super) fn shorter(
     Ok(None)
 }
 
-/// Guesses of a part of a period, the shortest first, where the motion comes back after it: what is left to try where it
-/// cannot be followed for the whole as well as Newton's method needs it.
+/// Guesses of a part of a period, the shortest first, where the motion comes back after it as well as after the whole: there
+/// the orbit is gone around several times, and Newton's method once around meets less growth.
 ///
 /// # Errors
 /// The motion cannot be followed.
 pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowError> {
     let whole = flow.advance(&guess.place, guess.period, Default::default())?;
     let magnitude = half_extents(&whole.calm.low, &whole.calm.high, &guess.magnitude);
+    let wide = Guess {
+        magnitude,
+        ..guess.clone()
+    };
+    let closed = gap(flow, &whole.end.state, &wide);
     let (mut place, mut time) = (guess.place.clone(), 0.0);
     let mut found = Vec::new();
-    for laps in (2..=PARTS).rev() {
-        let part = Guess {
-            period: guess.period / f64::from(laps),
-            magnitude: magnitude.clone(),
-            ..guess.clone()
-        };
+    for part in (2..=PARTS).rev().map(|laps| wide.part(laps)) {
         place = flow
             .advance(&place, part.period - time, Default::default())?
             .end;
         time = part.period;
-        if gap(flow, &place.state, &part) <= BACK {
+        let back = gap(flow, &place.state, &part);
+        if back <= BACK && back <= WORSE * closed {
             found.push(part);
         }
     }
     Ok(found)
 }
 
+/// The orbit of which a guess goes around so often that the motion has left it before the end, if there is one: what is left
+/// to try where the whole period leads nowhere.
+pub(super) fn part(guess: &Guess, converge: impl Fn(&Guess) -> Option<Orbit>) -> Option<Orbit> {
+    (2..=PARTS).find_map(|laps| {
+        let part = guess.part(laps);
+        let orbit = converge(&part)?;
+        let laps = part.period / orbit.period;
+        ((laps - laps.round()).abs() <= BACK * laps && laps >= 0.5).then_some(orbit)
+    })
+}
+
+impl Guess {
+    /// The same guess, once around of so many times.
+    fn part(&self, laps: u32) -> Self {
+        Self {
+            period: self.period / f64::from(laps),
+            ..self.clone()
+        }
+    }
+}
+
 /// The place of a shot at a time.
 fn along(flow: &dyn Flow, shot: &Shot, time: f64) -> Result<Place, FlowError> {
-    let share = shot.period / shot.passages.len().max(1) as f64;
-    let before = (time / share) as usize;
+    let before = shot.begins.partition_point(|begin| *begin <= time).max(1) - 1;
     let ends = shot.passages.iter().map(|passage| &passage.end);
     let from = std::iter::once(&shot.start).chain(ends).nth(before);
-    let rest = (time - before as f64 * share).max(0.0);
+    let rest = (time - shot.begins[before]).max(0.0);
     let passage = flow.advance(from.unwrap_or(&shot.start), rest, Default::default());
     Ok(passage?.end)
 }
 
-/// How far a state is from the start of an orbit, but for the phase of a drive.
+/// How far a state is from the start of an orbit; out of reach where a drive is at another phase.
 fn gap(flow: &dyn Flow, state: &[f64], orbit: &Guess) -> f64 {
     let mut state = state.to_vec();
     if let Some(phase) = flow.phase() {
+        let turns = (state[phase] - orbit.place.state[phase]) / TAU;
+        if (turns - turns.round()).abs() > TURN {
+            return f64::INFINITY;
+        }
         state[phase] = orbit.place.state[phase];
     }
     apart(&state, &orbit.place.state, &orbit.magnitude)

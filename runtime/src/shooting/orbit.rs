@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::division::Division;
 use super::guess::Guess;
 use super::pin::{Pin, through};
 use super::shot::Shot;
@@ -38,6 +39,8 @@ pub struct Orbit {
     pub section: Vec<Vec<f64>>,
     /// What is held in neutral directions: orbits beside it are orbits too.
     pub pins: Vec<Pin>,
+    /// Its segments, if errors grow so much along it that it was divided for shooting.
+    pub division: Option<Division>,
     /// Where it stands on its branch.
     pub heading: Heading,
     /// Work of finding it.
@@ -105,10 +108,7 @@ impl Orbit {
         } = solution;
         let (min, max) = shot.extent();
         let passages = shot.passages.iter();
-        let segments: Vec<Segment> = passages
-            .clone()
-            .flat_map(|passage| passage.segments.clone())
-            .collect();
+        let segments = shot.stretches();
         let stuck = segments.iter().map(|segment| sticking(&segment.modes));
         let zeros = stuck.max().unwrap_or(0);
         let derivatives = passages.clone().filter_map(|p| p.derivatives.as_ref());
@@ -118,6 +118,7 @@ impl Orbit {
         Self {
             r,
             pins: shot.pins.clone(),
+            division: shot.division(z),
             place: section_place(family, &solution),
             period: z[z.len() - 1],
             max,
@@ -134,9 +135,7 @@ impl Orbit {
             ),
             residual,
             error_estimate: accuracy.max(residual),
-            events: passages
-                .flat_map(|passage| passage.events.clone())
-                .collect(),
+            events: shot.events(),
             segments,
             section: shot.minima().map(|(_, state)| state).collect(),
             heading: Heading {
@@ -157,11 +156,15 @@ impl Orbit {
     /// The orbit as a guess of itself: at another tolerance, or of one nearby.
     #[must_use]
     pub fn guess(&self) -> Guess {
+        let division = self.division.clone();
+        let first = division.as_ref().map(|division| &division.starts[0]);
+        let place = first.unwrap_or(&self.place).clone();
         Guess {
-            place: self.place.clone(),
+            pins: through(&self.pins, &place.state),
+            place,
             period: self.period,
             magnitude: self.magnitude(),
-            pins: through(&self.pins, &self.place.state),
+            division,
         }
     }
 

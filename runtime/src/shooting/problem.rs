@@ -1,15 +1,15 @@
 //! The zero problem of a periodic orbit: (2.3) with a phase condition, over any number of segments.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
+use super::division::{Division, Measure};
 use super::phase::Phase;
 use super::pin::Pin;
 use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Family, Flow, Modes, Place, Velocity, spelt};
-use std::f64::consts::TAU;
+use crate::motion::{Event, Family, Modes, Place, Velocity};
 
 /// A start is left for a calmer one whose field turns this many times more slowly.
 const HASTE: f64 = 4.0;
@@ -21,7 +21,7 @@ const CLOSED: f64 = 1e-5;
 const VANISHED: f64 = 1e-4;
 
 /// Unknowns are the starts x₁ … xₘ of `m` segments and the period T; the equations are
-/// φ(xᵢ, T/m) − xᵢ₊₁ = 0, cyclically, and a phase condition on x₁.
+/// φ(xᵢ, sᵢ T) − xᵢ₊₁ = 0, cyclically, sᵢ being the share of segment i, and a phase condition on x₁.
 #[derive(Debug, Clone)]
 pub struct OrbitProblem {
     /// The flows.
@@ -40,18 +40,19 @@ pub struct OrbitProblem {
     pub(super) centred: Vec<usize>,
     /// Work of all evaluations.
     pub work: Work,
-    modes: Vec<Modes>,
+    pub(super) modes: Vec<Modes>,
+    pub(super) shares: Vec<f64>,
     largest: Vec<f64>,
     /// States of the last accepted orbit at which it could begin as well.
     others: Vec<Vec<f64>>,
 }
 
 impl OrbitProblem {
-    /// The problem of an orbit near the one through `starts`, of about this period.
+    /// The problem of an orbit near the one that is divided like this, of about this period.
     pub fn new(
         family: Family,
         phase: Phase,
-        starts: &[Place],
+        division: &Division,
         period: f64,
         magnitude: Vec<f64>,
     ) -> Self {
@@ -65,7 +66,12 @@ impl OrbitProblem {
             pins: Vec::new(),
             centred: Vec::new(),
             work: Work::default(),
-            modes: starts.iter().map(|place| place.modes.clone()).collect(),
+            modes: division
+                .starts
+                .iter()
+                .map(|place| place.modes.clone())
+                .collect(),
+            shares: division.shares.clone(),
             others: Vec::new(),
         }
     }
@@ -96,8 +102,45 @@ impl OrbitProblem {
         }
     }
 
-    fn order(&self) -> usize {
+    pub(super) fn order(&self) -> usize {
         self.magnitude.len()
+    }
+
+    /// Divides the orbit like this from now on; the unknowns for it.
+    pub(super) fn divide(&mut self, division: &Division) -> DVector<f64> {
+        self.modes = division
+            .starts
+            .iter()
+            .map(|place| place.modes.clone())
+            .collect();
+        self.shares.clone_from(&division.shares);
+        self.pins.retain(|pin| pin.centred.is_none());
+        Self::unknowns(&division.starts, self.period)
+    }
+
+    /// The segments that an orbit needs, if it needs others.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn divided(
+        &self,
+        z: &DVector<f64>,
+        r: f64,
+        shot: &Shot,
+    ) -> Result<Option<Division>, FlowError> {
+        // What is held in neutral directions is said over the equations of one segment.
+        if !shot.pins.is_empty() {
+            return Ok(None);
+        }
+        let flow = self.family.at(r)?;
+        let measure = Measure {
+            flow: flow.as_ref(),
+            period: shot.period,
+            magnitude: &self.magnitude,
+        };
+        let whole = || Division::whole(self.start(z, 0));
+        let division = shot.division(z).unwrap_or_else(whole);
+        division.refined(&measure, &shot.passages)
     }
 }
 
@@ -149,11 +192,18 @@ impl ZeroProblem for OrbitProblem {
             return Ok(None);
         }
         self.others = shot.turns();
-        let calmer = self.calmer(r, shot)?;
-        let start = calmer.clone().unwrap_or_else(|| self.start(z, 0));
-        self.float(&start, r)?;
-        self.modes[0] = start.modes;
-        Ok(calmer.map(|place| Self::unknowns(&[place], shot.period)))
+        let division = match self.calmer(r, shot)? {
+            Some(place) => Some(Division::whole(place)),
+            None => self.divided(z, r, shot)?,
+        };
+        let start = self.start(z, 0);
+        self.float(
+            division
+                .as_ref()
+                .map_or(&start, |division| &division.starts[0]),
+            r,
+        )?;
+        Ok(division.map(|division| self.divide(&division)))
     }
 
     fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
@@ -164,97 +214,20 @@ impl ZeroProblem for OrbitProblem {
             at: state.clone(),
             velocity: flow.velocity(&place).ok()?.f,
         };
-        self.modes[0] = place.modes.clone();
-        Some(Self::unknowns(&[place], self.period))
+        Some(self.divide(&Division::whole(place)))
     }
 
-    /// What depends on where along the orbit it starts is left out: only the period and r stay.
+    /// What depends on where along the orbit its segments start is left out: only the period and r stay.
     fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
-        let mut lasting = tangent.clone();
-        lasting.rows_mut(0, tangent.len() - 2).fill(0.0);
+        let unknowns = self.modes.len() * self.order() + 1;
+        let mut lasting = DVector::zeros(unknowns + 1);
+        let last = tangent.rows(tangent.len() - 2, 2);
+        lasting.rows_mut(unknowns - 1, 2).copy_from(&last);
         lasting
     }
 }
 
 impl OrbitProblem {
-    /// The equations and their derivatives, without what is held in neutral directions.
-    ///
-    /// # Errors
-    /// The motion cannot be followed.
-    pub(super) fn once_around(
-        &mut self,
-        flow: &dyn Flow,
-        z: &DVector<f64>,
-    ) -> Result<Linearisation<Shot>, FlowError> {
-        let (m, n, order) = (self.modes.len(), z.len(), self.order());
-        let period = z[n - 1];
-        if !(period > 0.0 && period.is_finite()) {
-            return Err(FlowError::BadTime { time: period });
-        }
-        let mut h = DVector::zeros(n);
-        let mut h_z = DMatrix::zeros(n, n);
-        let mut h_r = DVector::zeros(n);
-        let mut passages = Vec::with_capacity(m);
-        for i in 0..m {
-            let passage = flow.advance(&self.start(z, i), period / m as f64, self.want)?;
-            self.work += passage.work;
-            // A start that is held on a surface hides a motion that does not come back to it.
-            if passage.end.modes != self.modes[(i + 1) % m] {
-                return Err(FlowError::OtherMode {
-                    found: spelt(&passage.end.modes),
-                    wanted: spelt(&self.modes[(i + 1) % m]),
-                });
-            }
-            let next = (i + 1) % m * order;
-            if let Some(derivatives) = &passage.derivatives {
-                for row in 0..order {
-                    let (at, unit) = (i * order + row, self.magnitude[row]);
-                    let mut gap = passage.end.state[row] - z[next + row];
-                    if flow.phase() == Some(row) && i + 1 == m {
-                        // Once around, the phase has turned a whole number of times, and at least once.
-                        gap -= TAU * (gap / TAU).round().max(1.0);
-                    }
-                    h[at] = gap / unit;
-                    h_r[at] = derivatives.design[row] / unit;
-                    h_z[(at, n - 1)] = derivatives.time[row] / (m as f64 * unit);
-                    for column in 0..order {
-                        h_z[(at, i * order + column)] += derivatives.state[(row, column)] / unit;
-                    }
-                    h_z[(at, next + row)] -= 1.0 / unit;
-                }
-            }
-            passages.push(passage);
-        }
-        let start = self.start(z, 0);
-        let velocity = flow.velocity(&start)?;
-        let (value, gradient, design) = self.phase.equation(&start.state, &velocity);
-        let unit: f64 = (0..order)
-            .map(|j| (gradient[j] * self.magnitude[j]).abs())
-            .sum();
-        let unit = if unit > 0.0 { unit } else { 1.0 };
-        h[n - 1] = value / unit;
-        h_r[n - 1] = design / unit;
-        for (column, slope) in gradient.iter().enumerate() {
-            h_z[(n - 1, column)] = slope / unit;
-        }
-        let closure = h.rows(0, n - 1).norm();
-        self.work.newton += 1;
-        Ok(Linearisation {
-            residual: h,
-            jacobian: h_z,
-            design: h_r,
-            extra: Shot {
-                passages,
-                start,
-                velocity,
-                period,
-                drive: flow.phase(),
-                closure,
-                pins: Vec::new(),
-            },
-        })
-    }
-
     /// A place on the orbit where Newton has it much easier than at the present start, if there is one.
     ///
     /// Shooting from a fast stretch makes the end bend strongly with the period; from just before

@@ -4,7 +4,7 @@ use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
 use super::guess::{Guess, Settled, settle};
-use super::least::parts;
+use super::least::{part, parts};
 use super::neutral::is_neutral;
 use super::orbit::Orbit;
 use super::stay::stays;
@@ -13,6 +13,8 @@ use crate::motion::Family;
 
 /// Magnitudes are far off if those of the motion are smaller by this factor.
 const COARSE: f64 = 1e-3;
+/// Accuracy to which it is told whether a motion comes back.
+const SHARP: f64 = 1e-9;
 /// Returns that are all looked at; of later ones every eighth.
 const OFTEN: usize = 64;
 const SELDOM: usize = 8;
@@ -78,15 +80,9 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             period,
             magnitude,
             pins: Vec::new(),
+            division: None,
         };
-        return converge(family, r, &guess, search).or_else(|error| {
-            let flow = loose(&guess.magnitude)?;
-            let parts = parts(flow.as_ref(), &guess).unwrap_or_default();
-            let found = parts
-                .iter()
-                .find_map(|part| converge(family, r, part, search).ok());
-            found.ok_or(error)
-        });
+        return near(family, r, &guess, search);
     }
     let mut failed = Failed::new(meant);
     let longest = meant.longest();
@@ -113,6 +109,20 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             last: failed.last.map(Box::new),
         }),
     }
+}
+
+/// The orbit near a guess with a period, which may go around it several times.
+fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit, OrbitError> {
+    let sharp = Tolerance::for_accuracy(search.accuracy.min(SHARP));
+    let flow = family
+        .with_tolerance(sharp)
+        .with_magnitude(&guess.magnitude);
+    let parts = parts(flow.at(r)?.as_ref(), guess).unwrap_or_default();
+    let converged = |guess: &Guess| converge(family, r, guess, search).ok();
+    if let Some(orbit) = parts.iter().find_map(converged) {
+        return Ok(orbit);
+    }
+    converge(family, r, guess, search).or_else(|error| part(guess, converged).ok_or(error))
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.

@@ -2,10 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
+use super::division::Division;
 use super::pin::Pin;
-use crate::motion::{Factor, Passage, Place, Velocity, half_extents};
+use crate::motion::{
+    Event, Factor, Modes, Passage, Place, Segment as Stretch, Velocity, half_extents,
+};
 
 /// Whether two times are the same instant of a period.
 const INSTANT: f64 = 1e-6;
@@ -20,6 +23,8 @@ pub struct Shot {
     pub velocity: Velocity,
     /// The period tried.
     pub period: f64,
+    /// When each segment begins.
+    pub begins: Vec<f64>,
     /// The state that is the phase of a drive, if there is one.
     pub drive: Option<usize>,
     /// How far its end is from its start, relative to the extents of the states.
@@ -86,6 +91,56 @@ impl Shot {
             .collect()
     }
 
+    /// The segments of the orbit with these unknowns; `None` if it is not divided.
+    pub(super) fn division(&self, z: &DVector<f64>) -> Option<Division> {
+        let order = self.start.state.len();
+        let ends = self.passages.iter().map(|passage| &passage.end.modes);
+        let modes = std::iter::once(&self.start.modes).chain(ends);
+        let start = |(i, modes): (usize, &Modes)| Place {
+            state: z.rows(i * order, order).iter().copied().collect(),
+            modes: modes.clone(),
+        };
+        let ends = self.begins.iter().skip(1).chain([&self.period]);
+        let shares = self.begins.iter().zip(ends);
+        let count = self.passages.len();
+        (count > 1).then(|| Division {
+            starts: modes.take(count).enumerate().map(start).collect(),
+            shares: shares
+                .map(|(begin, end)| (end - begin) / self.period)
+                .collect(),
+        })
+    }
+
+    /// What happened at the contacts once around.
+    pub(super) fn events(&self) -> Vec<Event> {
+        let passages = self.passages.iter().zip(&self.begins);
+        let later = |(passage, begin): (&Passage, &f64)| {
+            let events = passage.events.clone().into_iter();
+            let begin = *begin;
+            events.map(move |event| Event {
+                time: begin + event.time,
+                ..event
+            })
+        };
+        passages.flat_map(later).collect()
+    }
+
+    /// Stretches in constant mode once around.
+    pub(super) fn stretches(&self) -> Vec<Stretch> {
+        let mut joined: Vec<Stretch> = Vec::new();
+        for passage in &self.passages {
+            let mut stretches = passage.segments.clone().into_iter();
+            match (joined.last_mut(), stretches.next()) {
+                (Some(last), Some(first)) if last.modes == first.modes => {
+                    last.duration += first.duration;
+                }
+                (_, first) => joined.extend(first),
+            }
+            joined.extend(stretches);
+        }
+        joined
+    }
+
     /// Φ once around, and ∫ tr J.
     pub(crate) fn monodromy(&self) -> (DMatrix<f64>, f64) {
         let order = self.start.state.len();
@@ -105,20 +160,16 @@ impl Shot {
     /// Time and state of each minimum of the first state in [0, T), the start included once if it is one; with a drive,
     /// of each beginning of its phase.
     pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
-        let share = self.period / self.passages.len().max(1) as f64;
         let near = INSTANT * self.period;
         let section = self.drive.unwrap_or(0);
-        let all = self
-            .passages
-            .iter()
-            .enumerate()
-            .flat_map(move |(i, passage)| {
-                let minima = passage
-                    .extrema
-                    .iter()
-                    .filter(move |e| e.index == section && !e.maximum);
-                minima.map(move |e| (i as f64 * share + e.time, e.state.clone()))
-            });
+        let passages = self.passages.iter().zip(&self.begins);
+        let all = passages.flat_map(move |(passage, begin)| {
+            let minima = passage
+                .extrema
+                .iter()
+                .filter(move |e| e.index == section && !e.maximum);
+            minima.map(move |e| (begin + e.time, e.state.clone()))
+        });
         let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
         let start = self
             .starts_on_section()

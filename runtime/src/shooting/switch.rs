@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::branch::OrbitBranch;
+use super::division::Division;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::search::Search;
@@ -184,8 +185,8 @@ fn gone_around(
         velocity: velocity.map_err(Failure::Evaluation)?.f,
     };
     let period = f64::from(turn.times) * orbit.period;
-    let starts = std::slice::from_ref(start);
-    Ok(OrbitProblem::new(family, phase, starts, period, magnitude))
+    let whole = Division::whole(start.clone());
+    Ok(OrbitProblem::new(family, phase, &whole, period, magnitude))
 }
 
 /// The point at this distance from (z, r).

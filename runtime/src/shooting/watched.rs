@@ -1,12 +1,10 @@
 //! What is watched of an orbit along its branch.
 
 use super::orbit::Orbit;
-use crate::bifurcation::{Floquet, Kind, Margin, PeriodicPoint};
+use crate::bifurcation::{Floquet, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
-use crate::field::exact::Mode as ContactMode;
-use crate::flow::EventKind;
-use crate::motion::{Event, Modes, Segment};
+use crate::motion::{Modes, Segment};
 
 impl Watched for Orbit {
     fn r(&self) -> f64 {
@@ -48,72 +46,8 @@ impl PeriodicPoint for Orbit {
         &self.floquet
     }
 
-    fn word_length(&self) -> usize {
-        stretches(self).len()
-    }
-
     fn asymmetry(&self) -> f64 {
         self.halves()
-    }
-
-    fn near_misses(&self) -> Vec<Margin> {
-        let margin = |event: &Event| {
-            let (kind, value) = match event.kind {
-                EventKind::Crossing { margin, .. } => (Kind::CrossingSliding, margin),
-                EventKind::Landing { margin, .. } => (Kind::SwitchingSliding, margin),
-                EventKind::Nearest { margin } if event.mode.is_of_press() => {
-                    (Kind::Grazing, margin)
-                }
-                EventKind::Nearest { margin } if event.mode == ContactMode::Stick => {
-                    (Kind::AddingSliding, margin)
-                }
-                EventKind::Nearest { margin } => (Kind::GrazingSliding, margin),
-                EventKind::Release { .. } | EventKind::Closing | EventKind::Opening => return None,
-                EventKind::Impact { .. } => return None,
-            };
-            let contact = event.contact;
-            Some(Margin {
-                kind,
-                contact,
-                value: value.abs(),
-            })
-        };
-        self.events.iter().filter_map(margin).collect()
-    }
-
-    fn close_calls(&self) -> Vec<Margin> {
-        let graze = |event: &Event| {
-            let kind = match event.kind {
-                EventKind::Landing { .. } | EventKind::Crossing { .. } => Kind::GrazingSliding,
-                EventKind::Release { .. } => Kind::AddingSliding,
-                EventKind::Closing | EventKind::Opening | EventKind::Impact { .. } => Kind::Grazing,
-                EventKind::Nearest { margin } if event.mode == ContactMode::Open => {
-                    return Some(Margin {
-                        kind: Kind::Grazing,
-                        contact: event.contact,
-                        value: margin,
-                    });
-                }
-                EventKind::Nearest { .. } => return None,
-            };
-            (event.rate < 0.0).then_some(Margin {
-                kind,
-                contact: event.contact,
-                value: -event.rate,
-            })
-        };
-        let stretches = stretches(self);
-        let shortest = stretches.iter().map(|stretch| stretch.duration);
-        let shortest = shortest.min_by(f64::total_cmp).map(|value| Margin {
-            kind: Kind::VanishingSegment,
-            contact: 0,
-            value,
-        });
-        self.events
-            .iter()
-            .filter_map(graze)
-            .chain(shortest)
-            .collect()
     }
 }
 

@@ -101,7 +101,10 @@ impl Question {
                 ControlFlow::Break(())
             }
         });
-        found.ok().map(Answer::of)
+        found
+            .ok()
+            .filter(|found| !found.is_interrupted())
+            .map(Answer::of)
     }
 
     /// The same at another accuracy.
@@ -129,7 +132,7 @@ impl Question {
     }
 
     /// The same, begun with an orbit within.
-    pub(crate) fn from_within(&self, answer: &Answer, share: f64) -> Option<Self> {
+    pub(crate) fn begun_within(&self, answer: &Answer, share: f64) -> Option<Self> {
         let points = &answer.record.points;
         let point = points.get((share * points.len() as f64) as usize)?;
         let (low, high) = (

@@ -1,6 +1,7 @@
 //! Branches, what happens on them, and where else motions end.
 
 mod atlas;
+mod borders;
 mod branch;
 mod curves;
 mod diagram;
@@ -8,3 +9,4 @@ mod equilibria;
 mod margins;
 mod orbits;
 mod scales;
+mod unstable;

@@ -5,7 +5,7 @@ use stickslip::flow::Want;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip::motion::{Family, Flow};
-use stickslip::shooting::{Orbit, OrbitProblem, Phase, Search, closest};
+use stickslip::shooting::{Division, Orbit, OrbitProblem, Phase, Search, closest};
 use stickslip_models::{BeltOscillator, BeltPair, DrillString};
 use stickslip_tests::exact;
 
@@ -202,7 +202,7 @@ fn shooting_converges_quadratically() {
         let mut problem = OrbitProblem::new(
             family,
             phase,
-            std::slice::from_ref(&reference.place),
+            &Division::whole(reference.place.clone()),
             reference.period,
             magnitude,
         );

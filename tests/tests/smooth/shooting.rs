@@ -7,7 +7,9 @@ use stickslip::field::{Design, Field};
 use stickslip::flow::Want;
 use stickslip::model::Model;
 use stickslip::motion::{Flow, Place};
-use stickslip::shooting::{Guess, Orbit, OrbitError, OrbitProblem, Phase, Search, Shot, closest};
+use stickslip::shooting::{
+    Division, Guess, Orbit, OrbitError, OrbitProblem, Phase, Search, Shot, closest,
+};
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{ACCURACY, Subject, TIGHT};
 
@@ -34,16 +36,12 @@ fn shoot<M: Model<N>, const N: usize>(
     segments: usize,
 ) -> Corrected<Shot> {
     let flow = flow(subject);
-    let share = guess.period / segments as f64;
-    let mut places = vec![guess.place.clone()];
-    while places.len() < segments {
-        let passage = flow.advance(&places[places.len() - 1], share, Want::default());
-        places.push(passage.expect("a motion that can be followed").end);
-    }
+    let division = Division::equal(flow.as_ref(), guess.place.clone(), guess.period, segments);
+    let division = division.expect("a motion that can be followed");
     let family = subject.family(Design::None, TIGHT);
     let magnitude = guess.magnitude.clone();
-    let mut problem = OrbitProblem::new(family, phase, &places, guess.period, magnitude);
-    let z = OrbitProblem::unknowns(&places, guess.period);
+    let mut problem = OrbitProblem::new(family, phase, &division, guess.period, magnitude);
+    let z = OrbitProblem::unknowns(&division.starts, guess.period);
     let mut normal = DVector::zeros(z.len() + 1);
     normal[z.len()] = 1.0;
     correct(&mut problem, z, 0.0, &normal, 1.0, ACCURACY).expect("Newton converges")

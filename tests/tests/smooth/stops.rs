@@ -13,7 +13,7 @@ use stickslip::lyapunov::lyapunov;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
 use stickslip::motion;
-use stickslip::shooting::{OrbitProblem, Phase, closest};
+use stickslip::shooting::{Division, OrbitProblem, Phase, closest};
 use stickslip::study::{Case, Dynamics, StudyError, System};
 use stickslip_models::friction::{Coulomb, Jenkins};
 use stickslip_tests::exact;
@@ -490,7 +490,8 @@ fn the_response_is_shot_for_quadratically() {
     start.state[1] -= 3e-3;
     let phase = Phase::floating(Some(3), orbit.place.state.clone(), DVector::zeros(4));
     let magnitude = vec![1.0; 4];
-    let mut problem = OrbitProblem::new(family, phase, &[orbit.place], orbit.period, magnitude);
+    let whole = Division::whole(orbit.place);
+    let mut problem = OrbitProblem::new(family, phase, &whole, orbit.period, magnitude);
     let z = OrbitProblem::unknowns(&[start], orbit.period);
     let mut normal = DVector::zeros(6);
     normal[5] = 1.0;

@@ -161,7 +161,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             .problem
             .accept(&corrected.z, corrected.r, &corrected.linearisation.extra)
             .map_err(Refusal::Refused)?;
-        let mut tangent = rescaled(tangent, &before.component_div(&self.problem.scale()));
+        let mut tangent = match moved {
+            Some(_) => tangent,
+            None => rescaled(tangent, &before.component_div(&self.problem.scale())),
+        };
         if let Some(z) = moved {
             let (r, n) = (corrected.r, z.len());
             corrected = correct(

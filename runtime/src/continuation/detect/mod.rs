@@ -3,44 +3,28 @@
 use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
-use super::monitor::{Monitor, Verdict};
-use super::path::{Border, Path, Spot, Watched};
+use super::monitor::{Monitor, Verdict, changes};
+use super::path::{Path, Spot, Watched};
 use super::root::zero;
 
 /// Where a step is divided; the second where more directions are marginal at the first than at the ends.
 const MIDDLES: [f64; 2] = [0.5, 0.4];
 /// Halvings of a step after which a change stays unexplained.
 const HALVINGS: u32 = 12;
+/// Divisions of a step up to which each part of it is looked at in its middle.
+const GLANCES: u32 = 3;
+/// Share of itself that a function changes by over a step in which it does not vanish and come back.
+const STILL: f64 = 0.05;
+/// Share of its values at the ends below which a function between them may well vanish.
+const NEAR: f64 = 0.1;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
 const ONE_CHANGE: f64 = 30.0;
-
-/// What is looked for on a branch.
-pub struct Monitors<'a, P> {
-    /// Functions that change sign where something happens.
-    pub named: Vec<Monitor<'a, P>>,
-    /// Tells a change of regime.
-    pub change: RegimeChange<P>,
-}
-
-/// Tells a change of regime by the points on both sides of it, each nearer to it than the one before.
-pub type RegimeChange<P> = fn(&[Spot<P>], &[Spot<P>]) -> Kind;
-
-impl<'a, P> Monitors<'a, P> {
-    /// These monitors of a branch that lies in one regime.
-    #[must_use]
-    pub fn smooth(named: Vec<Monitor<'a, P>>) -> Self {
-        Self {
-            named,
-            change: |_, _| Kind::VanishingSegment,
-        }
-    }
-}
 
 /// Finds what happens between two neighbouring points: by the signs of monitors and by the regimes; a step on which
 /// special points do not account for the change of stability is halved.
 pub fn detect<Q: Path>(
     path: &mut Q,
-    monitors: &Monitors<'_, Q::Point>,
+    monitors: &[Monitor<'_, Q::Point>],
     [from, to]: [&Q::Point; 2],
     accuracy: f64,
 ) -> Findings<Q::Point> {
@@ -58,7 +42,7 @@ pub fn detect<Q: Path>(
 
 struct Hunt<'a, 'm, Q: Path> {
     path: &'a mut Q,
-    monitors: &'a Monitors<'m, Q::Point>,
+    monitors: &'a [Monitor<'m, Q::Point>],
     accuracy: f64,
     located: Vec<Located<Q::Point>>,
     unexplained: Vec<Unexplained>,
@@ -97,13 +81,33 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             return self.change(from, to, halvings);
         }
         match self.events([from, to]) {
-            Ok(events) if explains(&events, &from.point, &to.point) => {
+            Ok(events)
+                if explains(&events, &from.point, &to.point) && !self.hides(from, to, halvings) =>
+            {
                 self.located.extend(events.located);
                 self.bound = self.bound.take().or(events.bound);
             }
             _ if halvings == 0 => self.give_up(from, to, "the step cannot be halved any more"),
             _ => self.halve(from, to, halvings - 1),
         }
+    }
+
+    /// Whether a function that has one sign at both ends may have the other one between them, or the regime may change and
+    /// change back: as far as a third point tells, and the parabola through all three.
+    fn hides(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) -> bool {
+        let ends = [&from.point, &to.point];
+        let rests = |monitor: &Monitor<'_, Q::Point>| rests(ends.map(&monitor.test));
+        if halvings + GLANCES <= HALVINGS || self.monitors.iter().all(rests) {
+            return false;
+        }
+        let Some(middle) = self.path.glance(0.5 * (from.share + to.share)) else {
+            return false;
+        };
+        let dips = |monitor: &Monitor<'_, Q::Point>| {
+            let [a, b] = ends.map(&monitor.test);
+            !changes(a, b) && dips([a, (monitor.test)(&middle), b])
+        };
+        !middle.same_regime(ends[0]) || self.monitors.iter().any(dips)
     }
 
     fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
@@ -146,14 +150,20 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         if before.share > from.share {
             self.step(from, before, halvings);
         }
-        if let Some(Border { kind, error, .. }) = found.border {
+        if let Some(border) = &found.border {
             self.located.push(Located {
+                left: border.points[1].slope(),
+                last: border.last,
                 abrupt: true,
-                error,
-                ..Located::between(kind, [before, after], before.clone())
+                error: border.error,
+                ..Located::between(border.kind, [before, after], before.clone())
             });
+            if border.last {
+                return;
+            }
         } else if found.is_sharp() {
-            let kind = (self.monitors.change)(&found.before, &found.after);
+            // What is no border is an exchange of two events: none lies between them where they meet.
+            let kind = Kind::VanishingSegment;
             self.located.push(Located {
                 r: 0.5 * (before.point.r() + after.point.r()),
                 abrupt: true,
@@ -172,7 +182,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     fn events(&mut self, ends: [&Spot<Q::Point>; 2]) -> Result<Events<Q::Point>, Q::Error> {
         let points = ends.map(|spot| &spot.point);
         let (mut located, mut bound) = (Vec::new(), None);
-        for monitor in &self.monitors.named {
+        for monitor in self.monitors {
             if !monitor.crosses(points) {
                 continue;
             }
@@ -204,6 +214,26 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             reason: reason.to_owned(),
         });
     }
+}
+
+/// Whether a value hardly changes, as far as it has one.
+fn rests([a, b]: [f64; 2]) -> bool {
+    let change = (b - a).abs();
+    change.is_nan() || change <= STILL * a.abs().min(b.abs())
+}
+
+/// Whether the parabola through three values, the outer ones of one sign, comes to zero between them, or next to it.
+fn dips([a, m, b]: [f64; 3]) -> bool {
+    let sign = if a < 0.0 || b < 0.0 { -1.0 } else { 1.0 };
+    let [a, m, b] = [a, m, b].map(|value| sign * value);
+    let (slope, bend) = (0.5 * (b - a), 0.5 * (a + b) - m);
+    let inside = bend > 0.0 && slope.abs() < 2.0 * bend;
+    let least = if inside {
+        m - slope * slope / (4.0 * bend)
+    } else {
+        m
+    };
+    least < NEAR * a.min(b)
 }
 
 /// Whether the special points account for the change in the number of unstable directions. Where it may be a marginal one

@@ -47,7 +47,7 @@ impl Along {
 
     fn findings(mut self) -> Findings<Point> {
         let ends = [0.0, 1.0].map(|r| self.point(r));
-        let monitors = Monitors::smooth(vec![Monitor::new(Kind::Flip, flip)]);
+        let monitors = vec![Monitor::new(Kind::Flip, flip)];
         detect(&mut self, &monitors, [&ends[0], &ends[1]], 1e-9)
     }
 }

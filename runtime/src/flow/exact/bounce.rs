@@ -34,7 +34,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let (system, time) = (&self.flow.system, self.time);
         let (before, state) = (self.modes, *self.carried.state());
         let impact = system.impact(&state, press);
-        if !(impact.compliance > 0.0) {
+        if impact.compliance.is_nan() || impact.compliance <= 0.0 {
             return Err(ContactError::NotOpposing {
                 contact: press,
                 compliance: impact.compliance,

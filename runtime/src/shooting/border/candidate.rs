@@ -40,6 +40,8 @@ pub struct Border {
     pub(super) modes: [Modes; 2],
     /// Shares of the period up to which the motion is held in its mode, and from which on.
     pub(super) held: [f64; 2],
+    /// Share of the period, between these, at which all events are as far away as may be.
+    pub(super) calm: f64,
     /// Distance in time, as a share of the period.
     away: f64,
     /// When the short stretch begins and ends that belongs to it, if there is one.
@@ -163,6 +165,7 @@ impl<'a> Round<'a> {
             state: event.state.clone(),
             modes: [before.clone(), after.clone()],
             held: [0.0; 2],
+            calm: 0.0,
             away: f64::INFINITY,
             brief: None,
         };
@@ -179,13 +182,12 @@ impl<'a> Round<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
-        let times = |own: &[usize]| match own {
+        border.brief = match change.own.as_slice() {
             [first, last] => Some([first, last].map(|i| self.orbit.events[*i].time)),
             _ => None,
         };
-        border.brief = times(&change.own);
         border.modes = change.modes;
-        border.held = self.held(event, &change.own);
+        (border.held, border.calm) = self.held(event, &change.own);
         Ok(Some(border))
     }
 
@@ -307,15 +309,21 @@ impl<'a> Round<'a> {
         })
     }
 
-    /// Shares of the period, from the event on, between which others happen: half of the way to the next and from the last.
-    fn held(&self, event: &Event, own: &[usize]) -> [f64; 2] {
+    /// Shares of the period, from the event on, between which others happen: half of the way to the next and from the last;
+    /// and the middle of the longest stretch without any.
+    fn held(&self, event: &Event, own: &[usize]) -> ([f64; 2], f64) {
         let period = self.orbit.period;
         let others = self.switches.iter().filter(|other| !own.contains(other));
         let ahead =
             |i: &usize| (self.orbit.events[*i].time - event.time).rem_euclid(period) / period;
-        let gaps: Vec<f64> = others.map(ahead).collect();
-        let next = gaps.iter().copied().fold(1.0, f64::min);
-        let last = gaps.iter().copied().fold(0.0, f64::max);
-        [0.5 * next, 0.5 + 0.5 * last]
+        let mut times: Vec<f64> = others.map(ahead).chain([0.0, 1.0]).collect();
+        times.sort_by(f64::total_cmp);
+        let middle = |gap: &[f64]| 0.5 * (gap[0] + gap[1]);
+        let length = |gap: &&[f64]| gap[1] - gap[0];
+        let longest = times
+            .windows(2)
+            .max_by(|a, b| length(a).total_cmp(&length(b)));
+        let ends = [&times[..2], &times[times.len() - 2..]].map(middle);
+        (ends, longest.map_or(0.5, middle))
     }
 }

@@ -20,6 +20,8 @@ const DISTANCES: [f64; 6] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5];
 const FAR: f64 = 5.0;
 /// Errors in r of orbits that have come to a border, over their accuracy.
 const NOISE: f64 = 100.0;
+/// Change of the extents and of the period up to which a border is met, however r turns before it.
+const CLOSE: f64 = 1e-3;
 /// A border lies between two orbits if it is no farther from either than this many times their own distance.
 const BETWEEN: f64 = 1.1;
 /// Change of the extents and of the period, relative to themselves, over which a border is one that a branch comes to.
@@ -28,9 +30,10 @@ const REACH: f64 = 0.2;
 /// What lies beyond the border that a branch comes to after its last point; `None` if it comes to none.
 pub(in crate::shooting) fn cross(
     branch: &Branch<OrbitProblem>,
-    last: &Orbit,
+    orbits: &[Orbit],
     accuracy: f64,
 ) -> Option<Crossing<OrbitProblem, Orbit>> {
+    let last = orbits.last()?;
     let mut work = branch.problem.work;
     let family = &branch.problem.family;
     let scale = branch.problem.scale();
@@ -39,17 +42,31 @@ pub(in crate::shooting) fn cross(
         let way = found.orbit.r - last.r;
         // So near to it an orbit may lie beyond for its errors.
         let level = way.abs() <= NOISE * accuracy * last.r.abs();
-        last.apart(&found.orbit) <= REACH && (level || slope.is_some_and(|slope| slope * way > 0.0))
+        let apart = last.apart(&found.orbit);
+        let ahead = slope.is_some_and(|slope| slope * way > 0.0);
+        let met = apart <= CLOSE && comes_near(orbits, &found.orbit);
+        met || apart <= REACH && (level || ahead)
     };
     let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
     let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());
     located.error = found.error;
-    let beyond = if found.border.drops {
+    let beyond = if found.jumps() {
         Beyond::Nothing
     } else {
         onwards(&found, branch, last, work)
     };
     Some(Crossing { located, beyond })
+}
+
+/// Whether the last orbit is nearer to another one than those were from which the branch came.
+fn comes_near(orbits: &[Orbit], to: &Orbit) -> bool {
+    let Some((last, before)) = orbits.split_last() else {
+        return false;
+    };
+    let away = last.away(to);
+    let far = |orbit: &&Orbit| orbit.away(last) > away;
+    let earlier = before.iter().rev().find(far);
+    earlier.is_some_and(|earlier| earlier.away(to) > away)
 }
 
 /// How r changes on the way to the border, on the side from which it is come to.
@@ -125,6 +142,7 @@ fn set_out(
         period: orbit.period,
         magnitude: branch.problem.magnitude.clone(),
         pins: Vec::new(),
+        division: None,
     };
     let family = branch.problem.family.clone();
     let (mut problem, z) = problem(family, orbit.r, &guess, 1).map_err(Failure::Evaluation)?;
@@ -167,5 +185,6 @@ pub(in crate::shooting) fn between(
         points: [side(ends[0], -1.0)?, side(ends[1], 1.0)?],
         share: a / (a + b),
         error: found.error,
+        last: found.jumps(),
     })
 }

@@ -115,6 +115,7 @@ fn read(
     passage.derivatives = Some(sides.map(border.happens).clone());
     let residual = at.residual.norm();
     let shot = Shot {
+        begins: vec![0.0],
         passages: vec![passage],
         velocity: flow.velocity(&sides.start).ok()?,
         start: sides.start.clone(),
@@ -142,6 +143,11 @@ fn read(
 }
 
 impl Edge {
+    /// Whether the motion jumps beyond it: where force drops, what would be brief is not, but for a stick on the way out.
+    pub(super) fn jumps(&self) -> bool {
+        self.border.drops && self.kind != Kind::CrossingSliding
+    }
+
     /// The orbit as it is on the side of `near`; `slope` is the r-component of the tangent of the branch there.
     pub(super) fn seen_from(&self, near: &Orbit, happens: bool, slope: f64) -> Orbit {
         let map = self.sides.map(happens);

@@ -36,18 +36,15 @@ pub struct BorderProblem<S> {
 
 /// The motion from the border once around, in pieces.
 pub(super) struct Round {
-    /// From the border, held in its mode: where that ends, and how it depends on where it began.
-    pub(super) lead: (Place, Derivatives),
-    /// From there, with whatever happens.
-    pub(super) middle: Derivatives,
-    /// Back to the border, held in its mode.
-    pub(super) rest: (Place, Derivatives),
+    /// From the border to where all is calm: that place, and how it depends on where it began.
+    pub(super) out: (Place, Derivatives),
+    /// Back to the border, at last held in its mode.
+    pub(super) back: (Place, Derivatives),
 }
 
 impl Round {
     fn derivatives(&self) -> Derivatives {
-        let (lead, rest) = (&self.lead.1, &self.rest.1);
-        chain(&chain(lead, &self.middle), rest)
+        chain(&self.out.1, &self.back.1)
     }
 }
 
@@ -70,31 +67,47 @@ impl<S: Sheet> BorderProblem<S> {
         DVector::from_vec([self.border.state.as_slice(), &[self.period, p]].concat())
     }
 
-    /// Once around, in at most three pieces.
+    /// Once around: held in its mode up to half of the way to the next event, and from half of the way from the last one.
     pub(super) fn round(
         &mut self,
         flow: &dyn Flow,
         state: &[f64],
         period: f64,
     ) -> Result<Round, FlowError> {
-        let [before, after] = &self.border.modes;
-        let [first, last] = self.border.held;
+        let [before, after] = self.border.modes.clone();
+        let ([first, last], calm) = (self.border.held, self.border.calm);
         let start = Place {
             state: state.to_vec(),
-            modes: after.clone(),
+            modes: after,
         };
         let lead = flow.glide(&start, first * period)?;
-        let passage = flow.advance(&lead.0, (last - first) * period, Want::DERIVATIVES)?;
-        self.work += passage.work;
-        if passage.end.modes != *before {
+        let out = self.on(flow, lead, (calm - first) * period)?;
+        let calm = self.on(flow, flow.glide(&out.0, 0.0)?, (last - calm) * period)?;
+        if calm.0.modes != before {
             return Err(FlowError::OtherMode {
-                found: spelt(&passage.end.modes),
-                wanted: spelt(before),
+                found: spelt(&calm.0.modes),
+                wanted: spelt(&before),
             });
         }
-        let middle = passage.derivatives.unwrap_or_else(|| lead.1.clone());
-        let rest = flow.glide(&passage.end, (1.0 - last) * period)?;
-        Ok(Round { lead, middle, rest })
+        let (end, rest) = flow.glide(&calm.0, (1.0 - last) * period)?;
+        let back = (end, chain(&calm.1, &rest));
+        Ok(Round { out, back })
+    }
+
+    /// A motion, and what follows it with whatever happens.
+    fn on(
+        &mut self,
+        flow: &dyn Flow,
+        (place, so_far): (Place, Derivatives),
+        time: f64,
+    ) -> Result<(Place, Derivatives), FlowError> {
+        if time <= 0.0 {
+            return Ok((place, so_far));
+        }
+        let passage = flow.advance(&place, time, Want::DERIVATIVES)?;
+        self.work += passage.work;
+        let on = passage.derivatives.map(|on| chain(&so_far, &on));
+        Ok((passage.end, on.unwrap_or(so_far)))
     }
 
     /// What vanishes at the border.
@@ -230,7 +243,7 @@ impl<S: Sheet> ZeroProblem for BorderProblem<S> {
         let derivatives = round.derivatives();
         for i in 0..order {
             let unit = self.magnitude[i];
-            let mut gap = round.rest.0.state[i] - state[i];
+            let mut gap = round.back.0.state[i] - state[i];
             if flow.phase() == Some(i) {
                 gap -= TAU * (gap / TAU).round();
             }

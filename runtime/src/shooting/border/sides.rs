@@ -70,7 +70,7 @@ impl Sides {
             Condition::Touch => -1.0,
             Condition::Edge => 1.0,
         };
-        let start = round.lead.0.clone();
+        let start = round.out.0.clone();
         Ok(Self {
             velocity: flow.velocity(&start)?.f,
             maps: leaps.map(|leap| arrival.through(&leap, &round)),
@@ -130,10 +130,10 @@ struct Arrival {
 }
 
 impl Arrival {
-    fn of(Round { middle, rest, .. }: &Round) -> Self {
+    fn of(Round { back, .. }: &Round) -> Self {
         Self {
-            state: &rest.1.state * &middle.state,
-            design: &rest.1.state * &middle.design + &rest.1.design,
+            state: back.1.state.clone(),
+            design: back.1.design.clone(),
         }
     }
 
@@ -144,7 +144,7 @@ impl Arrival {
 
     /// Past the border and back to the start.
     fn through(&self, leap: &Self, round: &Round) -> Derivatives {
-        let lead = &round.lead.1;
+        let lead = &round.out.1;
         let passed = &leap.state * &self.design + &leap.design;
         Derivatives {
             state: &lead.state * &leap.state * &self.state,

@@ -114,6 +114,7 @@ pub fn certify(
     // What is singled out by a condition only is no isolated orbit.
     let orbit = &Guess {
         pins: Vec::new(),
+        division: None,
         ..orbit.clone()
     };
     let tolerance = Tolerance::for_accuracy(accuracy).times(TIGHTER);

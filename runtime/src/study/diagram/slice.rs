@@ -170,3 +170,40 @@ fn usual(start: &[f64], scale: &[f64]) -> Vec<f64> {
     let share = if shown { 1.0 } else { UNKNOWN };
     scale.iter().map(|size| share * size).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen() -> Slice {
+        Slice {
+            r: 1.0,
+            motion: Motion::Periodic(1),
+            points: vec![vec![1.0, 2.0]; 3],
+            different: 1,
+            silence: None,
+            min: vec![0.0, 1.0],
+            max: vec![2.0, 3.0],
+            end: vec![1.0, 2.0],
+            lyapunov: None,
+            work: Work::default(),
+        }
+    }
+
+    #[test]
+    fn a_slice_belongs_to_as_many_states() {
+        assert!(seen().is_of(2) && !seen().is_of(1) && !seen().is_of(3));
+        let changes: [fn(&mut Slice); 5] = [
+            |slice| slice.different = 4,
+            |slice| slice.points[1].clear(),
+            |slice| slice.min[0] = f64::NAN,
+            |slice| slice.end.push(0.0),
+            |slice| slice.motion = Motion::Failed("why".to_owned()),
+        ];
+        for change in changes {
+            let mut changed = seen();
+            change(&mut changed);
+            assert!(!changed.is_of(2), "{changed:?}");
+        }
+    }
+}

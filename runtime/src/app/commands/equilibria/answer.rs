@@ -133,11 +133,8 @@ fn shown(
         let r = |one: &EquilibriumRecord| one.r.map_or(String::new(), |r| number(r, DIGITS));
         columns.column(along, r)
     });
-    let states = states(info, "").enumerate();
-    let columns = states
-        .fold(columns, |columns, (j, head)| {
-            columns.column(head, move |one| state(one, j))
-        })
+    let columns = columns
+        .each(states(info, ""), state)
         .column(timed(info, "eigenvalues", "1/s"), |one| {
             eigenvalues(&one.eigenvalues)
         })

@@ -1,0 +1,88 @@
+//! Orbits along which errors grow a hundred million times: divided into segments, they are followed as any other.
+
+use nalgebra::DVector;
+use stickslip::continuation::{Settings, Stop, correct};
+use stickslip::field::Design;
+use stickslip::flow::{FlowError, SmoothFamily};
+use stickslip::integrate::Tolerance;
+use stickslip::motion::Family;
+use stickslip::shooting::{Orbit, OrbitBranch, OrbitProblem, Phase, Search, closest};
+use stickslip_models::DrillString;
+use stickslip_tests::random::Random;
+
+const ACCURACY: f64 = 1e-9;
+
+fn family(accuracy: f64) -> Family {
+    SmoothFamily {
+        model: DrillString::default(),
+        smoothing: "quartic:0.1".parse().ok(),
+        design: Design::Parameter(DrillString::eta.index),
+        tolerance: Tolerance::for_accuracy(accuracy),
+        magnitude: [1.0; 2],
+    }
+    .into()
+}
+
+/// The branch that turns at eta = 6.24 and comes back along unstable orbits.
+fn branch(accuracy: f64) -> (Vec<Orbit>, Option<Stop<FlowError>>) {
+    let family = family(accuracy);
+    let search = Search {
+        start: vec![0.0; 2],
+        period: None,
+        accuracy,
+        segments: 1,
+    };
+    let first = closest(&family, 4.0, &search).expect("a first orbit");
+    let settings = Settings::new(4.0, 7.49, accuracy);
+    let mut branch = OrbitBranch::start(&family, &first, &search, settings).expect("a branch");
+    let orbits: Vec<Orbit> = branch.by_ref().collect();
+    (orbits, branch.stop().cloned())
+}
+
+fn largest(orbit: &Orbit) -> f64 {
+    let sizes = orbit.floquet.multipliers.iter().map(|mu| mu.norm());
+    sizes.fold(0.0, f64::max)
+}
+
+/// The last orbit is the same at another accuracy, its multiplier too, and the product of all multipliers is what
+/// Liouville's formula makes it: no digit is lost on the way.
+#[test]
+fn an_unstable_branch_reaches_its_end() {
+    let [(loose, stop), (tight, _)] = [ACCURACY, 1e-11].map(branch);
+    assert!(matches!(stop, Some(Stop::ReachedStart)), "{stop:?}");
+    let [loose, tight] = [loose, tight].map(|mut orbits| orbits.pop().expect("an orbit"));
+    assert!((loose.r - 4.0).abs() < 1e-12 && (tight.r - 4.0).abs() < 1e-12);
+    assert!((loose.period / tight.period - 1.0).abs() < 10.0 * ACCURACY);
+    assert!(largest(&loose) > 1e8, "{:?}", loose.floquet);
+    assert!((largest(&loose) / largest(&tight) - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn newton_is_quadratic_where_errors_grow() {
+    let (orbits, _) = branch(ACCURACY);
+    let unstable: Vec<&Orbit> = orbits.iter().filter(|orbit| largest(orbit) > 1e8).collect();
+    assert!(unstable.len() >= 5);
+    for orbit in unstable.iter().step_by(unstable.len() / 5).take(5) {
+        let division = orbit.division.as_ref().expect("segments");
+        let family = family(1e-12);
+        let flow = family.at(orbit.r).expect("a flow");
+        let velocity = flow.velocity(&division.starts[0]).expect("a field").f;
+        let phase = Phase::floating(None, division.starts[0].state.clone(), velocity);
+        let magnitude = orbit.magnitude();
+        let mut problem =
+            OrbitProblem::new(family, phase, division, orbit.period, magnitude.clone());
+        let mut random = Random::new(7);
+        let mut z = OrbitProblem::unknowns(&division.starts, orbit.period);
+        for i in 0..z.len() - 1 {
+            z[i] += 1e-4 * random.real(0.5) * magnitude[i % magnitude.len()];
+        }
+        let mut normal = DVector::zeros(z.len() + 1);
+        normal[z.len()] = 1.0;
+        let found = correct(&mut problem, z, orbit.r, &normal, 1.0, 1e-10).expect("convergence");
+        let sizes = &found.corrections;
+        assert!(sizes[0] > 1e-5, "{sizes:?}");
+        for pair in sizes.windows(2).filter(|pair| pair[0] > 1e-6) {
+            assert!(pair[1] <= 1e3 * pair[0] * pair[0] + 1e-9, "{sizes:?}");
+        }
+    }
+}
