@@ -90,13 +90,26 @@ impl PressLawInfo {
     pub fn lines(&self) -> Vec<String> {
         let lets = self.abbreviations.iter();
         let lets = lets.map(|(name, formula)| format!("{name} = {formula}"));
-        let formula = match self.formula {
+        let (head, formula) = self.line();
+        lets.chain([format!("{head} = {formula}")]).collect()
+    }
+
+    /// Both sides of its formula, as written.
+    pub(crate) fn line(&self) -> (String, &'static str) {
+        match self.formula {
             PressFormula::Compliant { depth, rate, force } => {
-                format!("force({depth}, {rate}) = {force}")
+                (format!("force({depth}, {rate})"), force)
             }
-            PressFormula::Rigid { speed, rebound } => format!("rebound({speed}) = {rebound}"),
-        };
-        lets.chain([formula]).collect()
+            PressFormula::Rigid { speed, rebound } => (format!("rebound({speed})"), rebound),
+        }
+    }
+
+    /// What its formula reads beside its parameters, at a gap that stands still.
+    pub(crate) fn at_rest(&self, gap: f64) -> Vec<(&'static str, f64)> {
+        match self.formula {
+            PressFormula::Compliant { depth, rate, .. } => vec![(depth, gap.abs()), (rate, 0.0)],
+            PressFormula::Rigid { speed, .. } => vec![(speed, 0.0)],
+        }
     }
 
     /// Whether the contact does not give way.

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use super::formula::{Part, evaluate};
 use super::info::{Contact, Memory, ModelInfo, Press};
 use super::values::brief;
-use crate::press::PressFormula;
 
 /// What is known by name, as far as it is known.
 type Known<'a> = HashMap<&'a str, f64>;
@@ -104,17 +103,8 @@ fn of_press(press: &Press, known: &Known<'_>) -> Result<(), (String, Part)> {
     let Some(gap) = value(press.gap, known, || format!("{force} = .. closing .."))? else {
         return Ok(());
     };
-    let (line, formula) = match law.formula {
-        PressFormula::Compliant { depth, rate, force } => {
-            own.insert(depth, gap.abs());
-            own.insert(rate, 0.0);
-            (format!("force({depth}, {rate})"), force)
-        }
-        PressFormula::Rigid { speed, rebound } => {
-            own.insert(speed, 0.0);
-            (format!("rebound({speed})"), rebound)
-        }
-    };
+    own.extend(law.at_rest(gap));
+    let (line, formula) = law.line();
     let at = |line: &str| format!("{line} of {} at {force}", law.name);
     for (name, formula) in law.abbreviations {
         if let Some(value) = value(formula, &own, || at(&format!("let {name}")))? {
