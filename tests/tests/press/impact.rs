@@ -32,8 +32,7 @@ fn branch<M: Model<N>, const N: usize>(
         to,
     });
     let branch = System::of::<M, N>().branch(&along, &mut |_| ControlFlow::Continue(()));
-    let branch = branch.unwrap();
-    branch
+    branch.unwrap()
 }
 
 /// The approach, the departure and the phase of each impact of an orbit.
