@@ -90,19 +90,25 @@ impl PressLawInfo {
     pub fn lines(&self) -> Vec<String> {
         let lets = self.abbreviations.iter();
         let lets = lets.map(|(name, formula)| format!("{name} = {formula}"));
-        let (name, _, formula) = self.line();
-        lets.chain([format!("{name} = {formula}")]).collect()
+        let (head, formula) = self.line();
+        lets.chain([format!("{head} = {formula}")]).collect()
     }
 
-    /// The line that says what the contact does: its left side, the symbols in it, and its right side.
-    pub(crate) fn line(&self) -> (String, Vec<&'static str>, &'static str) {
+    /// Both sides of its formula, as written.
+    pub(crate) fn line(&self) -> (String, &'static str) {
         match self.formula {
             PressFormula::Compliant { depth, rate, force } => {
-                (format!("force({depth}, {rate})"), vec![depth, rate], force)
+                (format!("force({depth}, {rate})"), force)
             }
-            PressFormula::Rigid { speed, rebound } => {
-                (format!("rebound({speed})"), vec![speed], rebound)
-            }
+            PressFormula::Rigid { speed, rebound } => (format!("rebound({speed})"), rebound),
+        }
+    }
+
+    /// What its formula reads beside its parameters, at a gap that stands still.
+    pub(crate) fn at_rest(&self, gap: f64) -> Vec<(&'static str, f64)> {
+        match self.formula {
+            PressFormula::Compliant { depth, rate, .. } => vec![(depth, gap.abs()), (rate, 0.0)],
+            PressFormula::Rigid { speed, .. } => vec![(speed, 0.0)],
         }
     }
 

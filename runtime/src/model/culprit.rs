@@ -103,14 +103,8 @@ fn of_press(press: &Press, known: &Known<'_>) -> Result<(), (String, Part)> {
     let Some(gap) = value(press.gap, known, || format!("{force} = .. closing .."))? else {
         return Ok(());
     };
-    let (line, symbols, formula) = law.line();
-    // A depth and its rate, or the speed of an impact.
-    let values = if law.is_rigid() {
-        [0.0, 0.0]
-    } else {
-        [gap.abs(), 0.0]
-    };
-    own.extend(symbols.into_iter().zip(values));
+    own.extend(law.at_rest(gap));
+    let (line, formula) = law.line();
     let at = |line: &str| format!("{line} of {} at {force}", law.name);
     for (name, formula) in law.abbreviations {
         if let Some(value) = value(formula, &own, || at(&format!("let {name}")))? {

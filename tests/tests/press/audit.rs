@@ -15,9 +15,10 @@ fn through<M: Model<N>, const N: usize>(
     time: f64,
     energy: impl Fn(&[f64; N]) -> f64,
 ) -> (f64, f64) {
-    let flow = ExactFlow::new(model, None, Tolerance::for_accuracy(1e-9)).unwrap();
+    let flow = ExactFlow::new(model, None, Tolerance::for_accuracy(1e-11)).unwrap();
     let place = flow.place(start).unwrap();
-    let passage = flow.advance(&place, time, Want::default()).unwrap();
+    let passage = flow.advance(&place, time, Want::default());
+    let passage = passage.unwrap_or_else(|error| panic!("{model:?} from {start:?}: {error}"));
     (energy(&start), energy(&passage.end.state))
 }
 

@@ -1,9 +1,9 @@
-//! What is noted along the way: near misses, extrema, samples of the path.
+//! What is noted along the way: near misses, extrema, samples of the path, stretches of constant mode.
 
 use super::guard::Sighting;
 use super::run::{Run, Steps};
 use crate::flow::saltation::Tracked;
-use crate::flow::{Event, EventKind, FlowError, Sample, nodes};
+use crate::flow::{Event, EventKind, FlowError, Sample, Segment, nodes};
 use crate::integrate::Dense;
 use crate::model::Model;
 
@@ -58,6 +58,24 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     pub(super) fn sample(&mut self, time: f64, state: [f64; N]) {
         if self.want.path {
             self.path.push(Sample { time, state });
+        }
+    }
+
+    /// Ends a stretch of constant mode; one without duration is left out, its factor goes to the next.
+    pub(super) fn close_segment(&mut self) {
+        let duration = self.time - self.segment_from;
+        if duration <= 0.0 && (self.time < self.span || !self.segments.is_empty()) {
+            return;
+        }
+        self.segments.push(Segment {
+            mode: self.modes,
+            duration,
+            impact: self.impact.take(),
+        });
+        self.segment_from = self.time;
+        if let Some(motion) = self.carried.motion() {
+            self.factors.push(motion.tangent);
+            motion.restart();
         }
     }
 }

@@ -6,6 +6,7 @@ use super::settle::Verdict;
 use crate::field::exact::{Mode, Modes};
 use crate::flow::FlowError;
 use crate::model::Model;
+use crate::scalar::Lanes;
 
 /// Rounding error of a gap or of what holds a press closed, in units of its terms.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -77,6 +78,19 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         Ok(presses)
     }
 
+    /// The magnitude of the terms of what holds a press closed: of its force, and of the states in its depth and rate.
+    pub(super) fn hold_scale(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+        press: usize,
+    ) -> Result<f64, FlowError> {
+        let at = self.system.linear(state, modes)?;
+        let (slopes, _): ([f64; N], f64) = at.stick.as_ref()[press].slopes();
+        let terms = slopes.iter().zip(state).map(|(slope, y)| (slope * y).abs());
+        Ok(terms.sum::<f64>() + self.system.terms_of_hold(state, press))
+    }
+
     /// The mode of one press, and which of its guards vanishes.
     fn judged(
         &self,
@@ -91,10 +105,10 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let (gap, hold) = (at.speed.as_ref()[press], at.stick.as_ref()[press]);
         let scale = self.speed_scales(state).as_ref()[press];
         let is_small = |value: f64, terms: f64| value.abs() <= ROUNDING * terms;
-        let terms = || self.system.terms_of_hold(state, press);
+        let terms = self.hold_scale(state, &closed, press)?;
         let vanishing = match vanishing {
             Vanishing::Rounded if is_small(gap.re, scale) => Vanishing::Gap,
-            Vanishing::Rounded if gap.re < 0.0 && is_small(hold.re, terms()) => Vanishing::Hold,
+            Vanishing::Rounded if gap.re < 0.0 && is_small(hold.re, terms) => Vanishing::Hold,
             known => known,
         };
         if M::INFO.is_rigid(press) {

@@ -42,14 +42,14 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     pub(super) rates: (M::PerContact<f64>, f64),
     /// The longest step so far; before the first one what may be one.
     pub(super) longest: f64,
-    segment_from: f64,
+    pub(super) segment_from: f64,
     /// The press whose impact was the last event.
     pub(super) impact: Option<usize>,
-    segments: Vec<Segment<Modes<M, N>>>,
+    pub(super) segments: Vec<Segment<Modes<M, N>>>,
     pub(super) extrema: Extrema<N>,
     pub(super) path: Vec<Sample<N>>,
     pub(super) nodes: Vec<Node<N>>,
-    factors: Vec<[[f64; N]; N]>,
+    pub(super) factors: Vec<[[f64; N]; N]>,
     calm: Calm<N, Modes<M, N>>,
     /// Number of events and time when the count of chatter began.
     pub(super) chatter: (u64, f64),
@@ -282,23 +282,5 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                     (guard.re, guard.eps)
                 })
         })
-    }
-
-    /// Ends a stretch of constant mode; one without duration is left out, its factor goes to the next.
-    pub(super) fn close_segment(&mut self) {
-        let duration = self.time - self.segment_from;
-        if duration <= 0.0 && (self.time < self.span || !self.segments.is_empty()) {
-            return;
-        }
-        self.segments.push(Segment {
-            mode: self.modes,
-            duration,
-            impact: self.impact.take(),
-        });
-        self.segment_from = self.time;
-        if let Some(motion) = self.carried.motion() {
-            self.factors.push(motion.tangent);
-            motion.restart();
-        }
     }
 }

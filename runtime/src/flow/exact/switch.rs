@@ -48,7 +48,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             for guard in Guard::of(i, *mode) {
                 let value = guard.value(&self.modes, &at);
                 let scale = if mode.is_of_press() && guard.side != 0.0 {
-                    system.terms_of_hold(state, i)
+                    self.flow.hold_scale(state, &self.modes, i)?
                 } else if guard.side == 0.0 {
                     // Against fixed ground w is its only term: what it has lost in the step is what was rounded.
                     scales.as_ref()[i].max(stepper.length() * value.eps.abs())
