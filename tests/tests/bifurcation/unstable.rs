@@ -27,7 +27,7 @@ fn family(accuracy: f64) -> Family {
 fn branch(accuracy: f64) -> (Vec<Orbit>, Option<Stop<FlowError>>) {
     let family = family(accuracy);
     let search = Search {
-        start: vec![0.0; 2],
+        start: vec![6.0, 0.0],
         period: None,
         accuracy,
         segments: 1,
