@@ -254,7 +254,8 @@ impl OrbitProblem {
         let there = flow.velocity(&place)?;
         let near = |event: &Event| {
             let share = event.time / shot.period;
-            event.kind.is_switch() && !(MARGIN..=1.0 - MARGIN).contains(&share)
+            (event.kind.is_switch() || event.mode.is_of_press())
+                && !(MARGIN..=1.0 - MARGIN).contains(&share)
         };
         let hasty = haste(&shot.velocity) > HASTE * haste(&there).max(1.0 / shot.period);
         Ok((hasty || passage.events.iter().any(near)).then_some(place))

@@ -165,6 +165,12 @@ impl<'a> Around<'a> {
                 own: Vec::new(),
             });
         }
+        if matches!(event.kind, EventKind::Impact { .. }) {
+            return Some(Change {
+                modes: [before, after],
+                own: vec![index],
+            });
+        }
         let own = before.get(event.contact);
         if drops {
             let touches =
@@ -221,7 +227,7 @@ impl<'a> Around<'a> {
         let mut ends = self.ends.iter().enumerate();
         ends.find_map(|(i, end)| match (switches, end - event.time) {
             (true, off) if off.abs() <= near => Some([modes(i), modes(i + 1)]),
-            (false, off) if off > 0.0 => Some([modes(i), modes(i)]),
+            (false, off) if off > -near => Some([modes(i), modes(i)]),
             _ => None,
         })
     }

@@ -45,7 +45,9 @@ impl Border {
     /// Whether a sliding contact comes to rest for a moment there.
     #[must_use]
     pub fn is_graze(&self) -> bool {
-        self.condition == Condition::Touch && self.before() != Mode::Stick
+        self.condition == Condition::Touch
+            && self.before() != Mode::Stick
+            && !self.before().is_of_press()
     }
 
     /// Whether what is short of it is all that the words of these orbits differ by.
@@ -66,6 +68,7 @@ impl Border {
     pub(super) fn kind(&self, rate: f64) -> Kind {
         match (self.condition, self.before()) {
             (Condition::Touch, Mode::Stick) => Kind::AddingSliding,
+            (Condition::Touch, mode) if mode.is_of_press() => Kind::Grazing,
             (Condition::Touch, _) => Kind::GrazingSliding,
             (Condition::Edge, _) if rate < 0.0 => Kind::CrossingSliding,
             (Condition::Edge, _) => Kind::SwitchingSliding,
