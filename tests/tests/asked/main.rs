@@ -11,7 +11,7 @@ use question::Question;
 use stickslip_tests::random::Random;
 
 /// Branches that are drawn, if nothing else is said: `ASKED=500`.
-const BRANCHES: usize = 100;
+const BRANCHES: usize = 24;
 /// Share of the answers that may end with a warning, and share that may say something else: there should be none.
 const UNDECIDED: f64 = 0.02;
 const DIFFERENT: f64 = 0.02;
