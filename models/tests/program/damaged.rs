@@ -117,7 +117,8 @@ fn damaged_diagrams_are_refused_or_whole() {
 #[ignore = "long"]
 fn damaged_branches_are_refused_or_whole() {
     // Long enough to be interrupted on any machine, and so gone through less often.
-    let line = "branch belt-pair --along v_dr=0.1..0.05 --accuracy 1e-11 --quiet";
+    let line =
+        "branch drill-string --smooth quartic:0.1 --along eta=4..7.49 --accuracy 1e-11 --quiet";
     let folders = FOLDERS / 4;
     holds(
         "branches",
