@@ -44,10 +44,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let before = (problem.clone(), base.clone(), length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let arrives = self.tangent(&corrected, &direction)?;
-        let tangents = [direction.clone(), arrives];
-        let accepted = self.accept(corrected, &direction);
+        let accepted = self.accept(corrected, arrives.clone());
         // What the problem fixed for the new point does not fit the old one.
         let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
+        let tangents = [direction, arrives];
         self.link = Some(Link::new(problem, ends, tangents, self.r_scale, accuracy));
         self.before = Some(before);
         self.tiny = if length < TINY { self.tiny + 1 } else { 0 };

@@ -54,26 +54,34 @@ impl OrbitProblem {
         let pins: Vec<Pin> = self.pins.iter().filter(holds).cloned().collect();
         for pin in &pins {
             let condition = match pin.centred {
-                Some(state) => self.swing(flow, &(z + &aside), &at.extra, state)?,
+                Some(state) => match &aside {
+                    Some(aside) => self.swing(flow, &(z + aside), &at.extra, state)?,
+                    None => self.swing(flow, z, &at.extra, state)?,
+                },
                 None => pin.condition(&at.extra.start.state, &self.magnitude, z.len()),
             };
             condition.enter(&pin.left, &mut at);
         }
         at.extra.pins = through(&pins, &at.extra.start.state);
-        at.residual -= &at.jacobian * aside;
+        if let Some(aside) = aside {
+            at.residual -= &at.jacobian * aside;
+        }
         Ok(at)
     }
 
     /// Moves states that meet one of their stops only, though they would find room between both, away from it, and says
-    /// how far. What they hold is lost at a stop, and where they could be as well does not show there.
+    /// how far, if any do. What they hold is lost at a stop, and where they could be as well does not show there.
     fn leave_stops(
         &mut self,
         flow: &dyn Flow,
         z: &DVector<f64>,
         at: &mut Linearisation<Shot>,
-    ) -> DVector<f64> {
-        let (low, high) = at.extra.extent();
+    ) -> Option<DVector<f64>> {
         let one: Vec<usize> = self.one_sided(flow, &at.extra).collect();
+        if one.is_empty() {
+            return None;
+        }
+        let (low, high) = at.extra.extent();
         let mut aside = DVector::zeros(z.len());
         for (i, shift) in aside.iter_mut().take(z.len() - 1).enumerate() {
             let j = i % low.len();
@@ -81,18 +89,12 @@ impl OrbitProblem {
                 *shift = -f64::midpoint(low[j], high[j]);
             }
         }
-        if one.is_empty() {
-            return aside;
-        }
-        if let Ok(moved) = self.once_around(flow, &(z + &aside))
-            && one
-                .iter()
-                .all(|&j| met(flow, &moved.extra, j) == [false; 2])
-        {
+        let moved = self.once_around(flow, &(z + &aside)).ok()?;
+        let clear = |j: &usize| met(flow, &moved.extra, *j) == [false; 2];
+        one.iter().all(clear).then(|| {
             *at = moved;
-            return aside;
-        }
-        DVector::zeros(z.len())
+            aside
+        })
     }
 
     /// The states that meet one of their stops only.

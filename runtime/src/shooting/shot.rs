@@ -131,7 +131,9 @@ impl Shot {
         for passage in &self.passages {
             let mut stretches = passage.segments.clone().into_iter();
             match (joined.last_mut(), stretches.next()) {
-                (Some(last), Some(first)) if last.modes == first.modes => {
+                (Some(last), Some(first))
+                    if last.modes == first.modes && first.impact.is_none() =>
+                {
                     last.duration += first.duration;
                 }
                 (_, first) => joined.extend(first),

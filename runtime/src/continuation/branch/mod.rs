@@ -96,8 +96,9 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             stop: (span == 0.0).then_some(Stop::ReachedEnd),
             count: 0,
         };
+        let tangent = branch.tangent(&corrected, direction)?;
         let point = branch
-            .accept(corrected, direction)
+            .accept(corrected, tangent)
             .map_err(|stop| match stop {
                 Refusal::Retry(failure) => failure,
                 Refusal::Refused(error) => Failure::Evaluation(error),
@@ -148,15 +149,14 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         true
     }
 
+    /// Goes on from a corrected point with its tangent.
     pub(super) fn accept(
         &mut self,
-        corrected: Corrected<P::Extra>,
-        direction: &DVector<f64>,
+        mut corrected: Corrected<P::Extra>,
+        tangent: DVector<f64>,
     ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
-        let mut corrected = corrected;
         let mut newton = corrected.corrections.len();
         let before = self.problem.scale();
-        let tangent = self.tangent(&corrected, direction)?;
         let moved = self
             .problem
             .accept(&corrected.z, corrected.r, &corrected.linearisation.extra)
