@@ -4,6 +4,7 @@ use crate::app::chart::axis;
 use crate::app::show::{Kind, Quantity, family};
 use crate::app::text::timed;
 use crate::model::ModelInfo;
+use crate::report::symbols::typeset;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
 use crate::study::{Envelope, Trajectory};
 
@@ -43,7 +44,11 @@ fn against_time(info: &ModelInfo, motion: &Trajectory, group: &[&Quantity]) -> P
     let y = axis(&names.join(", "), group.first().and_then(|one| one.unit));
     let panel = Panel::new(Axis::new(&timed(info, "time", "s")), y);
     let curves = group.iter().enumerate().map(|(series, one)| {
-        let label = if group.len() > 1 { one.name } else { "" };
+        let label = if group.len() > 1 {
+            typeset(one.name)
+        } else {
+            String::new()
+        };
         Curve::line(label, series, thinned(motion, one))
     });
     panel.curves(curves)
