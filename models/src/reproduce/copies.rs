@@ -128,7 +128,7 @@ impl Copies {
 
     /// The orbits at the beginning, in the plane of the first two states.
     pub(super) fn planes(&self) -> Vec<Curve> {
-        self.curves(|one, series| Curve::line(&one.label, series, one.plane()))
+        self.curves(|one, series| Curve::smooth(&one.label, series, one.plane()))
     }
 
     /// The largest magnitude of the first state along the branches.

@@ -27,7 +27,7 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
         .curves(
             "3.1",
             [vec![
-                Curve::line("limit cycle", 0, cycles.plane()),
+                Curve::smooth("limit cycle", 0, cycles.plane()),
                 Curve::points("unstable equilibrium", 2, Marker::Cross, vec![[0.0, 0.0]]),
             ]],
         )

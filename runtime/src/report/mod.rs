@@ -1,6 +1,7 @@
 //! A report: sections of text, figures and tables, written as one page with its data beside it.
 
 pub mod chart;
+mod data;
 mod draw;
 mod figure;
 mod manuscript;

@@ -40,16 +40,21 @@ pub(super) fn page(pair: &Subject, smoothed: &Atlas, exact: &Atlas) -> Page {
     }
 }
 
-const HEAD: [&str; 10] = [
+const HEAD: [&str; 15] = [
     "system",
     "branch",
     "family",
     "n",
     "V_dr",
     "period",
-    "max|X1|",
+    "max_abs_X1",
     "stability",
-    "multipliers",
+    "multiplier_1_re",
+    "multiplier_1_im",
+    "multiplier_2_re",
+    "multiplier_2_im",
+    "multiplier_3_re",
+    "multiplier_3_im",
     "word",
 ];
 
@@ -57,9 +62,12 @@ fn rows(atlas: &Atlas) -> Vec<Vec<String>> {
     let all = atlas.branches().enumerate();
     all.flat_map(|(number, (family, branch))| {
         branch.points.iter().map(move |point| {
-            let multipliers = point.floquet.multipliers.iter();
-            let multipliers: Vec<String> = multipliers.map(ToString::to_string).collect();
-            vec![
+            let multipliers = |i: usize| point.floquet.multipliers.get(i);
+            let parts = (0..3).flat_map(|i| match multipliers(i) {
+                Some(one) => [one.re, one.im].map(|part| part.to_string()),
+                None => [String::new(), String::new()],
+            });
+            let mut row = vec![
                 atlas.dynamics.to_string(),
                 number.to_string(),
                 family.to_owned(),
@@ -68,9 +76,10 @@ fn rows(atlas: &Atlas) -> Vec<Vec<String>> {
                 point.period.to_string(),
                 point.max_abs[0].to_string(),
                 point.floquet.stability.name().to_owned(),
-                multipliers.join(" "),
-                point.word.clone().unwrap_or_default(),
-            ]
+            ];
+            row.extend(parts);
+            row.push(point.word.clone().unwrap_or_default());
+            row
         })
     })
     .collect()

@@ -6,6 +6,10 @@ use crate::report::text::number;
 const SAME: f64 = 1e-3;
 /// The cosine of a turn that is a corner.
 const CORNER: f64 = 0.5;
+/// Chords of which one is so many times longer than the other show even this turn to be a corner: its tangent would bend the
+/// longer one.
+const UNEVEN: f64 = 4.0;
+const SLIGHT: f64 = 0.9995;
 /// The cosine of the angle to its chord from which on a tangent counts less, and the least share that it keeps.
 const ASIDE: f64 = 0.5;
 const LEAST: f64 = 0.2;
@@ -93,9 +97,15 @@ fn between(before: Vector, after: Vector, known: Option<Vector>) -> [Vector; 2] 
     let [from, to] = [unit(before), unit(after)];
     // The tangent of the parabola, its parameter being the length of the chords.
     let parabola = [0, 1].map(|k| weights[0] * from[k] + weights[1] * to[k]);
+    let ratio = weights[0] / weights[1];
+    let straight = if ratio.max(1.0 / ratio) > UNEVEN {
+        SLIGHT
+    } else {
+        CORNER
+    };
     match known {
         Some(known) => [towards(known, parabola); 2],
-        None if dot(from, to) < CORNER => [from, to],
+        None if dot(from, to) < straight => [from, to],
         None => [unit(parabola); 2],
     }
 }

@@ -171,13 +171,19 @@ fn unwrapped(phase: f64, before: Option<f64>) -> f64 {
     phase + ((before - phase) / TAU).round() * TAU
 }
 
-/// A branch with those that leave it.
+/// A branch with those that leave it, under what holds for all of them.
 fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Document<'a> {
-    let orbit = |point: &OrbitRecord| orbit::document(info, point).put("work", point.work);
-    let mut work = Work::default();
-    branch.points.iter().for_each(|point| work += point.work);
     Document::case(info, case)
         .range("along", &branch.along)
+        .units()
+        .all(&found(info, branch))
+}
+
+fn found<'a>(info: &'a ModelInfo, branch: &BranchRecord) -> Document<'a> {
+    let orbit = |point: &OrbitRecord| orbit::point(info, point).put("work", point.work);
+    let mut work = Work::default();
+    branch.points.iter().for_each(|point| work += point.work);
+    Document::new(info)
         .maybe("from", branch.from.as_ref())
         .list("points", &branch.points, orbit)
         .list("special", &branch.special, |one| {
@@ -185,9 +191,6 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Docu
         })
         .ended(&branch.ended)
         .maybe("began", branch.began.as_ref().map(|ended| ended.word()))
-        .list("branches", &branch.branches, |below| {
-            document(info, case, below)
-        })
-        .units()
+        .list("branches", &branch.branches, |below| found(info, below))
         .put("work", work)
 }

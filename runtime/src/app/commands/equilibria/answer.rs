@@ -234,9 +234,7 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
 }
 
 fn equilibrium<'a>(info: &'a ModelInfo, one: &EquilibriumRecord) -> Document<'a> {
-    let document = Document::of(info, one)
-        .parameters(&one.parameters)
-        .by_state(&["state"]);
+    let document = Document::of(info, one).by_state(&["state"]);
     match &one.set {
         Some(set) => document.put("set", Document::of(info, set).by_state(&["min", "max"])),
         None => document,
