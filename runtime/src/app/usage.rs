@@ -54,7 +54,8 @@ fn plain(error: &Error) -> String {
 }
 
 fn commands(command: &Command) -> Vec<&str> {
-    command.get_subcommands().map(Command::get_name).collect()
+    let shown = command.get_subcommands().filter(|one| !one.is_hide_set());
+    shown.map(Command::get_name).collect()
 }
 
 fn no_command(word: &str, command: &Command) -> String {
