@@ -6,7 +6,8 @@ use std::path::Path;
 use crate::{stickslip, words};
 
 /// Columns that hold words.
-const WORDS: [&str; 8] = [
+const WORDS: [&str; 9] = [
+    "direction",
     "stability",
     "mode",
     "sweep",

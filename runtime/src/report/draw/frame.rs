@@ -5,7 +5,7 @@ use super::scale::Scale;
 use super::ticks::Tick;
 use super::{beside, curve};
 use crate::report::figure::Panel;
-use crate::report::text::{number, width};
+use crate::report::text::{self, number, width};
 
 /// Sizes of the labels of ticks and of axes, px.
 const TICK: f64 = 12.0;
@@ -132,8 +132,11 @@ impl<'a> Frame<'a> {
         let curves: String = curves.map(|one| curve::draw(one, self, &clip)).collect();
         let [left, top] = [self.left, self.top].map(number);
         let [width, height] = [self.right - self.left, self.bottom - self.top].map(number);
+        let [x_label, y_label] = [&self.panel.x, &self.panel.y];
+        let what = [y_label, x_label].map(|axis| text::escape(&text::plain(&axis.label)));
         format!(
-            r#"<clipPath id="{clip}"><rect x="{left}" y="{top}" width="{width}" height="{height}"/></clipPath>{}{curves}{}{}"#,
+            r#"<g role="group" aria-label="{}"><clipPath id="{clip}"><rect x="{left}" y="{top}" width="{width}" height="{height}"/></clipPath>{}{curves}{}{}</g>"#,
+            what.join(" against "),
             self.axes(),
             beside::draw(self.panel, self),
             self.labels(),
