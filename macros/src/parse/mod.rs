@@ -15,7 +15,7 @@ use syn::{Token, braced};
 
 use crate::errors::Errors;
 use crate::repeated::Repeated;
-use crate::syntax::{Broken, Declaration, Header, Line};
+use crate::syntax::{Broken, Declaration, Line};
 
 /// Which grammar a declaration follows, and its formulas.
 #[derive(Clone, Copy, PartialEq, Eq)]

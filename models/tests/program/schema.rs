@@ -112,6 +112,7 @@ fn fault(schema: &Value, form: &Value, value: &Value, at: &str) -> Option<String
                 let mut items = value.as_array()?.iter().enumerate();
                 items.find_map(|(i, item)| fault(schema, rule, item, &format!("{at}/{i}")))
             }
+            "required" if !value.is_object() => None,
             "required" => {
                 let missing = |name: &&Value| value.get(name.as_str().unwrap()).is_none();
                 let missing = rule.as_array()?.iter().find(missing)?;
