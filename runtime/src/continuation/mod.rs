@@ -9,6 +9,7 @@ mod corrector;
 mod crossing;
 mod detect;
 mod ending;
+mod exchange;
 mod kind;
 mod link;
 mod located;

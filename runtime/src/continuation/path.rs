@@ -41,6 +41,12 @@ pub trait Watched: Clone {
     fn same_regime(&self, _other: &Self) -> bool {
         true
     }
+
+    /// The time between the two events that happen in the other order in the regime of `other`, if that is all by which
+    /// they differ; zero, if they happen at once here and one after the other there.
+    fn exchanged(&self, _other: &Self) -> Option<f64> {
+        None
+    }
 }
 
 /// The branch between two neighbouring points.

@@ -162,10 +162,16 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         } else if found.is_sharp() {
             // What is no border is an exchange of two events: none lies between them where they meet.
             let kind = Kind::VanishingSegment;
+            let middle = 0.5 * (before.point.r() + after.point.r());
+            let (at, r, error) = match &found.meeting {
+                Some((at, error)) => (at, at.point.r(), *error),
+                None => (before, middle, f64::NAN),
+            };
             self.located.push(Located {
-                r: 0.5 * (before.point.r() + after.point.r()),
+                r,
+                error,
                 abrupt: true,
-                ..Located::between(kind, [before, after], before.clone())
+                ..Located::between(kind, [before, after], at.clone())
             });
         } else {
             let reason = "the events change, and no orbit was found between";
