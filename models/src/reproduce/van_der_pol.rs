@@ -68,6 +68,14 @@ fn values(manuscript: Manuscript, orbit: &OrbitRecord, all: &[&OrbitRecord]) -> 
         decimals(orbit.map_or(f64::NAN, |orbit| of(orbit)), count)
     };
     manuscript
+        .value(
+            "least",
+            decimals(
+                fast.and_then(|orbit| log10_modulus(orbit))
+                    .unwrap_or(f64::NAN),
+                0,
+            ),
+        )
         .value("max", decimals(orbit.max_abs[0], 8))
         .value("period", decimals(orbit.period, 8))
         .value("multiplier", decimals(1e3 * multiplier, 6))
