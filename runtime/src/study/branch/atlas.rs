@@ -2,7 +2,7 @@
 
 use super::follow::{Stretch, follow};
 use super::record::{BranchRecord, Watch};
-use super::special::numbered;
+use super::special::{Special, numbered};
 use crate::continuation::{Kind, Located, Settings};
 use crate::field::Work;
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
@@ -147,7 +147,7 @@ impl Atlas<'_> {
     }
 
     /// A branch with those that leave it, `depth` switches deep.
-    fn record(&mut self, stretch: Stretch, from: Option<String>, depth: usize) -> BranchRecord {
+    fn record(&mut self, stretch: Stretch, root: Option<Special>, depth: usize) -> BranchRecord {
         let mut special = numbered(&self.along, &stretch.located);
         let met = stretch.located.iter().filter(|event| event.last);
         self.known.extend(met.cloned());
@@ -169,9 +169,13 @@ impl Atlas<'_> {
             }
             self.known.push(event.clone());
             match self.leave(event) {
-                Ok(other) => {
-                    let label = Some(special.label.clone());
-                    let below = self.record(other, label, depth - 1);
+                Ok((other, after)) => {
+                    let root = Special {
+                        after,
+                        turns: 1 + usize::from(event.kind == Kind::Flip),
+                        ..special.clone()
+                    };
+                    let below = self.record(other, Some(root), depth - 1);
                     stopped = below.is_interrupted();
                     branches.push(below);
                 }
@@ -180,7 +184,8 @@ impl Atlas<'_> {
         }
         BranchRecord {
             along: self.along,
-            from,
+            from: root.as_ref().map(|root| root.label.clone()),
+            root,
             points: stretch.points,
             special,
             ended: stretch.ended,
@@ -189,17 +194,21 @@ impl Atlas<'_> {
         }
     }
 
-    /// The branch that leaves another at this point: at a branch point to both sides.
-    fn leave(&mut self, event: &Here) -> Result<Stretch, SwitchError> {
+    /// The branch that leaves another at this point, and how many of its points come before: at a branch point it goes to
+    /// both sides.
+    fn leave(&mut self, event: &Here) -> Result<(Stretch, usize), SwitchError> {
         let forth = self.one_way(event, true);
         let stopped = forth.as_ref().is_ok_and(Stretch::is_interrupted);
         if event.kind == Kind::Flip || stopped {
-            return forth;
+            return forth.map(|forth| (forth, 0));
         }
         let back = self.one_way(event, false);
         match (forth, back) {
-            (Ok(forth), Ok(back)) => Ok(forth.behind(back, false)),
-            (Ok(one), Err(_)) | (Err(_), Ok(one)) => Ok(one),
+            (Ok(forth), Ok(back)) => {
+                let before = back.points.len();
+                Ok((forth.behind(back, false), before))
+            }
+            (Ok(one), Err(_)) | (Err(_), Ok(one)) => Ok((one, 0)),
             (Err(error), Err(_)) => Err(error),
         }
     }

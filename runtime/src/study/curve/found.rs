@@ -72,6 +72,7 @@ impl Sought<'_> {
         let branch = BranchRecord {
             along,
             from: None,
+            root: None,
             points: stretch.points,
             special: numbered(&along, &located),
             ended: stretch.ended,

@@ -12,7 +12,7 @@ use crate::study::trade::{Cost, Point, Precision, PrecisionPoint};
 pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'static, Point> {
     let states = info.states.iter();
     let errors = states.flat_map(|state| {
-        ["", "predicted_"].map(|prefix| format!("{prefix}max_abs_{}", state.name))
+        ["", "predicted_"].map(|prefix| format!("{prefix}max_abs_{}_error", state.name))
     });
     let error = |point: &Point, j: usize| match j % 2 {
         0 => point.max_abs.get(j / 2).copied(),
@@ -26,8 +26,8 @@ pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'s
         .number(timed(info, "stiffness", "1/s"), |point| {
             Some(point.stiffness)
         })
-        .number("frequency", |point| point.frequency)
-        .number("predicted_frequency", |point| {
+        .number("frequency_error", |point| point.frequency)
+        .number("predicted_frequency_error", |point| {
             Some(predicted(point)?.frequency)
         })
         .number("leading", |point| predicted(point)?.leading)
