@@ -6,4 +6,5 @@ mod derivatives;
 mod hopf;
 mod impact;
 mod models;
+mod rest;
 mod squeal;
