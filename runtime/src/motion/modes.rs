@@ -81,10 +81,10 @@ fn least_rotation(letters: Vec<(Letter, usize)>) -> Vec<(Letter, usize)> {
             Letter::Mode(Mode::SlideBackward) => 1,
             Letter::Mode(Mode::SlideForward) => 2,
             Letter::Mode(Mode::Loose) => 3,
-            Letter::Mode(Mode::Closed) => 4,
-            Letter::Mode(Mode::Open | Mode::Parted) => 5,
-            Letter::Mode(Mode::Rest) => 6,
-            Letter::Impact => 7,
+            Letter::Impact => 4,
+            Letter::Mode(Mode::Rest) => 5,
+            Letter::Mode(Mode::Closed) => 6,
+            Letter::Mode(Mode::Open | Mode::Parted) => 7,
         };
         (order, contact)
     };

@@ -8,7 +8,7 @@ use stickslip::flow::{EventKind, Flow, Want};
 use stickslip::model::Model;
 use stickslip_tests::random::Random;
 
-use crate::models::{Ball, Bilinear, Rattle, Ramp, Shelf, Squeal, Stack, TIGHT, flow};
+use crate::models::{Ball, Bilinear, Ramp, Rattle, Shelf, Squeal, Stack, TIGHT, flow};
 
 /// A difference that changes by more with its step is none.
 const DOUBT: f64 = 1e-6;

@@ -97,38 +97,6 @@ fn the_impact_oscillator_has_its_closed_form() {
     }
 }
 
-#[test]
-fn free_motion_ends_where_it_grazes_the_wall() {
-    let free = case(&Hammer::default(), &[0.0, 0.0, 0.0]);
-    let branch = branch::<Hammer, 3>(&free, Hammer::load.index, (0.05, 0.2));
-    assert_eq!(branch.special[0].kind, Kind::Grazing);
-    assert!(
-        (branch.special[0].r - 0.1).abs() < 1e-9,
-        "{}",
-        branch.special[0].r
-    );
-    let free = Hammer {
-        omega: 0.9,
-        ..Default::default()
-    };
-    let free = case(&free, &[0.0, 0.0, 0.0]);
-    let branch = self::branch::<Hammer, 3>(&free, Hammer::load.index, (0.1, 0.3));
-    assert_eq!(branch.special[0].kind, Kind::Grazing);
-    assert!((branch.special[0].r - 0.21023796041628634).abs() < 1e-9);
-}
-
-#[test]
-fn impacting_motion_folds() {
-    let hit = case(&Hammer::default(), &[0.91, -1.356, 0.0]);
-    let branch = branch::<Hammer, 3>(&hit, Hammer::load.index, (1.0, 0.05));
-    let fold = branch
-        .special
-        .iter()
-        .find(|special| special.kind == Kind::Fold);
-    let fold = fold.expect("a fold");
-    assert!((fold.r - 0.09997075362831327).abs() < 1e-9, "{}", fold.r);
-}
-
 /// Born in a fold at Γ = π (1 − e)/(1 + e), doubled at Γ² = that² + (2 (1 + e²)/(1 + e)²)².
 #[test]
 fn a_ball_keeps_time_with_its_table_in_a_window() {

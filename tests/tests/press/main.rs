@@ -3,6 +3,7 @@
 mod audit;
 mod bilinear;
 mod derivatives;
+mod graze;
 mod hopf;
 mod impact;
 mod models;

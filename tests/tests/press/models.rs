@@ -192,6 +192,24 @@ model! {
 }
 
 model! {
+    /// A mass on another one on the ground.
+    pub(crate) struct Tower {
+        state y1 = 0.0;
+        state v1 = 0.0;
+        state y2 = 1.0;
+        state v2 = 0.0;
+        param e = 0.5 where 0.0 <= e <= 1.0;
+        param mass = 2.0 where mass > 0.0;
+        press A = Rigid { restitution: e } closing y1;
+        press B = Rigid { restitution: e } closing y2 - y1 - 1.0;
+        der(y1) = v1;
+        der(v1) = A - B - 1.0;
+        der(y2) = v2;
+        der(v2) = B / mass - 1.0;
+    }
+}
+
+model! {
     /// A block on a shaken ramp, on whose surface a belt runs.
     pub(crate) struct Ramp {
         state x = 0.0;

@@ -56,7 +56,10 @@ pub(super) fn opposing<M: Model<N>, const N: usize>(
     for contact in modes.bound() {
         let compliance = compliance.as_ref()[contact].as_ref()[contact];
         if compliance <= 0.0 {
-            if M::INFO.rubs_under(contact).any(|i| modes.as_slice()[i].sign() != 0.0) {
+            if M::INFO
+                .rubs_under(contact)
+                .any(|i| modes.as_slice()[i].sign() != 0.0)
+            {
                 return Err(ContactError::Painleve {
                     contact,
                     compliance,

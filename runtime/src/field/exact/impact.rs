@@ -1,6 +1,8 @@
 //! Impacts: a contact that does not give way turns the speed of its approach by an impulse along its reaction, and by those
 //! of the friction that this causes.
 
+use num_dual::Dual64;
+
 use super::affine::{Affine, input, speed_rates};
 use super::error::{ContactError, opposing, singular};
 use super::load::grips;
@@ -72,6 +74,31 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     pub(crate) fn approach(&self, state: &[f64; N], press: usize) -> (f64, f64) {
         let (rate, rebound) = rebound::<M, f64, N>(&self.plain, state, press);
         (-rate, rebound)
+    }
+
+    /// What an impact adds to the state for each unit of its speed of approach, as that vanishes: B (1 + e)/G with the slope
+    /// e of the rebound.
+    ///
+    /// # Errors
+    /// The impulses are not unique, or push the wrong way.
+    pub(crate) fn kick(
+        &self,
+        state: &[f64; N],
+        press: usize,
+        modes: &Modes<M, N>,
+    ) -> Result<[f64; N], ContactError> {
+        let affine = Affine::new(None, &self.plain, state, modes);
+        opposing::<M, N>(&affine.compliance, modes)?;
+        let push = affine.input.as_ref()[press];
+        let moving = std::array::from_fn(|i| Dual64::new(state[i], push[i]));
+        let (rate, rebound) = rebound::<M, Dual64, N>(&self.directional, &moving, press);
+        let restitution = -rebound.eps / rate.eps;
+        let unit = Inline::from_fn(|i| if i == press { 1.0 + restitution } else { 0.0 });
+        let impulse = affine
+            .respond(modes, &unit)
+            .ok_or_else(|| singular(modes))?;
+        let impulse = impulse.as_ref()[press];
+        Ok(push.map(|b| b * impulse))
     }
 
     /// How the friction of each contact grows with the reaction of a press: at speed 0, and at the speed that it has.

@@ -24,11 +24,13 @@ pub(super) fn bent<M: Model<N>, const N: usize>(
         let _ = M::rhs(params, state, &mut rule);
         rule.slopes
     };
-    presses.flat_map(|press| M::INFO.rubs_under(press).map(move |i| (i, press))).find(|(i, press)| {
-        let [light, heavy] = LOADS.map(|force| slopes(*press, force).as_ref()[*i]);
-        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= STRAIGHT * (a.abs() + b.abs());
-        !light.iter().zip(&heavy).all(same)
-    })
+    presses
+        .flat_map(|press| M::INFO.rubs_under(press).map(move |i| (i, press)))
+        .find(|(i, press)| {
+            let [light, heavy] = LOADS.map(|force| slopes(*press, force).as_ref()[*i]);
+            let same = |(a, b): (&f64, &f64)| (a - b).abs() <= STRAIGHT * (a.abs() + b.abs());
+            !light.iter().zip(&heavy).all(same)
+        })
 }
 
 /// Two reactions, and the relative difference of slopes between them that is rounding error.
@@ -45,7 +47,11 @@ struct UnderLoad<M: Model<N>, const N: usize> {
 impl<M: Model<N>, const N: usize> ContactRule<Dual64> for UnderLoad<M, N> {
     fn force<L: FrictionLaw<Dual64>>(&mut self, contact: usize, law: &L, speed: Dual64) -> Dual64 {
         let still = Dual64::from(0.0);
-        let forces = [law.stick(), law.slip(still), law.slip(Dual64::from(speed.re.abs()))];
+        let forces = [
+            law.stick(),
+            law.slip(still),
+            law.slip(Dual64::from(speed.re.abs())),
+        ];
         if let Some(place) = self.slopes.as_mut().get_mut(contact) {
             *place = forces.map(|force| force.eps);
         }
@@ -75,4 +81,3 @@ pub(super) fn grips<M: Model<N>, const N: usize>(
     let _ = M::rhs(params, state.map(Dual64::from), &mut rule);
     Inline::from_fn(|i| [rule.slopes.as_ref()[i][1], rule.slopes.as_ref()[i][2]])
 }
-

@@ -66,7 +66,9 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         verdict: &mut Verdict<M, N>,
     ) -> Result<bool, FlowError> {
         let moving = self.system.moving(state, &verdict.modes)?;
-        let bends = self.system.second_rates(state, &verdict.modes, &moving.field);
+        let bends = self
+            .system
+            .second_rates(state, &verdict.modes, &moving.field);
         for &press in closed {
             let mut held = verdict.modes;
             held.set(press, Mode::Rest);

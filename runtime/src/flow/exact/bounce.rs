@@ -114,7 +114,9 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         };
         let saltation = Saltation {
             before: system.snapshot(&state, &before)?.field,
-            after: system.snapshot(&impact.state, &rebound.verdict.modes)?.field,
+            after: system
+                .snapshot(&impact.state, &rebound.verdict.modes)?
+                .field,
             gradient,
             design,
         };

@@ -45,7 +45,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let flow = self.flow;
         let (approach, departure) = flow.system.approach(state, press);
         let ratio = departure / approach;
-        let falls = ratio > 0.0 && ratio < 1.0;
+        let falls = approach <= 0.0 || (ratio > 0.0 && ratio < 1.0);
         let scale = flow.speed_scales(state).as_ref()[press].max(flow.system.usual_speed(press));
         let slow = |pull: f64| pull > 0.0 && departure * departure <= 2.0 * LOW * scale * pull;
         if !falls || !slow(-self.bend(press, state)?) {
@@ -53,7 +53,11 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         }
         let collision = flow.collide(state, press, true, self.time)?;
         let pull = -self.bend(press, &collision.1.state)?;
-        let lasts = 2.0 * departure / (pull * (1.0 - ratio));
+        let lasts = if approach > 0.0 {
+            2.0 * departure / (pull * (1.0 - ratio))
+        } else {
+            0.0
+        };
         if !slow(pull) {
             return Ok(None);
         }
@@ -63,11 +67,13 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         }
         let moving = flow.system.moving(&collision.1.state, &verdict.modes)?;
         let reaction = moving.stick.as_ref()[press];
-        Ok((reaction.re + lasts * reaction.eps > 0.0).then_some(Rebound {
-            collision,
-            verdict,
-            settles: Some(lasts),
-        }))
+        Ok(
+            (reaction.re + lasts * reaction.eps > 0.0).then_some(Rebound {
+                collision,
+                verdict,
+                settles: Some(lasts),
+            }),
+        )
     }
 
     /// g̈ in flight.

@@ -65,6 +65,21 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         })
     }
 
+    /// What a unit speed of approach adds to the state at an impact that is as slow as may be: friction slides as it does.
+    ///
+    /// # Errors
+    /// The impulses are not unique, or push the wrong way.
+    pub(crate) fn kick(&self, state: &[f64; N], press: usize) -> Result<[f64; N], FlowError> {
+        let rubbing = self.rubbing(state, press, 0.0)?;
+        let mut modes = taking_part(press, &rubbing, 0);
+        let speeds = self.system.speeds(state);
+        for (contact, _) in &rubbing {
+            let speed = speeds.as_ref()[*contact];
+            modes.set(*contact, Mode::sliding(speed));
+        }
+        Ok(self.system.kick(state, press, &modes)?)
+    }
+
     /// The contacts that rub under a press, and how their friction grows with its force.
     fn rubbing(
         &self,
@@ -72,7 +87,11 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         press: usize,
         time: f64,
     ) -> Result<Vec<(usize, f64)>, FlowError> {
-        let under = || M::INFO.rubs_under(press).filter(|i| !self.system.is_idle(*i));
+        let under = || {
+            M::INFO
+                .rubs_under(press)
+                .filter(|i| !self.system.is_idle(*i))
+        };
         if under().next().is_none() {
             return Ok(Vec::new());
         }
@@ -125,7 +144,8 @@ fn consistent<M: Model<N>, const N: usize>(
             mode => impact.after.as_ref()[i] * mode.sign() >= 0.0,
         }
     };
-    push >= 0.0 && rubbing.iter().all(all)
+    // What begins behind its wall by a rounding error may be on its way out.
+    (push >= 0.0 || impulses.lasts) && rubbing.iter().all(all)
 }
 
 /// ½ Σ Λ (w⁺ + w⁻): what the impulses add to the kinetic energy.

@@ -26,7 +26,9 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let drift = field.drift(&state);
         self.carried.state_mut().add(-1.0, &drift);
         if let Some(motion) = self.carried.motion() {
-            if let Some(closed) = Closed::new(system, &state, &self.modes).filter(|_| self.modes.rests()) {
+            if let Some(closed) =
+                Closed::new(system, &state, &self.modes).filter(|_| self.modes.rests())
+            {
                 let gaps = system.linear_speeds(&state);
                 project::<M, N>(motion, |off| closed.correction(off), gaps.as_ref());
             }

@@ -179,7 +179,10 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             Vanishing::Both => return Ok(None),
             Vanishing::Hold => return order(3),
             Vanishing::Gap => true,
-            Vanishing::Rounded => rests || (-WRONG_SIDE..=ROUNDING).contains(&(gap / scale)),
+            Vanishing::Rounded => {
+                let usual = scale.max(self.system.usual_speed(press));
+                rests || (gap <= ROUNDING * scale && gap >= -WRONG_SIDE * usual)
+            }
         };
         if !touches && gap < 0.0 {
             return Err(FlowError::Inside {
@@ -253,8 +256,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         press: usize,
     ) -> f64 {
         let affine = self.affine(state, modes);
-        let (slopes, _): ([f64; N], f64) =
-            self.linear_rates(state, modes).as_ref()[press].slopes();
+        let (slopes, _): ([f64; N], f64) = self.linear_rates(state, modes).as_ref()[press].slopes();
         let terms = slopes.iter().zip(&affine.field);
         let sum: f64 = terms.map(|(slope, f)| (slope * f).abs()).sum();
         sum / affine.compliance.as_ref()[press].as_ref()[press].abs()

@@ -139,7 +139,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     ) -> Result<(), FlowError> {
         let before = self.modes;
         let hit = self.events.last().filter(|last| {
-            let impact = matches!(last.kind, EventKind::Impact { .. } | EventKind::Settled { .. });
+            let impact = matches!(
+                last.kind,
+                EventKind::Impact { .. } | EventKind::Settled { .. }
+            );
             impact && last.time == self.time
         });
         let hit = hit.map(|last| last.contact);
