@@ -113,6 +113,7 @@ impl<P: ZeroProblem> Link<P> {
         Some(Point {
             residual: at.residual.norm(),
             tangent: tangent.try_normalize(0.0)?,
+            r_scale: self.r_scale,
             extra: at.extra,
             newton: 0,
             z,
@@ -160,6 +161,7 @@ impl<P: ZeroProblem> Link<P> {
         } = found;
         Ok(Point {
             tangent: direction,
+            r_scale: self.r_scale,
             z,
             r,
             extra: linearisation.extra,

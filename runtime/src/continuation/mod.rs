@@ -12,6 +12,7 @@ mod ending;
 mod kind;
 mod link;
 mod located;
+mod measure;
 mod monitor;
 mod path;
 mod point;
