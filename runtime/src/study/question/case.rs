@@ -1,9 +1,9 @@
 //! What is asked of a model: at which parameters, with which friction, from where, how accurately.
 
-use std::fmt;
 use std::ops::Range;
 
 use super::choice::choose;
+use super::dynamics::Dynamics;
 use crate::bifurcation::Kind;
 use crate::field::{Design, Smoothing};
 use crate::model::{Model, ModelInfo, ParamId};
@@ -63,17 +63,6 @@ impl Switch {
             _ => false,
         }
     }
-}
-
-/// How friction acts in a system.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Dynamics {
-    /// There is none.
-    Smooth,
-    /// By its set-valued law.
-    Exact,
-    /// By a smooth copy of its law.
-    Smoothed(Smoothing),
 }
 
 /// A design variable and its way, in the user's own values.
@@ -160,16 +149,6 @@ impl Case {
         match self.dynamics {
             Dynamics::Smoothed(smoothing) => Some(smoothing),
             Dynamics::Smooth | Dynamics::Exact => None,
-        }
-    }
-}
-
-impl fmt::Display for Dynamics {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Smooth => f.write_str("smooth"),
-            Self::Exact => f.write_str("exact"),
-            Self::Smoothed(smoothing) => smoothing.fmt(f),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Which method a question deserves when only an accuracy is asked for.
 
+use super::dynamics::Dynamics;
 use crate::integrate::Tolerance;
 use crate::model::ModelInfo;
-use crate::study::question::Dynamics;
 
 /// A method, its tolerance, and why.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,8 +2,10 @@
 
 mod case;
 mod choice;
+mod dynamics;
 mod section;
 
-pub use case::{Along, Beginning, Case, Dynamics, Switch};
+pub use case::{Along, Beginning, Case, Switch};
 pub use choice::{Choice, choose};
+pub use dynamics::Dynamics;
 pub use section::Span;
