@@ -24,7 +24,9 @@ const DASHES: [&str; 7] = [
 /// Half the size of a marker, px.
 pub(super) const MARKER: f64 = 4.2;
 /// The size of a dot, px.
-const DOT: f64 = 2.2;
+const DOT: f64 = 2.4;
+/// The size of a speck, px.
+const SPECK: f64 = 1.1;
 
 /// A curve in a frame, cut off by `clip`; markers are drawn whole, where the frame holds their places.
 pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
@@ -71,11 +73,14 @@ fn style(curve: &Curve) -> String {
         Shape::Line | Shape::Smooth => format!(
             r#"stroke="{colour}" stroke-width="1.5" stroke-linejoin="round" stroke-dasharray="{dashes}""#
         ),
-        Shape::Points(Marker::Dot) => {
-            format!(r#"stroke="{colour}" stroke-width="{DOT}" stroke-linecap="round""#)
-        }
+        Shape::Points(Marker::Dot) => round(colour, DOT),
+        Shape::Points(Marker::Speck) => round(colour, SPECK),
         Shape::Points(_) => format!(r#"stroke="{colour}" stroke-width="1.5""#),
     }
+}
+
+fn round(colour: &str, size: f64) -> String {
+    format!(r#"stroke="{colour}" stroke-width="{size}" stroke-linecap="round""#)
 }
 
 /// The colour and the dashes of a series; as many differ as there are pairs of both.
@@ -115,7 +120,7 @@ fn outline(marker: Marker, [x, y]: [f64; 2]) -> String {
         Marker::Square => format!("M{left} {top}h{whole}v{whole}h-{whole}z"),
         Marker::Triangle => format!("M{x} {top}l{half} {whole}h-{whole}z"),
         Marker::Diamond => format!("M{left} {y}l{half} -{half}l{half} {half}l-{half} {half}z"),
-        Marker::Dot => format!("M{x} {y}h0"),
+        Marker::Dot | Marker::Speck => format!("M{x} {y}h0"),
     }
 }
 
