@@ -15,7 +15,7 @@ use super::interrupt::{growing, way_out};
 use super::journal::Journal;
 use super::print::print;
 use super::spreadsheet::{Row, csv};
-use super::text::{fitted, wrapped};
+use super::width::{fitted, wrapped};
 use crate::report::whole;
 use crate::study::Ended;
 

@@ -1,8 +1,8 @@
 //! Curves as they are drawn, in panels and in the legend.
 
 use super::element::path;
-use super::frame::Frame;
 use super::smooth::{Knot, smooth};
+use super::view::View;
 use crate::report::figure::{Curve, Marker, Shape};
 use crate::report::text::number;
 
@@ -29,7 +29,7 @@ const DOT: f64 = 2.4;
 const SPECK: f64 = 1.1;
 
 /// A curve in a frame, cut off by `clip`; markers are drawn whole, where the frame holds their places.
-pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
+pub(super) fn draw(curve: &Curve, frame: &View, clip: &str) -> String {
     let places = curve.points.iter().map(|point| frame.place(*point));
     let clipped = || format!(r#"{} clip-path="url(#{clip})""#, style(curve));
     match curve.shape {
@@ -43,7 +43,7 @@ pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
     }
 }
 
-fn knots(curve: &Curve, frame: &Frame<'_>) -> Vec<Knot> {
+fn knots(curve: &Curve, frame: &View) -> Vec<Knot> {
     let known = |i: usize, point: &[f64; 2]| {
         let direction = frame.direction(*point, *curve.directions.get(i)?);
         let size = direction[0].hypot(direction[1]);
