@@ -1,5 +1,14 @@
 //! Letters in the two fonts that every reader of PDF has: Helvetica, and Symbol for Greek letters and signs.
 
+use pdf_writer::Name;
+
+/// The fonts: upright, oblique, and Symbol.
+pub(super) const FONTS: [(Name<'static>, Name<'static>); 3] = [
+    (Name(b"F1"), Name(b"Helvetica")),
+    (Name(b"F2"), Name(b"Helvetica-Oblique")),
+    (Name(b"F3"), Name(b"Symbol")),
+];
+
 /// The Greek letters in the order of Unicode, as Symbol numbers them.
 const SMALL: &[u8; 25] = b"abgdezhqiklmnxoprVstufcyw";
 const CAPITAL: &[u8; 25] = b"ABGDEZHQIKLMNXOPR?STUFCYW";

@@ -1,5 +1,6 @@
 //! A figure as PDF: the few elements of which our SVG consists, in fonts that every reader has.
 
+mod attributes;
 mod letters;
 mod outline;
 mod words;
@@ -12,16 +13,11 @@ use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 use roxmltree::{Document, Node};
 
 use super::Figure;
+use attributes::{colour, corners, number, translation};
+use letters::FONTS;
 
 /// A pixel in points.
 const POINT: f32 = 0.75;
-/// The fonts: upright, oblique, and Symbol.
-const FONTS: [(Name<'static>, Name<'static>); 3] = [
-    (Name(b"F1"), Name(b"Helvetica")),
-    (Name(b"F2"), Name(b"Helvetica-Oblique")),
-    (Name(b"F3"), Name(b"Symbol")),
-];
-
 impl Figure {
     /// The figure as a PDF document of one page, in fonts that every reader has.
     ///
@@ -173,48 +169,6 @@ impl Page {
         let dashes: Vec<f32> = dashes.split(' ').flat_map(str::parse).collect();
         self.content.set_dash_pattern(dashes, 0.0);
         true
-    }
-}
-
-/// The move of `translate(x y) rotate(-90)`.
-fn translation(text: &str) -> Option<[f32; 2]> {
-    let inner = text
-        .strip_prefix("translate(")?
-        .strip_suffix(") rotate(-90)")?;
-    let (x, y) = inner.split_once(' ')?;
-    Some([x.parse().ok()?, y.parse().ok()?])
-}
-
-fn number(node: Node<'_, '_>, name: &str) -> f32 {
-    let text = node.attribute(name).unwrap_or_default();
-    text.parse().unwrap_or(0.0)
-}
-
-/// Left, top, width and height; shares of the page where they are in per cent.
-fn corners(node: Node<'_, '_>, size: [f32; 2]) -> [f32; 4] {
-    let share = |name: &str, whole: f32| match node.attribute(name) {
-        Some("100%") => whole,
-        _ => number(node, name),
-    };
-    let [width, height] = size;
-    [
-        number(node, "x"),
-        number(node, "y"),
-        share("width", width),
-        share("height", height),
-    ]
-}
-
-/// A colour; `None` for no paint.
-fn colour(node: Node<'_, '_>, name: &str) -> Option<[f32; 3]> {
-    match node.attribute(name)? {
-        "none" => None,
-        "white" => Some([1.0; 3]),
-        text => {
-            let channel = |i: usize| u8::from_str_radix(text.get(i..i + 2)?, 16).ok();
-            let known = [1, 3, 5].map(|i| channel(i).unwrap_or(0));
-            Some(known.map(|part| f32::from(part) / 255.0))
-        }
     }
 }
 

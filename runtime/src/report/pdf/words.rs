@@ -3,8 +3,8 @@
 use pdf_writer::{Content, Str};
 use roxmltree::Node;
 
-use super::letters::{digit, letter};
-use super::{FONTS, number};
+use super::attributes::number;
+use super::letters::{FONTS, digit, letter};
 use crate::report::text::width;
 
 /// Letters of one font and size, and how far above the line they stand.
