@@ -105,6 +105,7 @@ impl<P: ZeroProblem> Link<P> {
         Some(Point {
             residual: at.residual.norm(),
             tangent: tangent.try_normalize(0.0)?,
+            r_scale: self.r_scale,
             extra: at.extra,
             newton: 0,
             z,
@@ -170,6 +171,7 @@ impl<P: ZeroProblem> Link<P> {
         } = found;
         Ok(Point {
             tangent: direction,
+            r_scale: self.r_scale,
             z,
             r,
             extra: linearisation.extra,

@@ -13,6 +13,7 @@ mod exchange;
 mod kind;
 mod link;
 mod located;
+mod measure;
 mod monitor;
 mod path;
 mod point;

@@ -29,6 +29,12 @@ pub trait Watched: Clone {
         None
     }
 
+    /// The number of unstable directions beside those that pass at a special point of this kind, if this is one; `None`
+    /// where that is not known.
+    fn growing_beside(&self, _kind: Kind) -> Option<usize> {
+        None
+    }
+
     /// Takes from the point before on its branch what it cannot tell itself.
     fn inherit(&mut self, _before: &Self) {}
 

@@ -1,7 +1,7 @@
 //! What is watched of an orbit along its branch.
 
 use super::orbit::Orbit;
-use crate::bifurcation::{Floquet, PeriodicPoint};
+use crate::bifurcation::{Floquet, Kind, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
 use crate::motion::{Modes, Segment};
@@ -21,6 +21,10 @@ impl Watched for Orbit {
 
     fn marginal(&self) -> Option<usize> {
         Some(self.floquet.growths.marginal())
+    }
+
+    fn growing_beside(&self, kind: Kind) -> Option<usize> {
+        self.floquet.growing_beside(kind)
     }
 
     fn inherit(&mut self, before: &Self) {

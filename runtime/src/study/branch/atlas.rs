@@ -1,14 +1,11 @@
 //! A branch of orbits with those that leave it, and those that leave them.
 
-use std::ops::ControlFlow;
-
 use super::follow::{Stretch, follow};
 use super::record::{BranchRecord, Watch};
 use super::special::{Special, numbered};
 use crate::continuation::{Kind, Located, Settings};
 use crate::field::Work;
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
-use crate::study::equilibria::EquilibriumRecord;
 use crate::study::error::StudyError;
 use crate::study::orbit::Sought;
 use crate::study::question::{Along, Beginning, Case};
@@ -37,7 +34,11 @@ impl System {
     ///
     /// # Errors
     /// There is no orbit to begin with.
-    pub fn branch(&self, case: &Case, watch: Watch<'_>) -> Result<BranchRecord, StudyError> {
+    pub fn branch_watched(
+        &self,
+        case: &Case,
+        watch: Watch<'_>,
+    ) -> Result<BranchRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let hopf = self.hopf(case, along)?;
@@ -49,8 +50,7 @@ impl System {
         if case.beginning != Beginning::Hopf {
             return Ok(None);
         }
-        let watch = &mut |_: &EquilibriumRecord| ControlFlow::Continue(());
-        let branch = self.equilibria_along(case, watch)?;
+        let branch = self.equilibria_along(case)?;
         let point = branch.special.iter().find_map(|point| {
             let from = point.r;
             Some(Hopf {

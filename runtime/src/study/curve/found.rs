@@ -32,7 +32,7 @@ impl System {
     ///
     /// # Errors
     /// There is no orbit to begin with, or no such point on its branch, or no such point can be followed.
-    pub fn curve(
+    pub fn curve_watched(
         &self,
         case: &Case,
         scope: &CurveScope,

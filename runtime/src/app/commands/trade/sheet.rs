@@ -9,7 +9,11 @@ use crate::study::predict::Prediction;
 use crate::study::trade::{Cost, Point, Precision, PrecisionPoint};
 
 /// The columns of the copies of a kernel at one end.
-pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'static, Point> {
+pub(super) fn copies(
+    info: &'static ModelInfo,
+    end: usize,
+    kernel: Kernel,
+) -> Columns<'static, Point> {
     let states = info.states.iter();
     let errors = states.flat_map(|state| {
         ["", "predicted_"].map(|prefix| format!("{prefix}max_abs_{}_error", state.name))
@@ -33,10 +37,25 @@ pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'s
         .number("leading", |point| predicted(point)?.leading)
         .numbers(errors, error)
         .column("asymptotic", move |point| asymptotic(point).to_string())
+        .column("cancelling", move |point| cancelling(info, point))
         .number("resolution", |point| point.resolution);
     counted(columns, &[STEPS, LINEARISATIONS, FACTORISATIONS], |point| {
         &point.cost
     })
+}
+
+/// The states of whose predicted error contributions cancel.
+fn cancelling(info: &ModelInfo, point: &Point) -> String {
+    let found = predicted(point).map_or(&[][..], |found| &found.cancelling);
+    let names = info
+        .states
+        .iter()
+        .zip(found)
+        .filter(|(_, cancels)| **cancels);
+    names
+        .map(|(state, _)| state.name)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 fn predicted(point: &Point) -> Option<&Prediction> {
@@ -70,7 +89,7 @@ pub(super) fn precision_head() -> Row {
 }
 
 /// All copies.
-pub(super) fn errors(info: &ModelInfo, record: &TradeRecord) -> Spreadsheet {
+pub(super) fn errors(info: &'static ModelInfo, record: &TradeRecord) -> Spreadsheet {
     let rows = record.ends.iter().enumerate().flat_map(|(end, at)| {
         let curves = at.trade.curves.iter();
         curves.flat_map(move |curve| {
