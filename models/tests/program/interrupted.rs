@@ -105,7 +105,9 @@ pub(crate) fn files(folder: &Path) -> BTreeMap<String, String> {
     files
         .map(|entry| {
             let name = entry.file_name().into_string().unwrap();
-            (name, fs::read_to_string(entry.path()).unwrap())
+            // Pictures are written as PDF, too, which is no text.
+            let content = fs::read(entry.path()).unwrap();
+            (name, String::from_utf8_lossy(&content).into_owned())
         })
         .collect()
 }

@@ -79,7 +79,9 @@ impl<'a> Answer<'a> {
 
     /// The names of its files.
     pub(super) fn files(&self) -> Vec<String> {
-        let figures = self.figures.iter().map(|(name, _)| format!("{name}.svg"));
+        let figures = self.figures.iter();
+        let figures =
+            figures.flat_map(|(name, _)| ["svg", "pdf"].map(|end| format!("{name}.{end}")));
         let sheets = self.sheets.iter().map(|(name, _)| format!("{name}.csv"));
         let document = format!("{}.json", self.name);
         figures.chain(sheets).chain([document]).collect()

@@ -26,6 +26,7 @@ mod spreadsheet;
 mod text;
 mod usage;
 mod values;
+mod width;
 mod words;
 
 use std::ffi::OsString;

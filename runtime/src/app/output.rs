@@ -15,7 +15,7 @@ use super::interrupt::{growing, way_out};
 use super::journal::Journal;
 use super::print::print;
 use super::spreadsheet::{Row, csv};
-use super::text::{fitted, wrapped};
+use super::width::{fitted, wrapped};
 use crate::report::whole;
 use crate::study::Ended;
 
@@ -150,7 +150,12 @@ impl Output {
 fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
     let file = |name: &str, ending: &str| folder.join(format!("{name}.{ending}"));
     for (name, figure) in &answer.figures {
-        write(&file(name, "svg"), &figure().svg())?;
+        let (figure, path) = (figure(), file(name, "pdf"));
+        write(&file(name, "svg"), figure.svg())?;
+        write(
+            &path,
+            figure.pdf().map_err(|error| unwritten(&path, &error))?,
+        )?;
     }
     for (name, sheet) in &answer.sheets {
         write(&file(name, "csv"), &csv(sheet())?)?;
@@ -179,7 +184,10 @@ fn json(document: &impl Serialize) -> Result<String, Failure> {
 }
 
 /// Writes a file whole or not at all.
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    whole::write(path, text)
-        .map_err(|error| Failure::failed(format!("cannot write {}: {error}", path.display())))
+fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
+    whole::write(path, content).map_err(|error| unwritten(path, &error))
+}
+
+fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::failed(format!("cannot write {}: {error}", path.display()))
 }

@@ -7,7 +7,7 @@ use clap::{Command, Error};
 
 use super::failure::Failure;
 use super::print::print;
-use super::text::fitted;
+use super::width::fitted;
 use super::words::unknown;
 
 /// Turns a refusal into a message; a request for help or the version is answered.

@@ -101,6 +101,8 @@ pub enum Marker {
     Triangle,
     /// A dot, for clouds of points.
     Dot,
+    /// A smaller dot, which leaves a rim of the dot that it covers.
+    Speck,
 }
 
 impl Figure {

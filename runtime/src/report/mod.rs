@@ -7,6 +7,7 @@ mod figure;
 mod manuscript;
 pub mod numerals;
 mod page;
+mod pdf;
 mod special;
 pub mod symbols;
 mod text;

@@ -96,7 +96,7 @@ fn figure(figure: &Figure) -> String {
         .collect();
     format!(
         "<figure id=\"{name}\">\n{svg}\n<figcaption><strong>Figure {number}. {title}.</strong> {caption} \
-         <span class=\"data\"><a href=\"figures/{name}.svg\">SVG</a>, {data}</span></figcaption>\n</figure>\n",
+         <span class=\"data\"><a href=\"figures/{name}.svg\">SVG</a>, <a href=\"figures/{name}.pdf\">PDF</a>, {data}</span></figcaption>\n</figure>\n",
         name = figure.name(),
         number = figure.number,
         title = html(&figure.title),

@@ -4,10 +4,10 @@ use std::io::{Error, Result};
 use std::path::Path;
 
 /// Writes a file under another name first, so that nothing that ends the program leaves a part of it.
-pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<()> {
     let mut growing = path.as_os_str().to_owned();
     growing.push(".part");
-    let done = std::fs::write(&growing, text).and_then(|()| std::fs::rename(&growing, path));
+    let done = std::fs::write(&growing, content).and_then(|()| std::fs::rename(&growing, path));
     if done.is_err() {
         let _ = std::fs::remove_file(&growing);
     }

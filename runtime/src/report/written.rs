@@ -8,7 +8,7 @@ use super::page::{page, section};
 use super::whole::{self, csv};
 use super::{Block, ReportError, Section, Table, data, text};
 
-/// A report in a folder, `index.html` with `figures/*.svg` and `data/*.csv`: after each section that is added, it is whole.
+/// A report in a folder, `index.html` with `figures/*.svg`, `figures/*.pdf` and `data/*.csv`: after each section that is added, it is whole.
 #[derive(Debug)]
 pub struct Report {
     title: String,
@@ -79,7 +79,9 @@ impl Report {
         let (figures, data) = (self.out.join("figures"), self.out.join("data"));
         match block {
             Block::Figure(figure) => {
-                save(&figures.join(figure.name() + ".svg"), &figure.svg())?;
+                save(&figures.join(figure.name() + ".svg"), figure.svg())?;
+                let path = figures.join(figure.name() + ".pdf");
+                save(&path, figure.pdf().map_err(failed(&path))?)?;
                 for (i, panel) in figure.panels.iter().enumerate() {
                     save_panel(&data.join(figure.panel_name(i) + ".csv"), panel)?;
                     self.written.data += 1;
@@ -110,7 +112,7 @@ fn failed(path: &Path) -> impl Fn(io::Error) -> ReportError {
     }
 }
 
-fn save(path: &Path, content: &str) -> Result<(), ReportError> {
+fn save(path: &Path, content: impl AsRef<[u8]>) -> Result<(), ReportError> {
     whole::write(path, content).map_err(failed(path))
 }
 

@@ -2,7 +2,7 @@
 
 use super::curve::MARKER;
 use super::element::{path, words};
-use super::frame::Frame;
+use super::view::View;
 use crate::report::figure::{Curve, Panel, Shape};
 use crate::report::text::{number, width};
 
@@ -45,7 +45,7 @@ struct Note {
 }
 
 /// The words beside all points of a panel that have any.
-pub(super) fn draw(panel: &Panel, frame: &Frame<'_>) -> String {
+pub(super) fn draw(panel: &Panel, frame: &View) -> String {
     let notes = notes(panel, frame);
     if notes.is_empty() {
         return String::new();
@@ -83,7 +83,7 @@ impl Note {
 }
 
 /// What there is to say; markers that lie on each other share their words.
-fn notes(panel: &Panel, frame: &Frame<'_>) -> Vec<Note> {
+fn notes(panel: &Panel, frame: &View) -> Vec<Note> {
     let mut notes: Vec<Note> = Vec::new();
     for curve in &panel.curves {
         for (point, label) in curve.points.iter().zip(&curve.labels) {
@@ -104,7 +104,7 @@ fn notes(panel: &Panel, frame: &Frame<'_>) -> Vec<Note> {
     notes
 }
 
-fn markers(panel: &Panel, frame: &Frame<'_>) -> Vec<Area> {
+fn markers(panel: &Panel, frame: &View) -> Vec<Area> {
     let marked = |curve: &&Curve| matches!(curve.shape, Shape::Points(_));
     let points = panel.curves.iter().filter(marked);
     let places = points.flat_map(|curve| curve.points.iter().map(|point| frame.place(*point)));
@@ -113,7 +113,7 @@ fn markers(panel: &Panel, frame: &Frame<'_>) -> Vec<Area> {
 }
 
 /// Places along all lines, close to each other.
-fn lines(panel: &Panel, frame: &Frame<'_>) -> Vec<[f64; 2]> {
+fn lines(panel: &Panel, frame: &View) -> Vec<[f64; 2]> {
     let drawn = |curve: &&Curve| !matches!(curve.shape, Shape::Points(_));
     let mut all = Vec::new();
     for curve in panel.curves.iter().filter(drawn) {
@@ -132,7 +132,7 @@ fn lines(panel: &Panel, frame: &Frame<'_>) -> Vec<[f64; 2]> {
 fn free(
     place: [f64; 2],
     text: &str,
-    frame: &Frame<'_>,
+    frame: &View,
     taken: &[Area],
     lines: &[[f64; 2]],
 ) -> Option<(Area, bool)> {

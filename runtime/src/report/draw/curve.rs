@@ -1,8 +1,8 @@
 //! Curves as they are drawn, in panels and in the legend.
 
 use super::element::path;
-use super::frame::Frame;
 use super::smooth::{Knot, smooth};
+use super::view::View;
 use crate::report::figure::{Curve, Marker, Shape};
 use crate::report::text::number;
 
@@ -24,10 +24,12 @@ const DASHES: [&str; 7] = [
 /// Half the size of a marker, px.
 pub(super) const MARKER: f64 = 4.2;
 /// The size of a dot, px.
-const DOT: f64 = 2.2;
+const DOT: f64 = 2.4;
+/// The size of a speck, px.
+const SPECK: f64 = 1.1;
 
 /// A curve in a frame, cut off by `clip`; markers are drawn whole, where the frame holds their places.
-pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
+pub(super) fn draw(curve: &Curve, frame: &View, clip: &str) -> String {
     let places = curve.points.iter().map(|point| frame.place(*point));
     let clipped = || format!(r#"{} clip-path="url(#{clip})""#, style(curve));
     match curve.shape {
@@ -41,7 +43,7 @@ pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
     }
 }
 
-fn knots(curve: &Curve, frame: &Frame<'_>) -> Vec<Knot> {
+fn knots(curve: &Curve, frame: &View) -> Vec<Knot> {
     let known = |i: usize, point: &[f64; 2]| {
         let direction = frame.direction(*point, *curve.directions.get(i)?);
         let size = direction[0].hypot(direction[1]);
@@ -71,11 +73,14 @@ fn style(curve: &Curve) -> String {
         Shape::Line | Shape::Smooth => format!(
             r#"stroke="{colour}" stroke-width="1.5" stroke-linejoin="round" stroke-dasharray="{dashes}""#
         ),
-        Shape::Points(Marker::Dot) => {
-            format!(r#"stroke="{colour}" stroke-width="{DOT}" stroke-linecap="round""#)
-        }
+        Shape::Points(Marker::Dot) => round(colour, DOT),
+        Shape::Points(Marker::Speck) => round(colour, SPECK),
         Shape::Points(_) => format!(r#"stroke="{colour}" stroke-width="1.5""#),
     }
+}
+
+fn round(colour: &str, size: f64) -> String {
+    format!(r#"stroke="{colour}" stroke-width="{size}" stroke-linecap="round""#)
 }
 
 /// The colour and the dashes of a series; as many differ as there are pairs of both.
@@ -115,7 +120,7 @@ fn outline(marker: Marker, [x, y]: [f64; 2]) -> String {
         Marker::Square => format!("M{left} {top}h{whole}v{whole}h-{whole}z"),
         Marker::Triangle => format!("M{x} {top}l{half} {whole}h-{whole}z"),
         Marker::Diamond => format!("M{left} {y}l{half} -{half}l{half} {half}l-{half} {half}z"),
-        Marker::Dot => format!("M{x} {y}h0"),
+        Marker::Dot | Marker::Speck => format!("M{x} {y}h0"),
     }
 }
 

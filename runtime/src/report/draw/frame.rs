@@ -3,6 +3,7 @@
 use super::element::{path, words};
 use super::scale::Scale;
 use super::ticks::Tick;
+use super::view::View;
 use super::{beside, curve};
 use crate::report::figure::Panel;
 use crate::report::text::{self, number, width};
@@ -22,23 +23,15 @@ const MARK: f64 = 7.0;
 const EDGE: f64 = 16.0;
 /// Least distances of labelled ticks on both axes, px.
 const APART: [f64; 2] = [44.0, 28.0];
-/// No renderer draws what is further away, px.
-const FAR: f64 = 1e5;
-
 const GRID: &str = r##"stroke="#d0d0d0" stroke-width="0.5""##;
 const LINES: &str = r#"stroke="black" stroke-width="0.8""#;
 
 /// A panel and its place in the figure, px.
 pub(super) struct Frame<'a> {
     panel: &'a Panel,
-    x: Scale,
-    y: Scale,
     /// The foot of the vertical label.
     edge: f64,
-    left: f64,
-    right: f64,
-    top: f64,
-    bottom: f64,
+    view: View,
 }
 
 /// The space that a panel of this height needs to the left of its frame, px.
@@ -63,15 +56,6 @@ fn upright(scale: &Scale, length: f64) -> Vec<Tick> {
     })
 }
 
-/// A place as far away as renderers can draw at most; what has none keeps none.
-const fn near(at: f64) -> f64 {
-    if at.is_finite() {
-        at.clamp(-FAR, FAR)
-    } else {
-        at
-    }
-}
-
 fn rectangle([left, top, right, bottom]: [f64; 4], attributes: &str) -> String {
     let [x, y, width, height] = [left, top, right - left, bottom - top].map(number);
     format!(r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" {attributes}/>"#)
@@ -87,58 +71,38 @@ impl<'a> Frame<'a> {
     ) -> Self {
         Self {
             panel,
-            x: scale(panel, 0),
-            y: scale(panel, 1),
             edge: x + EDGE,
-            left: x + margin,
-            right: x + width - RIGHT,
-            top: y + ABOVE,
-            bottom: y + height - BELOW,
+            view: View {
+                x: scale(panel, 0),
+                y: scale(panel, 1),
+                left: x + margin,
+                right: x + width - RIGHT,
+                top: y + ABOVE,
+                bottom: y + height - BELOW,
+            },
         }
-    }
-
-    /// Where a point is drawn, px; not finite if nowhere.
-    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.across(x), self.up(y)]
-    }
-
-    /// A direction at a point as it is drawn.
-    pub(super) fn direction(&self, [x, y]: [f64; 2], [along, up]: [f64; 2]) -> [f64; 2] {
-        let [width, height] = [self.right - self.left, self.bottom - self.top];
-        [
-            along * self.x.rate(x) * width,
-            -up * self.y.rate(y) * height,
-        ]
-    }
-
-    fn across(&self, x: f64) -> f64 {
-        near(self.left + self.x.share(x) * (self.right - self.left))
-    }
-
-    fn up(&self, y: f64) -> f64 {
-        near(self.bottom - self.y.share(y) * (self.bottom - self.top))
-    }
-
-    /// Whether a place is inside, or less than a pixel outside.
-    pub(super) fn holds(&self, [x, y]: [f64; 2]) -> bool {
-        (self.left - 1.0..self.right + 1.0).contains(&x)
-            && (self.top - 1.0..self.bottom + 1.0).contains(&y)
     }
 
     /// The panel; what it needs identifiers for begins with `name`.
     pub(super) fn draw(&self, name: &str) -> String {
         let clip = format!("{name}-clip");
         let curves = self.panel.curves.iter();
-        let curves: String = curves.map(|one| curve::draw(one, self, &clip)).collect();
-        let [left, top] = [self.left, self.top].map(number);
-        let [width, height] = [self.right - self.left, self.bottom - self.top].map(number);
+        let curves: String = curves
+            .map(|one| curve::draw(one, &self.view, &clip))
+            .collect();
+        let [left, top] = [self.view.left, self.view.top].map(number);
+        let [width, height] = [
+            self.view.right - self.view.left,
+            self.view.bottom - self.view.top,
+        ]
+        .map(number);
         let [x_label, y_label] = [&self.panel.x, &self.panel.y];
         let what = [y_label, x_label].map(|axis| text::escape(&text::plain(&axis.label)));
         format!(
             r#"<g role="group" aria-label="{}"><clipPath id="{clip}"><rect x="{left}" y="{top}" width="{width}" height="{height}"/></clipPath>{}{curves}{}{}</g>"#,
             what.join(" against "),
             self.axes(),
-            beside::draw(self.panel, self),
+            beside::draw(self.panel, &self.view),
             self.labels(),
         ) + &self.inset(name)
     }
@@ -149,23 +113,28 @@ impl<'a> Frame<'a> {
             return String::new();
         };
         let panel = self.panel.enlarged(inset);
-        let [width, height] = [self.right - self.left, self.bottom - self.top];
+        let [width, height] = [
+            self.view.right - self.view.left,
+            self.view.bottom - self.view.top,
+        ];
         let [left, top, right, bottom] = inset.place;
-        let [left, right] = [left, right].map(|share| self.left + share * width);
-        let [top, bottom] = [top, bottom].map(|share| self.top + share * height);
+        let [left, right] = [left, right].map(|share| self.view.left + share * width);
+        let [top, bottom] = [top, bottom].map(|share| self.view.top + share * height);
         let ticks = margin(&panel, bottom - top) - EDGE;
         let frame = Frame {
             panel: &panel,
-            x: scale(&panel, 0),
-            y: scale(&panel, 1),
             edge: left,
-            left: left + ticks,
-            right: right - GAP,
-            top: top + MARK,
-            bottom: bottom - 1.8 * TICK,
+            view: View {
+                x: scale(&panel, 0),
+                y: scale(&panel, 1),
+                left: left + ticks,
+                right: right - GAP,
+                top: top + MARK,
+                bottom: bottom - 1.8 * TICK,
+            },
         };
-        let [x0, x1] = inset.x.map(|x| self.across(x));
-        let [y0, y1] = inset.y.map(|y| self.up(y));
+        let [x0, x1] = inset.x.map(|x| self.view.across(x));
+        let [y0, y1] = inset.y.map(|y| self.view.up(y));
         rectangle([left, top, right, bottom], r#"fill="white""#)
             + &rectangle([x0, y1, x1, y0], r##"fill="none" stroke="#808080""##)
             + &frame.draw(&format!("{name}-inset"))
@@ -173,36 +142,42 @@ impl<'a> Frame<'a> {
 
     /// Grid, frame, ticks and what they say.
     fn axes(&self) -> String {
-        let [left, right, top, bottom] = [self.left, self.right, self.top, self.bottom].map(number);
+        let [left, right, top, bottom] = [
+            self.view.left,
+            self.view.right,
+            self.view.top,
+            self.view.bottom,
+        ]
+        .map(number);
         let (mut grid, mut texts) = (String::new(), String::new());
         let mut lines = format!("M{left} {top}H{right}V{bottom}H{left}Z");
         for tick in self.flat() {
-            let x = number(self.across(tick.value));
+            let x = number(self.view.across(tick.value));
             grid += &format!("M{x} {top}V{bottom}");
             lines += &format!("M{x} {bottom}v-5");
-            let place = [self.centre(&tick), self.bottom + 1.4 * TICK];
+            let place = [self.centre(&tick), self.view.bottom + 1.4 * TICK];
             texts += &words(&tick.label, place, TICK, "middle");
         }
-        for tick in upright(&self.y, self.bottom - self.top) {
-            let at = self.up(tick.value);
+        for tick in upright(&self.view.y, self.view.bottom - self.view.top) {
+            let at = self.view.up(tick.value);
             let y = number(at);
             grid += &format!("M{left} {y}H{right}");
             lines += &format!("M{left} {y}h5");
-            let place = [self.left - MARK, at + 0.36 * TICK];
+            let place = [self.view.left - MARK, at + 0.36 * TICK];
             texts += &words(&tick.label, place, TICK, "end");
         }
-        for x in self.x.unlabelled() {
-            lines += &format!("M{} {bottom}v-2.5", number(self.across(x)));
+        for x in self.view.x.unlabelled() {
+            lines += &format!("M{} {bottom}v-2.5", number(self.view.across(x)));
         }
-        for y in self.y.unlabelled() {
-            lines += &format!("M{left} {}h2.5", number(self.up(y)));
+        for y in self.view.y.unlabelled() {
+            lines += &format!("M{left} {}h2.5", number(self.view.up(y)));
         }
         path(&grid, GRID) + &path(&lines, LINES) + &texts
     }
 
     /// The ticks of the horizontal axis: no label touches its neighbour.
     fn flat(&self) -> Vec<Tick> {
-        self.x.ticks(|ticks| {
+        self.view.x.ticks(|ticks| {
             ticks.windows(2).all(|pair| {
                 let [from, to] = [&pair[0], &pair[1]];
                 let half = |tick: &Tick| 0.5 * TICK * width(&tick.label);
@@ -214,24 +189,27 @@ impl<'a> Frame<'a> {
 
     /// The middle of the label of a horizontal tick: under it, unless it would leave the cell.
     fn centre(&self, tick: &Tick) -> f64 {
-        let last = self.right + RIGHT - 0.5 * TICK * width(&tick.label);
-        self.across(tick.value).min(last)
+        let last = self.view.right + RIGHT - 0.5 * TICK * width(&tick.label);
+        self.view.across(tick.value).min(last)
     }
 
     /// The title and what the axes measure, small enough not to reach far over the frame's ends.
     fn labels(&self) -> String {
         let Panel { title, x, y, .. } = self.panel;
-        let [across, up] = [self.right - self.left, self.bottom - self.top];
-        let middle = self.left + 0.5 * across;
+        let [across, up] = [
+            self.view.right - self.view.left,
+            self.view.bottom - self.view.top,
+        ];
+        let middle = self.view.left + 0.5 * across;
         let fitted = |label: &str, place: [f64; 2], room: f64| {
             let size = LABEL.min((room + RIGHT) / width(label));
             words(label, place, size, "middle")
         };
-        let [edge, half] = [self.edge, self.top + 0.5 * up].map(number);
+        let [edge, half] = [self.edge, self.view.top + 0.5 * up].map(number);
         format!(
             r#"{}{}<g transform="translate({edge} {half}) rotate(-90)">{}</g>"#,
-            fitted(title, [middle, self.top - ABOVE], across),
-            fitted(&x.label, [middle, self.bottom + BELOW - GAP], across),
+            fitted(title, [middle, self.view.top - ABOVE], across),
+            fitted(&x.label, [middle, self.view.bottom + BELOW - GAP], across),
             fitted(&y.label, [0.0, 0.0], up),
         )
     }

@@ -8,6 +8,7 @@ mod legend;
 mod scale;
 mod smooth;
 mod ticks;
+mod view;
 
 use super::figure::Figure;
 use super::text::{self, number};

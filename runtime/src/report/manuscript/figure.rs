@@ -1,6 +1,6 @@
 //! Figures with their axes as they are written.
 
-use super::{Filling, joined};
+use super::filling::{Filling, joined};
 use crate::report::{Axis, Curve, Figure, Inset, Panel};
 
 /// A figure of the panels that its axes and curves make, or of those that are given.

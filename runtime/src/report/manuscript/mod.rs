@@ -1,11 +1,13 @@
 //! Sections written as text, with places for what is computed.
 
 mod figure;
+mod filling;
 
 use std::collections::BTreeMap;
 
 use super::{Block, Column, Curve, Page, Panel, ReportError, Section, Table};
 use figure::figure;
+use filling::{Filling, joined};
 
 /// A section as it is written, and what stands in its places.
 ///
@@ -26,16 +28,6 @@ pub struct Manuscript {
     text: String,
     fillings: BTreeMap<String, Filling>,
     faults: Vec<String>,
-}
-
-/// What stands in a place.
-#[derive(Debug, Clone)]
-enum Filling {
-    Sketch(&'static str),
-    Curves(Vec<Vec<Curve>>),
-    Panels(Vec<Panel>),
-    Rows(Vec<Vec<String>>),
-    Page(Page),
 }
 
 /// Between the cells of a row.
@@ -153,10 +145,6 @@ impl Manuscript {
         }
         block
     }
-}
-
-fn joined<'a>(lines: impl IntoIterator<Item = &'a str>) -> String {
-    lines.into_iter().collect::<Vec<_>>().join(" ")
 }
 
 /// A table of the rows that are written and those that are given, if all are as long as its head.

@@ -84,7 +84,10 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
         .column(followed(info, &branch.along), |one| {
             number(one.r, certain(one))
         })
-        .column(timed(info, "period", "s"), |one| number(one.period, 10))
+        .column(timed(info, "period", "s"), |one| {
+            // It is known less well than what it was located in.
+            number(one.period, certain(one).clamp(5, SHOWN) - 1)
+        })
         .column("", remark)
         .text(&branch.special)
 }

@@ -108,7 +108,9 @@ fn picture(info: &ModelInfo, record: &DiagramRecord, shown: &[usize]) -> Figure 
         let y = state.map_or_else(|| Axis::new(""), |state| axis(state.name, state.unit));
         let clouds = record.sweeps.iter().enumerate().map(|(i, sweep)| {
             let points = sweep.slices.iter().flat_map(|slice| dots(slice, shown));
-            Curve::points(sweep.name, i + 1, Marker::Dot, points.collect())
+            // Where both sweeps have a point, both are seen.
+            let marker = if i == 0 { Marker::Dot } else { Marker::Speck };
+            Curve::points(sweep.name, i + 1, marker, points.collect())
         });
         figure.panel(Panel::new(x(), y).curves(clouds))
     };
