@@ -16,6 +16,8 @@ use crate::shooting::problem::OrbitProblem;
 
 /// Distances from the border, in scaled coordinates, at which the branch is taken up again.
 const DISTANCES: [f64; 6] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5];
+/// Depths behind a wall, in shares of that which belongs to the speed of the impact, from which orbits that are hit are sought.
+const DEPTHS: [f64; 5] = [1.0, 3.0, 10.0, 0.3, 30.0];
 /// A first orbit this many times farther away lies on another branch.
 const FAR: f64 = 5.0;
 /// Errors in r of orbits that have come to a border, over their accuracy.
@@ -105,8 +107,17 @@ fn onwards(
     let Some(direction) = sides.direction(other, &phase, &scale, r_scale) else {
         return Beyond::Undecided;
     };
-    for distance in DISTANCES {
-        let Ok(started) = set_out(found, branch, &direction, distance, work) else {
+    let hit = other.then(|| sides.hit(&phase, &scale, r_scale)).flatten();
+    let shares = if hit.is_some() { &DEPTHS[..] } else { &[0.0] };
+    for (distance, share) in DISTANCES
+        .iter()
+        .flat_map(|d| shares.iter().map(|s| (*d, *s)))
+    {
+        let offset = match &hit {
+            Some(hit) => hit.guess(distance, share),
+            None => &direction * distance,
+        };
+        let Ok(started) = set_out(found, branch, &direction, &offset, work) else {
             continue;
         };
         work = started.0.problem.work;
@@ -133,7 +144,7 @@ fn set_out(
     found: &Edge,
     branch: &Branch<OrbitProblem>,
     direction: &DVector<f64>,
-    distance: f64,
+    offset: &DVector<f64>,
     work: Work,
 ) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
     let (sides, orbit) = (&found.sides, &found.orbit);
@@ -150,8 +161,8 @@ fn set_out(
     floated.map_err(Failure::Evaluation)?;
     problem.work = work;
     let (n, scale, r_scale) = (z.len(), problem.scale(), branch.r_scale());
-    let moved = &z + direction.rows(0, n).component_mul(&scale) * distance;
-    let r = orbit.r + direction[n] * r_scale * distance;
+    let moved = &z + offset.rows(0, n).component_mul(&scale);
+    let r = orbit.r + offset[n] * r_scale;
     Branch::set_out(problem, (moved, r), direction, branch.settings())
 }
 
