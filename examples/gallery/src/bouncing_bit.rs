@@ -62,13 +62,15 @@ mod tests {
         let branch = system.branch(&case, &mut |_| ControlFlow::Continue(()));
         let branch = branch.unwrap();
         assert_eq!(branch.points[0].word.as_deref(), Some("slip+(T) rest(R)"));
-        let lifts = branch.special.iter().find(|one| one.kind == Kind::Grazing);
-        let lifts =
-            lifts.unwrap_or_else(|| panic!("{:?}, {}", branch.special, branch.ended.reason));
+        // The flight is short there: the stretch vanishes with it.
+        let [lifts] = branch.special.as_slice() else {
+            panic!("{:?}, {}", branch.special, branch.ended.reason)
+        };
+        assert_eq!(lifts.kind, Kind::VanishingSegment);
         // m² ω⁴ + (c² − 2 k m) ω² + k² − (W/a)² = 0.
         let half = bit.k / bit.mass - 0.5 * (bit.c / bit.mass).powi(2);
         let rest = (bit.k * bit.k - (bit.weight / bit.lobe).powi(2)) / bit.mass.powi(2);
         let closed = (half + (half * half - rest).sqrt()).sqrt();
-        close(lifts.r, closed, 1e-9 * closed, "speed of lift-off");
+        close(lifts.r, closed, 1e-8 * closed, "speed of lift-off");
     }
 }

@@ -3,12 +3,14 @@
 use nalgebra::DVector;
 
 use super::candidate::Border as Candidate;
+use super::hit::Met;
 use super::located::{Edge, edge};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem,
 };
 use crate::field::Work;
-use crate::flow::FlowError;
+use crate::flow::{EventKind, FlowError, Want};
+use crate::motion::{Event, Place};
 use crate::shooting::anchor::problem;
 use crate::shooting::guess::Guess;
 use crate::shooting::orbit::{Orbit, Solution};
@@ -16,8 +18,6 @@ use crate::shooting::problem::OrbitProblem;
 
 /// Distances from the border, in scaled coordinates, at which the branch is taken up again.
 const DISTANCES: [f64; 6] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5];
-/// Depths behind a wall, in shares of that which belongs to the speed of the impact, from which orbits that are hit are sought.
-const DEPTHS: [f64; 5] = [1.0, 3.0, 10.0, 0.3, 30.0];
 /// A first orbit this many times farther away lies on another branch.
 const FAR: f64 = 5.0;
 /// Errors in r of orbits that have come to a border, over their accuracy.
@@ -108,13 +108,9 @@ fn onwards(
         return Beyond::Undecided;
     };
     let hit = other.then(|| sides.hit(&phase, &scale, r_scale)).flatten();
-    let shares = if hit.is_some() { &DEPTHS[..] } else { &[0.0] };
-    for (distance, share) in DISTANCES
-        .iter()
-        .flat_map(|d| shares.iter().map(|s| (*d, *s)))
-    {
+    for distance in DISTANCES {
         let offset = match &hit {
-            Some(hit) => hit.guess(distance, share),
+            Some(hit) => hit.guess(distance, |offset| met(found, branch, offset)),
             None => &direction * distance,
         };
         let Ok(started) = set_out(found, branch, &direction, &offset, work) else {
@@ -128,6 +124,35 @@ fn onwards(
         }
     }
     Beyond::Undecided
+}
+
+/// How the motion that begins so far from the border meets the wall: at the slowest of its impacts, if any is.
+fn met(found: &Edge, branch: &Branch<OrbitProblem>, offset: &DVector<f64>) -> Option<Met> {
+    let (start, orbit) = (&found.sides.start, &found.orbit);
+    let scale = branch.problem.scale();
+    let moved = |(j, x): (usize, &f64)| x + offset[j] * scale[j];
+    let place = Place {
+        state: start.state.iter().enumerate().map(moved).collect(),
+        modes: start.modes.clone(),
+    };
+    let r = orbit.r + offset[offset.len() - 1] * branch.r_scale();
+    let flow = branch.problem.family.at(r).ok()?;
+    let passage = flow.advance(&place, orbit.period, Want::EXTREMA).ok()?;
+    let own = passage
+        .events
+        .iter()
+        .filter(|event| event.contact == found.border.contact);
+    let speed = |event: &Event| match event.kind {
+        EventKind::Impact { approach, .. } => Some(approach),
+        _ => None,
+    };
+    let gap = |event: &Event| match event.kind {
+        EventKind::Nearest { margin } => Some(margin),
+        _ => None,
+    };
+    let slowest = own.clone().filter_map(speed).reduce(f64::min);
+    let least = own.filter_map(gap).reduce(f64::min);
+    slowest.map(Met::Hit).or(least.map(Met::Missed))
 }
 
 fn first((branch, point): &Started<OrbitProblem>, accuracy: f64) -> Orbit {

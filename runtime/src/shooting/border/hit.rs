@@ -8,6 +8,9 @@ use nalgebra::DVector;
 
 use super::sides::Sides;
 
+/// How often a guess is aimed: what is off falls by its second order.
+const AIMED: usize = 3;
+
 /// The way out of a grazing, in scaled coordinates (start, period, r).
 pub(super) struct Hit {
     /// Its direction, of unit length, in which the speed of the impact grows.
@@ -57,12 +60,33 @@ impl Sides {
     }
 }
 
+/// How a motion once around meets the wall.
+pub(super) enum Met {
+    /// It is hit at this speed.
+    Hit(f64),
+    /// Its gap keeps this width.
+    Missed(f64),
+}
+
 impl Hit {
-    /// Where to look at this distance: so deep behind the wall, in shares of the depth that belongs to the speed, that
-    /// Newton's method sees the root.
-    pub(super) fn guess(&self, distance: f64, share: f64) -> DVector<f64> {
-        let speed = self.speed * distance;
-        let depth = share * speed * speed / (2.0 * self.bend);
-        &self.direction * distance - &self.gap * depth
+    /// Where to look at this distance: as deep behind the wall as belongs to the speed of the impact, which the first order
+    /// leaves open, so that Newton's method sees the root; `met` says how a motion from there meets the wall.
+    pub(super) fn guess(
+        &self,
+        distance: f64,
+        met: impl Fn(&DVector<f64>) -> Option<Met>,
+    ) -> DVector<f64> {
+        let depth = |speed: f64| speed * speed / (2.0 * self.bend);
+        let wanted = depth(self.speed * distance);
+        let mut guess = &self.direction * distance;
+        for _ in 0..AIMED {
+            let found = match met(&guess) {
+                Some(Met::Hit(speed)) => depth(speed),
+                Some(Met::Missed(gap)) => -gap,
+                None => break,
+            };
+            guess -= &self.gap * (wanted - found);
+        }
+        guess
     }
 }
