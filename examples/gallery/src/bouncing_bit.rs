@@ -46,20 +46,19 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
-    use stickslip::continuation::Kind;
+    use stickslip::study::Kind;
 
     use super::BouncingBit;
-    use crate::asked::{along, case, close};
+    use crate::asked::{case, close};
 
     /// R = W + Re (k − m ω² + icω) a exp(iφ): the rock loses the bit where W = a |k − m ω² + icω|.
     #[test]
     fn the_bit_lifts_off_where_its_inertia_carries_its_weight() {
         let bit = BouncingBit::default();
         let (system, case) = case(&bit);
-        let case = along(&case, BouncingBit::omega, 25.0, 40.0);
-        let branch = system.branch(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(BouncingBit::omega, 25.0..40.0);
+        let branch = system.branch(&case);
         let branch = branch.unwrap();
         assert_eq!(branch.points[0].word.as_deref(), Some("slip+(T) rest(R)"));
         // The flight is short there: the stretch vanishes with it.

@@ -41,12 +41,11 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
-    use stickslip::continuation::Kind;
+    use stickslip::study::Kind;
 
     use super::LiftingSqueal;
-    use crate::asked::{along, case, close, returns, special};
+    use crate::asked::{case, close, returns, special};
     use crate::reference::Plant;
 
     impl Plant<4, 1> for LiftingSqueal {
@@ -90,8 +89,8 @@ mod tests {
                 load,
                 ..LiftingSqueal::default()
             });
-            let case = along(&case, LiftingSqueal::mu, 0.5, 0.9);
-            let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+            let case = case.following(LiftingSqueal::mu, 0.5..0.9);
+            let record = system.equilibria_along(&case);
             let (mu, _) = special(&record.unwrap(), Kind::Hopf);
             close(mu, 0.75 * (1.0 + 2.0 * 0.05 * 0.05), 1e-9, "threshold");
         }

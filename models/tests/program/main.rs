@@ -18,8 +18,10 @@ mod refusals;
 #[cfg(unix)]
 mod resumed;
 mod saved;
+mod schema;
 #[cfg(unix)]
 mod streamed;
+mod tables;
 mod trade;
 
 use std::process::Command;

@@ -20,6 +20,7 @@ mod resume;
 mod saved;
 mod seal;
 mod section;
+mod shell;
 mod show;
 mod spreadsheet;
 mod text;
@@ -88,7 +89,7 @@ impl App {
     fn answer(&self, words: Vec<OsString>) -> Result<(), Failure> {
         let command = command::command(self, words.first());
         match command.clone().try_get_matches_from(&words) {
-            Ok(matches) => command::perform(self, &matches),
+            Ok(matches) => command::perform(self, words.first(), &matches),
             Err(error) => usage::explain(&error, &command, &words),
         }
     }

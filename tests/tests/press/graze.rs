@@ -1,7 +1,6 @@
 //! Where impacts begin: the free orbit ends at its grazing, and the orbits that are hit leave from there.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use stickslip::continuation::Kind;
 use stickslip::field::Design;
@@ -117,7 +116,7 @@ fn branch(hammer: &Hammer, start: [f64; 3], (from, to): (f64, f64)) -> BranchRec
         from,
         to,
     });
-    let branch = System::of::<Hammer, 3>().branch(&case, &mut |_| ControlFlow::Continue(()));
+    let branch = System::of::<Hammer, 3>().branch(&case);
     branch.unwrap()
 }
 

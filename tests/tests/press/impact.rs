@@ -1,7 +1,6 @@
 //! Impacts against closed forms.
 
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use stickslip::continuation::Kind;
 use stickslip::field::Design;
@@ -31,7 +30,7 @@ fn branch<M: Model<N>, const N: usize>(
         from,
         to,
     });
-    let branch = System::of::<M, N>().branch(&along, &mut |_| ControlFlow::Continue(()));
+    let branch = System::of::<M, N>().branch(&along);
     branch.unwrap()
 }
 
@@ -148,9 +147,7 @@ fn a_valve_flutters_into_its_seat() {
         to: 8.0,
     });
     let system = System::of::<Valve, 3>();
-    let steady = system
-        .equilibria_along(&rest, &mut |_| ControlFlow::Continue(()))
-        .unwrap();
+    let steady = system.equilibria_along(&rest).unwrap();
     let hopf = &steady.special[0];
     assert!((hopf.r - 8.491117635183326).abs() < 1e-9);
     assert!((TAU / hopf.period.unwrap() - 3.0907088479743408).abs() < 1e-9);

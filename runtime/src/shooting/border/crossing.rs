@@ -188,7 +188,7 @@ fn set_out(
     let (n, scale, r_scale) = (z.len(), problem.scale(), branch.r_scale());
     let moved = &z + offset.rows(0, n).component_mul(&scale);
     let r = orbit.r + offset[n] * r_scale;
-    Branch::set_out(problem, (moved, r), direction, branch.settings())
+    Branch::set_out(problem, (moved, r), (direction, r_scale), branch.settings())
 }
 
 /// The border between two neighbouring orbits of different words.
