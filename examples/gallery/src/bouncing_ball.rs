@@ -26,12 +26,11 @@ model! {
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{PI, TAU};
-    use std::ops::ControlFlow;
 
-    use stickslip::continuation::Kind;
+    use stickslip::study::Kind;
 
     use super::BouncingBall;
-    use crate::asked::{along, case, close};
+    use crate::asked::{case, close};
 
     #[test]
     fn it_keeps_time_in_a_window() {
@@ -47,8 +46,8 @@ mod tests {
                 (1.1 * flips, Kind::Flip, flips),
                 (0.9 * born, Kind::Fold, born),
             ] {
-                let case = along(&case, BouncingBall::gamma, gamma, to);
-                let branch = system.branch(&case, &mut |_| ControlFlow::Continue(()));
+                let case = case.clone().following(BouncingBall::gamma, gamma..to);
+                let branch = system.branch(&case);
                 let branch = branch.unwrap();
                 let found = branch.special.iter().find(|one| one.kind == kind);
                 close(found.unwrap().r, closed, 1e-9, kind.name());

@@ -31,20 +31,19 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
-    use stickslip::continuation::Kind;
+    use stickslip::study::Kind;
 
     use super::ImpactOscillator;
-    use crate::asked::{along, case, close};
+    use crate::asked::{case, close};
 
     /// The grazing is that of the linear response; where orbits with one impact have the multiplier −1 is an equation that is
     /// linear in the speed of departure (tests/tests/press/graze.rs).
     #[test]
     fn impacts_begin_at_the_grazing_and_are_stable_from_the_flip_on() {
         let (system, case) = case(&ImpactOscillator::default());
-        let case = along(&case, ImpactOscillator::load, 0.1, 0.7);
-        let branch = system.branch(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(ImpactOscillator::load, 0.1..0.7);
+        let branch = system.branch(&case);
         let branch = branch.unwrap();
         let found: Vec<_> = branch.special.iter().map(|one| (one.kind, one.r)).collect();
         let [(Kind::Grazing, grazing), (Kind::Flip, flip)] = found[..] else {

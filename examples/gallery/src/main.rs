@@ -12,6 +12,7 @@ mod feeny_moon;
 mod froude;
 mod impact_oscillator;
 mod isolator;
+mod lifting_squeal;
 mod long_drill_string;
 mod mass_on_belt;
 mod popp;
@@ -39,6 +40,7 @@ use feeny_moon::FeenyMoon;
 use froude::FroudePendulum;
 use impact_oscillator::ImpactOscillator;
 use isolator::Isolator;
+use lifting_squeal::LiftingSqueal;
 use long_drill_string::LongDrillString;
 use mass_on_belt::MassOnBelt;
 use popp::PoppOscillator;
@@ -72,4 +74,5 @@ stickslip::app!(
     ReliefValve,
     Woodpecker,
     BouncingBit,
+    LiftingSqueal,
 );

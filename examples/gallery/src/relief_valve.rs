@@ -34,19 +34,18 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
-    use stickslip::continuation::Kind;
+    use stickslip::study::Kind;
 
     use super::ReliefValve;
-    use crate::asked::{along, case, close, special};
+    use crate::asked::{case, close, special};
 
     /// p = y + δ and y √p = q at rest; Hurwitz's determinant of the cubic vanishes there.
     #[test]
     fn flutter_begins_where_hurwitz_says() {
         let (system, case) = case(&ReliefValve::default());
-        let case = along(&case, ReliefValve::q, 9.0, 8.0);
-        let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(ReliefValve::q, 9.0..8.0);
+        let record = system.equilibria_along(&case);
         let (q, frequency) = special(&record.unwrap(), Kind::Hopf);
         close(q, 8.491117635183326, 1e-9, "inflow");
         close(frequency, 3.0907088479743408, 1e-9, "frequency");
@@ -68,8 +67,8 @@ mod tests {
             ..ReliefValve::default()
         });
         case.start = Some(vec![2.0, 0.0, 12.0]);
-        let case = along(&case, ReliefValve::q, 8.3, 7.3);
-        let branch = system.branch(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(ReliefValve::q, 8.3..7.3);
+        let branch = system.branch(&case);
         let branch = branch.unwrap();
         let grazing = branch.special.iter().find(|one| one.kind == Kind::Grazing);
         assert!(grazing.is_some(), "{:?}", branch.special);

@@ -43,7 +43,7 @@ fn words_of(drawing: &str) -> Vec<&str> {
 fn the_pictures_are_those_of_the_program() {
     std::fs::create_dir_all(folder()).unwrap();
     let all = shown();
-    assert!(all.len() >= 14, "{} systems", all.len());
+    assert!(all.len() >= 20, "{} systems", all.len());
     for Shown { words, picture } in all {
         let done = Command::new(env!("CARGO_BIN_EXE_gallery"))
             .args(words.split_whitespace())

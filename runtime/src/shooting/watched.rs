@@ -75,13 +75,26 @@ impl Orbit {
         let mut end = 0.0;
         let length = (until - from).rem_euclid(self.period);
         let inside = |time: f64| (time - from).rem_euclid(self.period) < length;
-        let mut lasts = |segment: &&Segment| {
+        let mut lasts = |segment: &Segment| {
             end += segment.duration;
             !inside(end - 0.5 * segment.duration)
         };
-        let segments = self.segments.iter().filter(|one| lasts(one));
+        let mut segments: Vec<Segment> = Vec::new();
+        let mut without = false;
+        for segment in &self.segments {
+            let stays = lasts(segment);
+            if stays {
+                // An impact that ends what is left out did not happen either.
+                let impact = segment.impact.filter(|_| !without);
+                segments.push(Segment {
+                    impact,
+                    ..segment.clone()
+                });
+            }
+            without = !stays;
+        }
         Self {
-            segments: segments.cloned().collect(),
+            segments,
             ..self.clone()
         }
     }

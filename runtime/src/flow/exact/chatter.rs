@@ -3,9 +3,9 @@
 use super::bounce::Rebound;
 use super::press::Vanishing;
 use super::run::{NO_TIME, Run};
-use crate::field::exact::{Mode, Modes};
+use crate::field::exact::Mode;
+use crate::flow::FlowError;
 use crate::flow::saltation::{Tracked, product};
-use crate::flow::{FlowError, Segment};
 use crate::integrate::IntegrationError;
 use crate::model::Model;
 
@@ -83,20 +83,11 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         Ok(system.second_rates(state, &self.modes, &field).as_ref()[press])
     }
 
-    /// Makes one stretch of those between the impacts of a chatter: how many they are says nothing.
+    /// Makes one stretch of those before and between the impacts of a chatter: how many they are says nothing.
     pub(super) fn merge_chatter(&mut self, press: usize) {
-        let bounced = |segments: &[Segment<Modes<M, N>>]| {
-            let last = segments.last();
-            last.is_some_and(|last| last.impact == Some(press))
-        };
-        if !bounced(&self.segments) {
-            return;
-        }
-        self.impact = None;
         while let [.., first, last] = self.segments.as_mut_slice()
-            && first.impact == Some(press)
+            && last.impact == Some(press)
             && first.mode == last.mode
-            && bounced(std::slice::from_ref(last))
         {
             first.duration += last.duration;
             self.segments.pop();

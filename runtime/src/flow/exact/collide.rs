@@ -9,7 +9,7 @@ use crate::model::Model;
 const SEARCHED: usize = 6;
 /// Relative difference between rates at which friction grows with a reaction that is rounding error.
 const SAME: f64 = 1e-9;
-/// Work of impulses, relative to that of the press alone, that is rounding error.
+/// Work of impulses, relative to that of the press at the terms of its speed, that is rounding error.
 const NO_WORK: f64 = 1e-12;
 
 /// An impact, and which impulses it has.
@@ -41,7 +41,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             match self.system.impact(state, &impulses) {
                 Ok(impact) if consistent(&impulses, &impact, &rubbing) => {
                     let energy = work(&impulses, &impact, &rubbing);
-                    if energy > NO_WORK * impact.impulse.as_ref()[press] * impact.approach {
+                    let terms = self.system.rate_terms(state, press);
+                    if energy > NO_WORK * impact.impulse.as_ref()[press].abs() * terms {
                         return Err(FlowError::Gains {
                             contact: press,
                             time,

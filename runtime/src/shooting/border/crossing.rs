@@ -3,12 +3,14 @@
 use nalgebra::DVector;
 
 use super::candidate::Border as Candidate;
+use super::hit::Met;
 use super::located::{Edge, edge};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem,
 };
 use crate::field::Work;
-use crate::flow::FlowError;
+use crate::flow::{EventKind, FlowError, Want};
+use crate::motion::{Event, Place};
 use crate::shooting::anchor::problem;
 use crate::shooting::guess::Guess;
 use crate::shooting::orbit::{Orbit, Solution};
@@ -105,8 +107,13 @@ fn onwards(
     let Some(direction) = sides.direction(other, &phase, &scale, r_scale) else {
         return Beyond::Undecided;
     };
+    let hit = other.then(|| sides.hit(&phase, &scale, r_scale)).flatten();
     for distance in DISTANCES {
-        let Ok(started) = set_out(found, branch, &direction, distance, work) else {
+        let offset = match &hit {
+            Some(hit) => hit.guess(distance, |offset| met(found, branch, offset)),
+            None => &direction * distance,
+        };
+        let Ok(started) = set_out(found, branch, &direction, &offset, work) else {
             continue;
         };
         work = started.0.problem.work;
@@ -117,6 +124,35 @@ fn onwards(
         }
     }
     Beyond::Undecided
+}
+
+/// How the motion that begins so far from the border meets the wall: at the slowest of its impacts, if any is.
+fn met(found: &Edge, branch: &Branch<OrbitProblem>, offset: &DVector<f64>) -> Option<Met> {
+    let (start, orbit) = (&found.sides.start, &found.orbit);
+    let scale = branch.problem.scale();
+    let moved = |(j, x): (usize, &f64)| x + offset[j] * scale[j];
+    let place = Place {
+        state: start.state.iter().enumerate().map(moved).collect(),
+        modes: start.modes.clone(),
+    };
+    let r = orbit.r + offset[offset.len() - 1] * branch.r_scale();
+    let flow = branch.problem.family.at(r).ok()?;
+    let passage = flow.advance(&place, orbit.period, Want::EXTREMA).ok()?;
+    let own = passage
+        .events
+        .iter()
+        .filter(|event| event.contact == found.border.contact);
+    let speed = |event: &Event| match event.kind {
+        EventKind::Impact { approach, .. } => Some(approach),
+        _ => None,
+    };
+    let gap = |event: &Event| match event.kind {
+        EventKind::Nearest { margin } => Some(margin),
+        _ => None,
+    };
+    let slowest = own.clone().filter_map(speed).reduce(f64::min);
+    let least = own.filter_map(gap).reduce(f64::min);
+    slowest.map(Met::Hit).or(least.map(Met::Missed))
 }
 
 fn first((branch, point): &Started<OrbitProblem>, accuracy: f64) -> Orbit {
@@ -133,7 +169,7 @@ fn set_out(
     found: &Edge,
     branch: &Branch<OrbitProblem>,
     direction: &DVector<f64>,
-    distance: f64,
+    offset: &DVector<f64>,
     work: Work,
 ) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
     let (sides, orbit) = (&found.sides, &found.orbit);
@@ -150,8 +186,8 @@ fn set_out(
     floated.map_err(Failure::Evaluation)?;
     problem.work = work;
     let (n, scale, r_scale) = (z.len(), problem.scale(), branch.r_scale());
-    let moved = &z + direction.rows(0, n).component_mul(&scale) * distance;
-    let r = orbit.r + direction[n] * r_scale * distance;
+    let moved = &z + offset.rows(0, n).component_mul(&scale);
+    let r = orbit.r + offset[n] * r_scale;
     Branch::set_out(problem, (moved, r), (direction, r_scale), branch.settings())
 }
 

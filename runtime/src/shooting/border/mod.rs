@@ -6,6 +6,7 @@
 mod around;
 mod candidate;
 mod crossing;
+mod hit;
 mod located;
 mod problem;
 mod sheet;

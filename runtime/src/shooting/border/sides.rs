@@ -8,8 +8,7 @@
 //! one, det(I − A) det(I − B) > 0 has one of them on each side of r, and < 0 both on one: a non-smooth fold.
 //!
 //! Where a contact that does not give way is grazed, the return map of the orbits that are hit has no derivative: its
-//! multiplier grows without bound. But these orbits, and r, are smooth functions of the speed v of the impact (Nordmark):
-//! they leave the border along (I − A) δy = k v, g = 0, with the kick k of a unit speed.
+//! multiplier grows without bound; `hit` says how they leave it.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -32,11 +31,12 @@ pub(super) struct Sides {
     /// The side on which the event does not happen, and that on which it does.
     maps: [Derivatives; 2],
     /// How the number that decides between the sides depends on the start, and on r.
-    number: (DVector<f64>, f64),
+    pub(super) number: (DVector<f64>, f64),
     /// Its sign on both sides.
     signs: [f64; 2],
-    /// What a unit speed of approach adds to the state once around, where the contact that is grazed does not give way.
-    kick: Option<DVector<f64>>,
+    /// What a unit speed of approach adds to the start, where the contact that is grazed does not give way, and how fast the
+    /// rate of its gap grows there.
+    pub(super) kick: Option<(DVector<f64>, f64)>,
 }
 
 impl Sides {
@@ -78,14 +78,12 @@ impl Sides {
             Condition::Edge => 1.0,
         };
         let start = round.out.0.clone();
-        let kick = match border.condition {
-            Condition::Touch if border.before() == Mode::Open => {
-                flow.kick(state, border.contact)?
-            }
-            _ => None,
+        let kick = match passing.kick()? {
+            Some((kick, bend)) => Some((&round.out.1.state * kick, bend)),
+            None => None,
         };
         Ok(Self {
-            kick: kick.map(|kick| &round.out.1.state * DVector::from_vec(kick)),
+            kick,
             velocity: flow.velocity(&start)?.f,
             maps: leaps.map(|leap| arrival.through(&leap, &round)),
             start,
@@ -112,36 +110,16 @@ impl Sides {
         scale: &DVector<f64>,
         r_scale: f64,
     ) -> Option<DVector<f64>> {
-        let (map, order) = (self.map(happens), self.velocity.len());
-        let kick = self.kick.as_ref().filter(|_| happens);
+        if self.is_unbounded(happens) {
+            let hit = self.hit(phase, scale, r_scale)?;
+            return Some(hit.direction);
+        }
+        let order = self.velocity.len();
         let n = order + 1;
-        let hit = usize::from(kick.is_some());
-        let mut matrix = DMatrix::zeros(n + 1 + hit, n + 1 + hit);
-        for i in 0..order {
-            for j in 0..order {
-                let own = f64::from(i == j);
-                matrix[(i, j)] = (map.state[(i, j)] - own) * scale[j] / scale[i];
-            }
-            matrix[(i, order)] = self.velocity[i] * scale[order] / scale[i];
-            matrix[(i, n)] = map.design[i] * r_scale / scale[i];
-            matrix[(order, i)] = phase[i] * scale[i];
-        }
-        if let Some(kick) = kick {
-            self.grazing(&mut matrix, kick, scale, r_scale);
-        }
-        let size = matrix.row(order).norm();
-        matrix.row_mut(order).unscale_mut(size);
+        let matrix = self.matrix(happens, phase, scale, r_scale);
         let svd = svd(matrix)?;
         let rows = svd.v_t?;
         let direction = rows.row(svd.singular_values.imin()).transpose();
-        if kick.is_some() {
-            // An impact has a speed of approach, and not one of departure.
-            let whole = direction[n + 1].signum();
-            let direction = direction.rows(0, n + 1) * whole;
-            let length = direction.norm();
-            let regular = length > 0.0 && direction.iter().all(|x| x.is_finite());
-            return regular.then(|| direction / length);
-        }
         let (along, by_r) = &self.number;
         let moved = direction
             .rows(0, order)
@@ -156,26 +134,29 @@ impl Sides {
 }
 
 impl Sides {
-    /// The speed of the impact as one more unknown, and that the border is grazed, to first order.
-    fn grazing(
+    /// What closes an orbit on this side and fixes its start, to first order in (start, period, r); a last row of zeros.
+    pub(super) fn matrix(
         &self,
-        matrix: &mut DMatrix<f64>,
-        kick: &DVector<f64>,
+        happens: bool,
+        phase: &DVector<f64>,
         scale: &DVector<f64>,
         r_scale: f64,
-    ) {
-        let order = self.velocity.len();
+    ) -> DMatrix<f64> {
+        let (map, order) = (self.map(happens), self.velocity.len());
         let n = order + 1;
-        let (along, by_r) = &self.number;
-        let most = (0..order).map(|i| (kick[i] / scale[i]).abs());
-        let unit = most.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+        let mut matrix = DMatrix::zeros(n + 1, n + 1);
         for i in 0..order {
-            matrix[(i, n + 1)] = kick[i] / scale[i] / unit;
-            matrix[(n, i)] = along[i] * scale[i];
+            for j in 0..order {
+                let own = f64::from(i == j);
+                matrix[(i, j)] = (map.state[(i, j)] - own) * scale[j] / scale[i];
+            }
+            matrix[(i, order)] = self.velocity[i] * scale[order] / scale[i];
+            matrix[(i, n)] = map.design[i] * r_scale / scale[i];
+            matrix[(order, i)] = phase[i] * scale[i];
         }
-        matrix[(n, n)] = by_r * r_scale;
-        let size = matrix.row(n).norm().max(f64::MIN_POSITIVE);
-        matrix.row_mut(n).unscale_mut(size);
+        let size = matrix.row(order).norm();
+        matrix.row_mut(order).unscale_mut(size);
+        matrix
     }
 }
 
@@ -251,6 +232,29 @@ impl Passing<'_> {
             }
             Condition::Touch => Ok(nothing),
         }
+    }
+
+    /// What a unit speed of approach adds to the state at the border, and how fast the rate of the gap grows there.
+    fn kick(&self) -> Result<Option<(DVector<f64>, f64)>, FlowError> {
+        let (border, flow) = (self.border, self.flow);
+        if border.condition != Condition::Touch || border.before() != Mode::Open {
+            return Ok(None);
+        }
+        let Some(kick) = flow.kick(self.state, border.contact)? else {
+            return Ok(None);
+        };
+        let coming = border.coming(self.state);
+        let (field, step) = (flow.velocity(&coming)?.f, BEFORE * self.period);
+        let mut later = coming.clone();
+        for (x, f) in later.state.iter_mut().zip(field.iter()) {
+            *x += step * f;
+        }
+        let rate = |place: &Place| -> Result<f64, FlowError> {
+            let touch = flow.touch(place, border.contact)?;
+            Ok(touch.map_or(f64::NAN, |[_, rate]| rate))
+        };
+        let bend = (rate(&later)? - rate(&coming)?) / step;
+        Ok((bend > 0.0).then(|| (DVector::from_vec(kick), bend)))
     }
 
     /// The field in which the motion comes, and the one with the contact held.

@@ -1,0 +1,92 @@
+//! How orbits that are hit leave the grazing of a contact that does not give way.
+//!
+//! They, and r, are smooth functions of the speed v of their impact (Nordmark), although the return map has a root of the
+//! depth g to which the gap would have fallen, v² = −2 g g̈: to first order (I − A) δy = k v and g_y δy + g_r δr = 0 with the
+//! kick k of a unit speed.
+
+use nalgebra::DVector;
+
+use super::sides::Sides;
+
+/// How often a guess is aimed: what is off falls by its second order.
+const AIMED: usize = 3;
+
+/// The way out of a grazing, in scaled coordinates (start, period, r).
+pub(super) struct Hit {
+    /// Its direction, of unit length, in which the speed of the impact grows.
+    pub(super) direction: DVector<f64>,
+    /// By how much it does along that.
+    speed: f64,
+    /// What a unit of the gap adds.
+    gap: DVector<f64>,
+    /// g̈.
+    bend: f64,
+}
+
+impl Sides {
+    /// The way out; `None` if nothing is hit, or if that is not determined.
+    pub(super) fn hit(
+        &self,
+        phase: &DVector<f64>,
+        scale: &DVector<f64>,
+        r_scale: f64,
+    ) -> Option<Hit> {
+        let (kick, bend) = self.kick.as_ref()?;
+        let order = kick.len();
+        let n = order + 1;
+        let mut matrix = self.matrix(true, phase, scale, r_scale);
+        let (along, by_r) = &self.number;
+        let mut kicked = DVector::zeros(n + 1);
+        for i in 0..order {
+            matrix[(n, i)] = along[i] * scale[i];
+            kicked[i] = -kick[i] / scale[i];
+        }
+        matrix[(n, n)] = by_r * r_scale;
+        let size = matrix.row(n).norm();
+        matrix.row_mut(n).unscale_mut(size);
+        let lu = matrix.lu();
+        let way = lu.solve(&kicked)?;
+        let gap = lu.solve(&DVector::from_fn(n + 1, |i, _| {
+            if i == n { 1.0 / size } else { 0.0 }
+        }))?;
+        let length = way.norm();
+        let regular = way.iter().chain(&gap).all(|x| x.is_finite()) && length > 0.0;
+        regular.then(|| Hit {
+            direction: way / length,
+            speed: 1.0 / length,
+            gap,
+            bend: *bend,
+        })
+    }
+}
+
+/// How a motion once around meets the wall.
+pub(super) enum Met {
+    /// It is hit at this speed.
+    Hit(f64),
+    /// Its gap keeps this width.
+    Missed(f64),
+}
+
+impl Hit {
+    /// Where to look at this distance: as deep behind the wall as belongs to the speed of the impact, which the first order
+    /// leaves open, so that Newton's method sees the root; `met` says how a motion from there meets the wall.
+    pub(super) fn guess(
+        &self,
+        distance: f64,
+        met: impl Fn(&DVector<f64>) -> Option<Met>,
+    ) -> DVector<f64> {
+        let depth = |speed: f64| speed * speed / (2.0 * self.bend);
+        let wanted = depth(self.speed * distance);
+        let mut guess = &self.direction * distance;
+        for _ in 0..AIMED {
+            let found = match met(&guess) {
+                Some(Met::Hit(speed)) => depth(speed),
+                Some(Met::Missed(gap)) => -gap,
+                None => break,
+            };
+            guess -= &self.gap * (wanted - found);
+        }
+        guess
+    }
+}
