@@ -11,8 +11,13 @@ const UPRIGHT: f64 = 1e3;
 
 /// Halves of an orbit that differ by no more than this, and ever less, are about to become one.
 const CLOSING: f64 = 0.05;
-/// How far that may be extrapolated, in steps of the square by which they differ.
-const STEPS: f64 = 30.0;
+/// How much the squares by which they differ are apart from each other, and among how many points such are sought.
+const APART: f64 = 1.5;
+const LOOKED: usize = 40;
+/// How much the least of them may be below the last, which is one as far as its digits tell.
+const NOISE: f64 = 100.0;
+/// What the errors of these points may add up to in the end, over one of them.
+const WEIGHT: f64 = 10.0;
 /// What is reported over what two extrapolations differ by.
 const DOUBT: f64 = 2.0;
 
@@ -20,21 +25,26 @@ const DOUBT: f64 = 2.0;
 /// it doubles, or where r no longer changes while the orbit does, so that the branch turns, however sharply.
 pub fn explain<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> {
     let last = &points[points.len().saturating_sub(POINTS)..];
-    meeting(last, accuracy).or_else(|| turning(last, accuracy))
+    meeting(points, accuracy).or_else(|| turning(last, accuracy))
 }
 
-/// Where both halves of an orbit become one: r is a smooth function of the square by which they differ.
+/// Where both halves of an orbit become one: r is a smooth function of the square by which they differ. The last points
+/// may be one as far as their digits tell, so that only those are compared that differ by more than these.
 fn meeting<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> {
-    let [.., a, b, c] = points else { return None };
     let seen = |point: &P| (point.asymmetry().powi(2), point.r());
-    let [(x, p), (y, q), (z, r)] = [a, b, c].map(seen);
-    let closes = x > y && y > z && z <= CLOSING * CLOSING && z <= STEPS * (y - z);
+    let looked = || points.iter().rev().map(seen).take(LOOKED);
+    let mut earlier = looked();
+    let (z, r) = earlier.next()?;
+    let (y, q) = earlier.find(|(square, _)| *square >= APART * z)?;
+    let (x, p) = earlier.find(|(square, _)| *square >= APART * y)?;
+    let least = looked().fold(f64::INFINITY, |least, (square, _)| least.min(square));
     let line = |(x, p): (f64, f64), (y, q): (f64, f64)| (x * q - y * p) / (x - y);
     let [far, near] = [line((x, p), (y, q)), line((y, q), (z, r))];
     let at = (x * near - z * far) / (x - z);
+    let closes = z <= CLOSING * CLOSING && z <= NOISE * least;
     (closes && at.is_finite()).then(|| {
-        let error = DOUBT * (at - near).abs() + accuracy * at.abs();
-        let mut met = Located::at(Kind::Flip, at, c.clone());
+        let error = DOUBT * (at - near).abs() + WEIGHT * accuracy * at.abs();
+        let mut met = Located::at(Kind::Flip, at, points[points.len() - 1].clone());
         (met.error, met.last) = (error, true);
         met
     })

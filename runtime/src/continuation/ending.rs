@@ -23,6 +23,8 @@ pub enum Ending<E> {
     Left,
     /// Its period has grown this many times.
     Endless(f64),
+    /// It grows without bound as r comes to this value.
+    Unbounded(f64),
     /// It is not any more what was followed: off by this.
     Lost(f64),
     /// Whoever watched wanted no more.

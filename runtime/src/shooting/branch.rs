@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::anchor::problem;
 use super::border::{between, cross};
+use super::bound::unbounded;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
@@ -166,7 +167,11 @@ impl Reader for Orbits {
         let [first, .., last] = orbits else {
             return None;
         };
-        (last.period > ENDLESS * first.period).then_some(Ending::Endless(ENDLESS))
+        let endless = last.period > ENDLESS * first.period;
+        let unbounded = || unbounded(orbits).map(Ending::Unbounded);
+        endless
+            .then_some(Ending::Endless(ENDLESS))
+            .or_else(unbounded)
     }
 
     fn closes(&self, first: &Orbit, back: &Orbit) -> bool {

@@ -2,6 +2,7 @@
 
 mod anchor;
 mod border;
+mod bound;
 mod branch;
 mod centre;
 mod certificate;

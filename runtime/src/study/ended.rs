@@ -39,6 +39,7 @@ impl Ended {
             Ending::Closed(_) => "closed",
             Ending::Left => Kind::Window.name(),
             Ending::Endless(_) => "infinite-period",
+            Ending::Unbounded(_) => "unbounded",
             Ending::Lost(_) => "lost",
             Ending::Interrupted => "interrupted",
             Ending::Unexplained(_) => "unexplained-change",
@@ -58,7 +59,8 @@ impl Ended {
             | Ending::Meets(_)
             | Ending::Closed(_)
             | Ending::Left
-            | Ending::Endless(_) => true,
+            | Ending::Endless(_)
+            | Ending::Unbounded(_) => true,
             Ending::Undecided(..)
             | Ending::FallsBack(_)
             | Ending::Lost(_)
@@ -115,6 +117,7 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
         ),
         Ending::Left => "it reaches an end of the range of the first design variable".to_owned(),
         Ending::Endless(times) => format!("its period has grown more than {times:e} times"),
+        Ending::Unbounded(r) => format!("it grows without bound towards {}", value(r)),
         Ending::Lost(off) => {
             format!("what was followed is no such bifurcation any more: off by {off:.1e}")
         }

@@ -94,7 +94,7 @@ fn phase(problem: &OrbitProblem, found: &Edge) -> DVector<f64> {
     }
 }
 
-/// The branch on the other side, from the first distance at which it is found.
+/// The branch on the other side, from the first distance at which it is found and nothing is passed.
 fn onwards(
     found: &Edge,
     branch: &Branch<OrbitProblem>,
@@ -108,7 +108,11 @@ fn onwards(
         return Beyond::Undecided;
     };
     let hit = other.then(|| sides.hit(&phase, &scale, r_scale)).flatten();
+    let mut nearest = (f64::INFINITY, Beyond::Undecided);
     for distance in DISTANCES {
+        if distance > nearest.0 {
+            continue;
+        }
         let offset = match &hit {
             Some(hit) => hit.guess(distance, |offset| met(found, branch, offset)),
             None => &direction * distance,
@@ -119,11 +123,24 @@ fn onwards(
         work = started.0.problem.work;
         let first = first(&started, last.error_estimate);
         let near = found.orbit.apart(&first) <= FAR * distance;
-        if near && !first.has_word_of(last, 1) {
-            return Beyond::Onwards(Box::new(started));
+        if !near || first.has_word_of(last, 1) {
+            continue;
+        }
+        nearest = (distance, Beyond::Onwards(Box::new(started)));
+        // Where it is hit, one multiplier is unbounded at the border.
+        if hit.is_some() || !passes(found, last, &first) {
+            break;
         }
     }
-    Beyond::Undecided
+    nearest.1
+}
+
+/// Whether a bifurcation lies between the border and the first orbit beyond it, as far as multipliers tell: nobody would
+/// look for it there.
+fn passes(found: &Edge, last: &Orbit, first: &Orbit) -> bool {
+    let beyond = found.seen_from(last, !found.border.happens, 1.0);
+    let certain = [&beyond, first].map(|orbit| orbit.floquet.growths.marginal() == 0);
+    certain == [true; 2] && !found.border.drops && beyond.floquet.unstable != first.floquet.unstable
 }
 
 /// How the motion that begins so far from the border meets the wall: at the slowest of its impacts, if any is.
@@ -201,7 +218,8 @@ pub(in crate::shooting) fn between(
     let whole = ends[0].away(ends[1]);
     let inside = |found: &Edge| {
         let [a, b] = ends.map(|end| found.orbit.away(end));
-        a.max(b) <= BETWEEN * whole
+        // Ends that are one but for their errors need not lie on both sides of it.
+        a.max(b) <= (BETWEEN * whole).max(NOISE * accuracy)
     };
     let (family, scale) = (problem.family.clone(), problem.scale());
     let found = [0, 1].into_iter().find_map(|i| {

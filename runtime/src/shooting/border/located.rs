@@ -22,6 +22,8 @@ const TRIED: usize = 4;
 const SHARPER: [f64; 2] = [0.02, 0.002];
 /// What is reported over what two runs differ by: they share part of their errors.
 const DOUBT: f64 = 2.0;
+/// Part of the accuracy that an error cannot be less than: two runs may agree by chance.
+const SETTLED: f64 = 0.01;
 
 /// An orbit on a border.
 pub(in crate::shooting) struct Edge {
@@ -87,7 +89,7 @@ fn converge(
     let (z, error) = match tight {
         Ok(tight) => {
             let apart = (tight.z[order + 1] - loose.z[order + 1]).abs();
-            (tight.z, DOUBT * apart)
+            (tight.z, DOUBT * apart + SETTLED * accuracy * orbit.r.abs())
         }
         Err(_) => (loose.z.clone(), accuracy * orbit.r.abs()),
     };

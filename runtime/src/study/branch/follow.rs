@@ -1,9 +1,10 @@
 //! One branch of periodic orbits, followed in one direction.
 
+use super::meeting::undouble;
 use super::record::Watch;
 use crate::continuation::{Ending, Located, walk};
 use crate::field::Work;
-use crate::shooting::{Guess, Orbit, OrbitBranch, converge};
+use crate::shooting::{Orbit, OrbitBranch};
 use crate::study::ended::Ended;
 use crate::study::orbit::OrbitRecord;
 use crate::study::orbit::Sought;
@@ -65,32 +66,14 @@ pub(in crate::study) fn follow(
         points.push(point);
         verdict
     });
-    if let (Ending::Meets(_), Some(met)) = (&walked.ending, walked.located.last_mut()) {
+    if let (Ending::Meets(r), Some(met)) = (&mut walked.ending, walked.located.last_mut()) {
         undouble(sought, met);
+        *r = met.r;
     }
     Stretch {
         points,
         located: walked.located,
         ended: Ended::of(&walked.ending, along),
         began: None,
-    }
-}
-
-/// Replaces a doubled orbit that has met the one from which it branches by that one.
-fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>) {
-    let orbit = &met.point;
-    let guess = Guess {
-        period: 0.5 * orbit.period,
-        ..orbit.guess()
-    };
-    match converge(&sought.family, met.r, &guess, &sought.search) {
-        Ok(single) if single.period < 0.75 * orbit.period => met.point = single,
-        // As far as it is known, the doubled orbit is that orbit twice.
-        _ => {
-            met.point.period *= 0.5;
-            let half = met.point.section.len() / 2;
-            met.point.section.truncate(half);
-            met.point.period_count = half;
-        }
     }
 }

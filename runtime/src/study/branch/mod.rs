@@ -2,6 +2,7 @@
 
 mod atlas;
 mod follow;
+mod meeting;
 mod record;
 mod special;
 

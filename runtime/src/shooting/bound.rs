@@ -1,0 +1,34 @@
+//! Where orbits grow without bound.
+
+use super::orbit::Orbit;
+
+/// Orbits that have grown this many times may grow without bound.
+const GROWN: f64 = 1e4;
+/// How many times smaller the orbits are that those at the end are compared with.
+const APART: f64 = 2.0;
+/// Share of the way to it to which two extrapolations of where it is agree.
+const AGREE: f64 = 0.1;
+
+/// Where these orbits grow without bound, if they do: as at a resonance, the inverse of their size is a smooth function of
+/// r that vanishes there.
+pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
+    let (first, last) = (orbits.first()?, orbits.last()?);
+    let [from, to] = [first, last].map(Orbit::magnitude);
+    let growth = |j: &usize| to[*j] / from[*j];
+    let most = (0..to.len()).max_by(|i, j| growth(i).total_cmp(&growth(j)))?;
+    if growth(&most) <= GROWN {
+        return None;
+    }
+    let mut seen = orbits
+        .iter()
+        .rev()
+        .map(|orbit| (orbit.r, orbit.magnitude()[most]));
+    let mut smaller = |size: f64| seen.find(|(_, other)| APART * other <= size);
+    let c = smaller(f64::INFINITY)?;
+    let b = smaller(c.1)?;
+    let a = smaller(b.1)?;
+    let pole =
+        |(r, size): (f64, f64), (s, other): (f64, f64)| (r * size - s * other) / (size - other);
+    let [far, near] = [pole(b, a), pole(c, b)];
+    ((near - far).abs() <= AGREE * (near - c.0).abs()).then_some(near)
+}

@@ -1,0 +1,85 @@
+//! Where a doubled orbit meets the one that it doubles: a flip of that one.
+
+use crate::bifurcation::test_function::flip;
+use crate::continuation::Located;
+use crate::shooting::{Guess, Orbit, Search, converge};
+use crate::study::orbit::Sought;
+
+/// Distance of the first two orbits between which the flip is sought, relative to r.
+const STEP: f64 = 1e-6;
+/// Secants until it must be found.
+const SECANTS: usize = 8;
+/// Distance, relative to r, beyond which a flip is another one.
+const NEAR: f64 = 1e-3;
+/// Part of the accuracy that an error cannot be less than: two runs may agree by chance.
+const SETTLED: f64 = 0.01;
+/// Share of the accuracy at which it is found once more, and what is reported over what both differ by.
+const AGAIN: f64 = 0.1;
+const DOUBT: f64 = 2.0;
+
+/// Replaces a doubled orbit that has met the one from which it branches by that one, and r by the one at which a
+/// multiplier of that is −1.
+pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>) {
+    let orbit = &met.point;
+    let guess = Guess {
+        period: 0.5 * orbit.period,
+        ..orbit.guess()
+    };
+    match converge(&sought.family, met.r, &guess, &sought.search) {
+        Ok(single) if single.period < 0.75 * orbit.period => {
+            match flips(sought, met.r, &single) {
+                Some(flip) if (flip.r - met.r).abs() <= NEAR * met.r.abs() => {
+                    (met.r, met.error, met.point) = (flip.r, flip.error, flip.orbit);
+                }
+                _ => met.point = single,
+            };
+        }
+        // As far as it is known, the doubled orbit is that orbit twice.
+        _ => {
+            met.point.period *= 0.5;
+            let half = met.point.section.len() / 2;
+            met.point.section.truncate(half);
+            met.point.period_count = half;
+        }
+    }
+}
+
+/// A flip: where, to what error, and of which orbit.
+struct Flip {
+    r: f64,
+    error: f64,
+    orbit: Orbit,
+}
+
+/// The flip next to the orbit at r.
+fn flips(sought: &Sought<'_>, r: f64, orbit: &Orbit) -> Option<Flip> {
+    let accuracy = sought.search.accuracy;
+    let at = |r: f64, near: &Orbit, share: f64| {
+        let search = Search {
+            accuracy: share * accuracy,
+            ..sought.search.clone()
+        };
+        converge(&sought.family, r, &near.guess(), &search).ok()
+    };
+    let test = |orbit: &Orbit| flip(&orbit.floquet.multipliers);
+    let (mut last, mut next) = ((r, test(orbit)), r * (1.0 + STEP));
+    let mut orbit = orbit.clone();
+    for _ in 0..SECANTS {
+        orbit = at(next, &orbit, 1.0)?;
+        let value = test(&orbit);
+        let slope = (value - last.1) / (next - last.0);
+        let step = -value / slope;
+        if !step.is_finite() {
+            return None;
+        }
+        let r = next + step;
+        if step.abs() <= accuracy * r.abs() {
+            let sharper = at(r, &orbit, AGAIN)?;
+            let off = (test(&sharper) / slope).abs();
+            let error = DOUBT * off + SETTLED * accuracy * r.abs();
+            return Some(Flip { r, error, orbit });
+        }
+        (last, next) = ((next, value), r);
+    }
+    None
+}
