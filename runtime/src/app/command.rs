@@ -6,7 +6,7 @@ use std::path::Path;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
 use super::commands::{
-    branch, curve, diagram, equilibria, laws, models, orbit, reproduce, simulate, trade,
+    attractors, branch, curve, diagram, equilibria, laws, models, orbit, reproduce, simulate, trade,
 };
 use super::failure::Failure;
 use super::offer::App;
@@ -23,6 +23,7 @@ enum Study {
     Trade(trade::Arguments),
     Equilibria(equilibria::Arguments),
     Diagram(diagram::Arguments),
+    Attractors(attractors::Arguments),
 }
 
 /// The command line of a program.
@@ -85,5 +86,6 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
         Study::Trade(arguments) => trade::perform(app, &arguments),
         Study::Equilibria(arguments) => equilibria::perform(app, &arguments),
         Study::Diagram(arguments) => diagram::perform(app, &arguments),
+        Study::Attractors(arguments) => attractors::perform(app, &arguments),
     }
 }

@@ -16,8 +16,11 @@
 //! | `branch` | [`System::branch`] |
 //! | `curve` | [`System::curve`] |
 //! | `diagram` | [`System::diagram`] |
+//! | `work` | nothing: lists of items, their shares |
+//! | `attractors` | [`System::attractors`] |
 //! | `trade` | [`System::trade`] |
 
+mod attractors;
 mod branch;
 mod curve;
 mod diagram;
@@ -33,7 +36,9 @@ pub mod predict;
 mod question;
 mod system;
 pub mod trade;
+mod work;
 
+pub use attractors::{Attractor, AttractorsRecord, Class, Fate, Found, Region, Side, Survey};
 pub use branch::{BranchRecord, Special};
 pub use curve::{
     CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
@@ -51,3 +56,4 @@ pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::{News, System};
 pub use trade::{End, TradeRecord};
+pub use work::{Item, List, Share};

@@ -1,5 +1,6 @@
 //! What the program does, one folder for each command.
 
+pub(super) mod attractors;
 pub(super) mod branch;
 pub(super) mod curve;
 pub(super) mod diagram;

@@ -1,0 +1,272 @@
+//! Motions with their shares in all forms.
+
+use super::picture;
+use crate::app::answer::Answer;
+use crate::app::document::Document;
+use crate::app::spreadsheet::{Columns, Spreadsheet, full, headed, optional};
+use crate::app::text::{digits, followed, heading, line, number, short, states, table, timed};
+use crate::model::ModelInfo;
+use crate::study::{Attractor, AttractorsRecord, Case, Class, Found, Survey};
+
+/// Digits shown of shares, and of what only shows how a motion is drawn in.
+const SHARE: usize = 4;
+
+pub(super) fn answer<'a>(
+    info: &'a ModelInfo,
+    case: &'a Case,
+    record: &'a AttractorsRecord,
+    shown: [usize; 2],
+) -> Answer<'a> {
+    Answer::new(
+        "attractors",
+        move || describe(info, case, record),
+        move || document(info, case, record),
+    )
+    .figure("attractors", move || picture::picture(info, record, shown))
+    .sheet("attractors", move || motions(info, record))
+    .sheet("starts", move || starts(info, record))
+}
+
+/// What the motions settle on, in a few words.
+pub(super) fn name(found: &Attractor) -> String {
+    match &found.word {
+        Some(word) => format!("{} {word}", found.class),
+        None => found.class.to_string(),
+    }
+}
+
+fn describe(info: &ModelInfo, case: &Case, record: &AttractorsRecord) -> String {
+    let what = format!(
+        "on what {} starts settle in {}",
+        record.starts,
+        within(info, record)
+    );
+    let along = record.along.map(|along| followed(info, &along));
+    let period = timed(info, "period", "s");
+    let columns = [
+        "share",
+        "95 %",
+        "motion",
+        "word",
+        &period,
+        "stability",
+        "drawn in by",
+    ];
+    let head = along
+        .iter()
+        .map(String::as_str)
+        .chain(columns)
+        .chain(info.states.iter().map(|state| state.name));
+    let mut lines = line(head.map(str::to_owned));
+    for survey in &record.surveys {
+        for found in &survey.found {
+            lines += &line(
+                survey
+                    .r
+                    .map(|r| number(r, 6))
+                    .into_iter()
+                    .chain(cells(found)),
+            );
+        }
+    }
+    heading(info, case, &what) + &table(&lines) + &remarks(record)
+}
+
+fn within(info: &ModelInfo, record: &AttractorsRecord) -> String {
+    let side = |side: &crate::study::Side| {
+        let name = info.states.get(side.state).map_or("", |state| state.name);
+        format!("{name} = {}..{}", short(side.low), short(side.high))
+    };
+    record
+        .region
+        .sides
+        .iter()
+        .map(side)
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn cells(found: &Found) -> impl Iterator<Item = String> {
+    let Found {
+        attractor,
+        share,
+        interval,
+        ..
+    } = found;
+    let shown = digits(attractor.error.unwrap_or(1e-9));
+    let of = |value: Option<f64>| value.map_or_else(String::new, |value| number(value, shown));
+    let [low, high] = interval.map(|end| format!("{end:.4}"));
+    let first = [
+        format!("{share:.4}"),
+        format!("{low}..{high}"),
+        attractor.class.to_string(),
+        attractor.word.clone().unwrap_or_default(),
+        of(attractor.period),
+        attractor
+            .stability
+            .map_or("", |stability| stability.name())
+            .to_owned(),
+        drawn(attractor),
+    ];
+    let state = attractor
+        .state
+        .iter()
+        .map(|y| number(*y, shown.min(9)))
+        .collect::<Vec<_>>();
+    let state = if has_place(attractor) {
+        state
+    } else {
+        Vec::new()
+    };
+    first.into_iter().chain(state)
+}
+
+/// Whether the state of a motion lies on it.
+const fn has_place(found: &Attractor) -> bool {
+    matches!(
+        found.class,
+        Class::Equilibrium | Class::Sticking | Class::Orbit | Class::Running
+    )
+}
+
+/// How strongly a motion draws others in: its largest multiplier, the real part of an eigenvalue, or its exponent.
+fn drawn(found: &Attractor) -> String {
+    if let Some([exponent, error]) = found.exponent {
+        return format!(
+            "exponent {} ± {}",
+            number(exponent, SHARE),
+            number(error, 2)
+        );
+    }
+    match (found.class, found.multipliers.first()) {
+        (Class::Orbit | Class::Running, Some([re, im])) => {
+            format!("|μ| = {}", number(re.hypot(*im), SHARE))
+        }
+        (Class::Equilibrium | Class::Sticking, Some([re, _])) => {
+            format!("Re = {}", number(*re, SHARE))
+        }
+        _ => String::new(),
+    }
+}
+
+/// What has no more to be said of it than a reason.
+fn remarks(record: &AttractorsRecord) -> String {
+    let all = record.surveys.iter().flat_map(|survey| &survey.found);
+    let mut said: Vec<String> = all
+        .filter_map(|found| {
+            let reason = found.attractor.reason.as_ref()?;
+            Some(format!(
+                "\n  {}, for instance: {reason}\n",
+                found.attractor.class
+            ))
+        })
+        .collect();
+    said.dedup();
+    said.truncate(4);
+    said.concat()
+}
+
+fn document<'a>(info: &'a ModelInfo, case: &Case, record: &AttractorsRecord) -> Document<'a> {
+    let side = |side: &crate::study::Side| {
+        let name = info.states.get(side.state).map_or("", |state| state.name);
+        serde_json::json!({ "state": name, "from": side.low, "to": side.high })
+    };
+    let survey = |survey: &Survey| {
+        Document::new(info)
+            .maybe("r", survey.r)
+            .list("motions", &survey.found, |found| motion(info, found))
+    };
+    let missing = (record.missing > 0).then(|| serde_json::json!({ "missing": record.missing }));
+    let document = Document::case(info, case)
+        .list("box", &record.region.sides, side)
+        .put("starts", record.starts);
+    let document = match &record.along {
+        Some(along) => document.range("along", along),
+        None => document,
+    };
+    document
+        .list("surveys", &record.surveys, survey)
+        .maybe("interrupted", missing)
+        .units()
+}
+
+fn motion<'a>(info: &'a ModelInfo, found: &Found) -> Document<'a> {
+    let one = &found.attractor;
+    let document = Document::new(info)
+        .put("motion", one.class)
+        .put("count", found.count)
+        .put("share", found.share)
+        .put("interval", found.interval)
+        .maybe("word", one.word.as_ref())
+        .maybe("period", one.period)
+        .states("state", &one.state)
+        .states("min", &one.min)
+        .states("max", &one.max)
+        .maybe("stability", one.stability);
+    let document = match &one.shift {
+        Some(shift) => document.states("shift", shift),
+        None => document,
+    };
+    document
+        .put("multipliers", &one.multipliers)
+        .maybe("exponent", one.exponent)
+        .maybe("error", one.error)
+        .maybe("reason", one.reason.as_ref())
+}
+
+/// The motions, each with the value at which it was found.
+fn motions(info: &ModelInfo, record: &AttractorsRecord) -> Spreadsheet {
+    let along = record.along.map(|along| followed(info, &along));
+    let columns = |r: Option<f64>, number: usize| {
+        Columns::new()
+            .numbers(along.clone(), move |_: &Found, _| r)
+            .column("number", move |_| number.to_string())
+            .column("motion", |found: &Found| found.attractor.class.name())
+            .column("word", |found| {
+                found.attractor.word.clone().unwrap_or_default()
+            })
+            .column("count", |found| found.count.to_string())
+            .number("share", |found| found.share)
+            .number("share_low", |found| found.interval[0])
+            .number("share_high", |found| found.interval[1])
+            .number(timed(info, "period", "s"), |found| found.attractor.period)
+            .column("stability", |found| {
+                found.attractor.stability.map_or("", |one| one.name())
+            })
+            .number("error", |found| found.attractor.error)
+            .numbers(states(info, ""), |found, j| {
+                found.attractor.state.get(j).copied()
+            })
+            .numbers(states(info, "min_"), |found, j| {
+                found.attractor.min.get(j).copied()
+            })
+            .numbers(states(info, "max_"), |found, j| {
+                found.attractor.max.get(j).copied()
+            })
+    };
+    let rows = record.surveys.iter().flat_map(|survey| {
+        let found = survey.found.iter().zip(1..);
+        found.map(move |(found, number)| columns(survey.r, number).row(found))
+    });
+    headed(columns(None, 0).head(), rows.collect::<Vec<_>>())
+}
+
+/// The starts, each with the number of its motion.
+fn starts(info: &ModelInfo, record: &AttractorsRecord) -> Spreadsheet {
+    let along = record.along.map(|along| followed(info, &along));
+    let head = along
+        .into_iter()
+        .chain(states(info, ""))
+        .chain(["number".to_owned()]);
+    let rows = record.surveys.iter().flat_map(|survey| {
+        survey.starts.iter().map(move |(start, of)| {
+            let r = survey.r.map(|r| optional(Some(r)));
+            let states = start.iter().map(full);
+            r.into_iter()
+                .chain(states)
+                .chain([(of + 1).to_string()])
+                .collect()
+        })
+    });
+    headed(head.collect(), rows)
+}
