@@ -62,10 +62,7 @@ impl<T: Serialize + DeserializeOwned + Clone + Send + Sync> Ledger<T> {
         if share.is_some() && !output.is_kept() {
             return refuse!("`--shard` leaves what it finds in a folder: name it with `--out DIR`");
         }
-        let question = question
-            .clone()
-            .and("the number of items", count)
-            .asked_again_by();
+        let question = question.clone().of_items(count);
         let mut known = BTreeMap::new();
         let notes = if let Some(folder) = &sharing.merged {
             known = merged(folder, name, &question, (count, sharing.partial))?;

@@ -89,10 +89,6 @@ impl App {
     }
 
     fn answer(&self, words: Vec<OsString>) -> Result<(), Failure> {
-        let command = command::command(self, words.first());
-        match command.clone().try_get_matches_from(&words) {
-            Ok(matches) => command::perform(self, &matches),
-            Err(error) => usage::explain(&error, &command, &words),
-        }
+        command::again(self, &words)
     }
 }

@@ -9,6 +9,8 @@ use crate::study::Case;
 
 /// The name of the words with which it was asked, which may differ where the question does not.
 const COMMAND: &str = "the command line";
+/// The name of the number of items of a list.
+const ITEMS: &str = "the number of items";
 /// Options that say where and how, and not what: with a value, and without.
 const VALUED: [&str; 3] = ["--out", "--shard", "--threads"];
 const BARE: [&str; 4] = ["--resume", "--json", "--quiet", "--partial"];
@@ -68,12 +70,6 @@ impl Question {
         self.and(name, format!("{value:?}"))
     }
 
-    /// The same with the words of this process, by which it can be asked again.
-    pub(super) fn asked_again_by(self) -> Self {
-        let words: Vec<String> = lasting(std::env::args().skip(1)).collect();
-        self.and(COMMAND, serde_json::to_string(&words).unwrap_or_default())
-    }
-
     /// The words by which it can be asked again.
     pub(super) fn words(&self) -> Option<Vec<String>> {
         serde_json::from_str(self.word(COMMAND)?).ok()
@@ -90,8 +86,20 @@ impl Question {
         serde_json::from_str(words).ok().map(Self)
     }
 
+    /// How many items its list has.
+    pub(super) fn count(&self) -> Option<usize> {
+        self.word(ITEMS)?.parse().ok()
+    }
+
+    /// The same about a list of so many items, with the words of this process, by which it can be asked again.
+    pub(super) fn of_items(self, count: usize) -> Self {
+        let words: Vec<String> = lasting(std::env::args().skip(1)).collect();
+        let words = serde_json::to_string(&words).unwrap_or_default();
+        self.and(ITEMS, count).and(COMMAND, words)
+    }
+
     /// What it says of this.
-    pub(super) fn word(&self, name: &str) -> Option<&str> {
+    fn word(&self, name: &str) -> Option<&str> {
         let mut pairs = self.0.iter();
         pairs
             .find(|(known, _)| known == name)

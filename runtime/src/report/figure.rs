@@ -1,5 +1,8 @@
 //! A figure as data: panels of curves, not yet drawn.
 
+/// How many shades there are for values.
+pub const SHADES: usize = 9;
+
 /// A numbered figure.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
@@ -63,6 +66,13 @@ pub enum Shape {
     Line,
     /// A marker each.
     Points(Marker),
+    /// A tile each, of which so many fill the panel side by side, and on top of each other.
+    Tiles {
+        /// How many.
+        fill: [usize; 2],
+        /// The number of its shade, where values are shades; else the series has a colour.
+        shade: Option<usize>,
+    },
 }
 
 /// A marker.
@@ -180,6 +190,23 @@ impl Curve {
             label: label.into(),
             series,
             shape: Shape::Line,
+            points,
+        }
+    }
+
+    /// Tiles in the colour of a series, or else in shade number `shade`, of which `fill` fill the panel.
+    pub fn tiles(
+        label: impl Into<String>,
+        series: Option<usize>,
+        shade: usize,
+        fill: [usize; 2],
+        points: Vec<[f64; 2]>,
+    ) -> Self {
+        let shade = series.is_none().then_some(shade);
+        Self {
+            label: label.into(),
+            series: series.unwrap_or(0),
+            shape: Shape::Tiles { fill, shade },
             points,
         }
     }

@@ -18,6 +18,7 @@
 //! | `diagram` | [`System::diagram`] |
 //! | `work` | nothing: lists of items, their shares |
 //! | `attractors` | [`System::attractors`] |
+//! | `map` | [`System::map`] |
 //! | `trade` | [`System::trade`] |
 
 mod attractors;
@@ -29,6 +30,7 @@ mod equilibria;
 mod error;
 mod label;
 mod law;
+mod map;
 mod motion;
 mod orbit;
 mod physics;
@@ -51,6 +53,7 @@ pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
 pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen, Strike};
+pub use map::{Asked, Cell, Grid, MapRecord, Quantity};
 pub use motion::{Envelope, Limits, Trajectory};
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};

@@ -116,9 +116,10 @@ impl<'a> Frame<'a> {
         let clip = format!("{name}-clip");
         let curves = self.panel.curves.iter();
         let place = |point| self.place(point);
+        let size = [self.right - self.left, self.bottom - self.top];
         let holds = |place| self.holds(place);
         let curves: String = curves
-            .map(|one| curve::draw(one, place, holds, &clip))
+            .map(|one| curve::draw(one, (place, size), holds, &clip))
             .collect();
         let [left, top] = [self.left, self.top].map(number);
         let [width, height] = [self.right - self.left, self.bottom - self.top].map(number);

@@ -1,5 +1,6 @@
 //! A system at one value of its parameters, with all that its motions are followed with.
 
+use super::record::Attractor;
 use super::setting::Region;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
@@ -9,6 +10,13 @@ use crate::study::system::System;
 
 /// Relative accuracy with which motions are followed until they are recognised.
 const ROUGH: f64 = 1e-7;
+
+/// What the start of a case, in which nothing is followed, settles on.
+pub(in crate::study) fn closely(system: &System, case: &Case) -> Result<Attractor, FlowError> {
+    let nowhere = Region { sides: Vec::new() };
+    let ground = Ground::new(system, case.clone(), &nowhere)?;
+    Ok(ground.closely(&ground.start(0)))
+}
 
 pub(super) struct Ground<'a> {
     pub(super) system: &'a System,

@@ -20,5 +20,6 @@ mod statistics;
 mod survey;
 mod trap;
 
+pub(in crate::study) use ground::closely;
 pub use record::{Attractor, AttractorsRecord, Class, Fate, Found, Survey};
 pub use setting::{Region, Side};

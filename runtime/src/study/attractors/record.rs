@@ -123,6 +123,15 @@ pub struct AttractorsRecord {
 }
 
 impl Attractor {
+    /// What it is in a few words: its class, and its word if it has one.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match &self.word {
+            Some(word) => format!("{} {word}", self.class),
+            None => self.class.to_string(),
+        }
+    }
+
     /// A motion of which no more is known than what it is, and why.
     pub(super) fn bare(class: Class, state: &[f64], reason: Option<String>) -> Self {
         Self {

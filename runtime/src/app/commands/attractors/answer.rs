@@ -27,14 +27,6 @@ pub(super) fn answer<'a>(
     .sheet("starts", move || starts(info, record))
 }
 
-/// What the motions settle on, in a few words.
-pub(super) fn name(found: &Attractor) -> String {
-    match &found.word {
-        Some(word) => format!("{} {word}", found.class),
-        None => found.class.to_string(),
-    }
-}
-
 fn describe(info: &ModelInfo, case: &Case, record: &AttractorsRecord) -> String {
     let what = format!(
         "on what {} starts settle in {}",

@@ -17,7 +17,7 @@ use crate::app::show::Show;
 use crate::app::values::{Reading, counted};
 use crate::model::ModelInfo;
 use crate::study::{Fate, Item, Region};
-use region::Sides;
+pub(in crate::app::commands) use region::Sides;
 
 /// Find all motions on which starts in a region settle, and the share of each
 #[derive(Debug, Clone, Args)]

@@ -1,6 +1,5 @@
 //! Basins in a plane of two states, or shares along what is followed.
 
-use super::answer::name;
 use crate::app::chart::{along_axis, axis};
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
@@ -41,7 +40,7 @@ fn basins(
     let clouds = found.iter().enumerate().map(|(number, one)| {
         let all = starts.iter().take(DRAWN).filter(|(_, of)| *of == number);
         let points = all.map(|(start, _)| at(start)).collect();
-        let label = format!("{} ({:.2} %)", name(&one.attractor), 100.0 * one.share);
+        let label = format!("{} ({:.2} %)", one.attractor.name(), 100.0 * one.share);
         Curve::points(label, number + 1, Marker::Dot, points)
     });
     let resting = found
@@ -68,7 +67,7 @@ fn shares(info: &ModelInfo, record: &AttractorsRecord, along: &Along) -> Figure 
     );
     let mut names: Vec<String> = Vec::new();
     for found in record.surveys.iter().flat_map(|survey| &survey.found) {
-        let name = name(&found.attractor);
+        let name = found.attractor.name();
         if !names.contains(&name) {
             names.push(name);
         }
@@ -77,7 +76,7 @@ fn shares(info: &ModelInfo, record: &AttractorsRecord, along: &Along) -> Figure 
         let found = survey
             .found
             .iter()
-            .filter(|one| name(&one.attractor) == *wanted);
+            .filter(|one| one.attractor.name() == *wanted);
         Some([survey.r?, found.map(|one| one.share).sum::<f64>()])
     };
     let curves = names.iter().enumerate().map(|(number, wanted)| {

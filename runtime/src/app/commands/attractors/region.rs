@@ -8,17 +8,17 @@ use crate::study::{Region, Side};
 
 /// Sides by the names of their states.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Sides(Vec<Range>);
+pub(in crate::app::commands) struct Sides(Vec<Range>);
 
 impl Sides {
     /// `x=-2..2,v=0..2`.
-    pub(super) fn read(option: &str, word: &str) -> Result<Self, Failure> {
+    pub(in crate::app::commands) fn read(option: &str, word: &str) -> Result<Self, Failure> {
         let sides = word.split(',').map(|side| Range::read(option, side));
         sides.collect::<Result<_, _>>().map(Self)
     }
 
     /// The region in the states of a model.
-    pub(super) fn of(&self, info: &ModelInfo) -> Result<Region, Failure> {
+    pub(in crate::app::commands) fn of(&self, info: &ModelInfo) -> Result<Region, Failure> {
         let mut sides: Vec<Side> = Vec::new();
         for Range { name, from, to, .. } in &self.0 {
             let state = state(info, name)?;
