@@ -19,6 +19,8 @@ mod refusals;
 mod resumed;
 mod saved;
 #[cfg(unix)]
+mod shared;
+#[cfg(unix)]
 mod streamed;
 mod trade;
 

@@ -40,7 +40,9 @@ mod system;
 pub mod trade;
 mod work;
 
-pub use attractors::{Attractor, AttractorsRecord, Class, Fate, Found, Region, Side, Survey};
+pub use attractors::{
+    Attractor, AttractorsRecord, Class, Fate, Found, Region, Sampling, Side, Survey,
+};
 pub use branch::{BranchRecord, Special};
 pub use curve::{
     CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,

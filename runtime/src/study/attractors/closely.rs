@@ -21,7 +21,7 @@ const SOON: f64 = 4.0;
 /// A rest and the equilibrium that it is are so far apart, in usual sizes.
 const NEAR: f64 = 1e-5;
 /// Returns this close, in usual sizes, on end, are those of an orbit.
-const CLOSE: f64 = 1e-4;
+const CLOSE: f64 = 3e-2;
 const ON_END: usize = 4;
 /// Most crossings between them.
 const LONGEST: usize = 16;
@@ -161,7 +161,8 @@ impl Ground<'_> {
             if let Some(found) = running(self, section, &crossings[section])? {
                 return Ok(Look::Running(Box::new(found)));
             }
-            if returns(&crossings[section], &self.usual) {
+            let points = crossings[section].iter().map(|(_, state)| state);
+            if returns(points.rev(), &self.usual, CLOSE) {
                 return Ok(Look::Further);
             }
         }
@@ -209,15 +210,17 @@ fn judged(mut found: Attractor, spectrum: &Spectrum) -> Attractor {
     found
 }
 
-/// Whether the last crossings come back, each near one a few before.
-fn returns(crossings: &[Crossing], usual: &[f64]) -> bool {
+/// Whether the last crossings, the latest first, come back, each this near to one a few before.
+pub(super) fn returns<'a>(
+    latest: impl Iterator<Item = &'a Vec<f64>>,
+    usual: &[f64],
+    close: f64,
+) -> bool {
+    let latest: Vec<&Vec<f64>> = latest.take(ON_END + LONGEST).collect();
     (1..=LONGEST).any(|k| {
-        let pairs = (0..ON_END).map(|i| {
-            let last = crossings.len().checked_sub(i + 1)?;
-            Some((&crossings[last].1, &crossings[last.checked_sub(k)?].1))
-        });
-        pairs
-            .into_iter()
-            .all(|pair| pair.is_some_and(|(a, b)| apart(a, b, usual) <= CLOSE))
+        (0..ON_END).all(|i| {
+            let pair = latest.get(i).zip(latest.get(i + k));
+            pair.is_some_and(|(a, b)| apart(a, b, usual) <= close)
+        })
     })
 }

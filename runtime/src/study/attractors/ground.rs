@@ -52,6 +52,11 @@ impl<'a> Ground<'a> {
         })
     }
 
+    /// The start at these shares of the sides of the region.
+    pub(super) fn at(&self, shares: &[f64]) -> Vec<f64> {
+        self.region.at(shares.iter().copied(), &self.others)
+    }
+
     pub(super) fn start(&self, k: usize) -> Vec<f64> {
         self.region.start(k, &self.others)
     }

@@ -6,6 +6,7 @@
 //! comes nearer to a known orbit for as many laps as that takes to attract. Only what remains is looked at closely, too.
 //! So each start depends on the question alone, and on no other start beyond those first ones.
 
+mod areas;
 mod basin;
 mod closely;
 mod copies;
@@ -22,4 +23,4 @@ mod trap;
 
 pub(in crate::study) use ground::closely;
 pub use record::{Attractor, AttractorsRecord, Class, Fate, Found, Survey};
-pub use setting::{Region, Side};
+pub use setting::{Region, Sampling, Side};

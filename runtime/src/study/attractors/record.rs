@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::setting::Region;
+use super::setting::Sampling;
 use crate::bifurcation::Stability;
 use crate::motion::{Modes, apart};
 use crate::study::question::Along;
@@ -94,6 +94,8 @@ pub struct Found {
     pub share: f64,
     /// The ends of Wilson's interval for it at 95 %, as if the starts were independent.
     pub interval: [f64; 2],
+    /// The share of the region's area and its estimated error, if that was wanted.
+    pub area: Option<[f64; 2]>,
 }
 
 /// What all starts settle on at one value of a design variable.
@@ -110,12 +112,10 @@ pub struct Survey {
 /// All motions, without a seed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttractorsRecord {
-    /// Where the starts lie.
-    pub region: Region,
+    /// Where the starts lie, and how many there are.
+    pub sampling: Sampling,
     /// What is followed, if anything is.
     pub along: Option<Along>,
-    /// How many starts at each value.
-    pub starts: usize,
     /// One survey for each value.
     pub surveys: Vec<Survey>,
     /// How many starts have no answer yet, because it was interrupted.
@@ -215,6 +215,7 @@ impl Found {
             count,
             share: count as f64 / all.max(1) as f64,
             interval: wilson(count, all),
+            area: None,
         }
     }
 }

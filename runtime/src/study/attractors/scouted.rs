@@ -1,6 +1,9 @@
 //! What the first starts have found, and how later ones are recognised by it.
 
+use std::collections::VecDeque;
+
 use super::basin::Basin;
+use super::closely::returns;
 use super::copies;
 use super::ground::Ground;
 use super::memo::Memo;
@@ -18,6 +21,10 @@ const SCOUTS: usize = 32;
 const PASSAGES: usize = 4000;
 /// Steps of the integrator for that.
 const STEPS: u64 = 2_000_000;
+/// Returns this close, in usual sizes, are those of a motion that has settled without being held.
+const SETTLED: f64 = 1e-7;
+/// Crossings that are looked back at.
+const BACK: usize = 20;
 /// Most passages of a scout that are kept.
 const KEPT: usize = 64;
 
@@ -146,10 +153,9 @@ impl<'a> Scouted<'a> {
         }
     }
 
-    /// What becomes of start number `k`.
-    pub(super) fn fate(&self, k: usize) -> Fate {
-        let start = self.ground.start(k);
-        if let Some(of) = self.future(&start, &mut Vec::new()) {
+    /// What becomes of a start.
+    pub(super) fn fate(&self, start: &[f64]) -> Fate {
+        if let Some(of) = self.future(start, &mut Vec::new()) {
             return Fate::Known(of);
         }
         let usual = &self.ground.usual;
@@ -160,17 +166,22 @@ impl<'a> Scouted<'a> {
         };
         let wild = |one: &Attractor| matches!(one.class, Class::Torus | Class::Chaos);
         if self.attractors.iter().any(wild)
-            && let Ok(Some(new)) = irregular(&self.ground, &start)
+            && let Ok(Some(new)) = irregular(&self.ground, start)
         {
             return known(&new).map_or_else(|| Fate::Other(Box::new(new)), Fate::Known);
         }
-        let new = self.ground.closely(&start);
+        let new = self.ground.closely(start);
         known(&new).map_or_else(|| Fate::Other(Box::new(new)), Fate::Known)
     }
 
-    /// The start itself.
+    /// Start number `k`.
     pub(super) fn start(&self, k: usize) -> Vec<f64> {
         self.ground.start(k)
+    }
+
+    /// The start at these shares of the sides of the region.
+    pub(super) fn at(&self, shares: &[f64]) -> Vec<f64> {
+        self.ground.at(shares)
     }
 
     /// Whether two motions are one, but for shifts that change nothing.
@@ -198,9 +209,17 @@ impl<'a> Scouted<'a> {
         let ground = &self.ground;
         let mut pursuit = Pursuit::new(ground.flow.as_ref(), start)?;
         let mut holds: Vec<Option<Hold>> = vec![None; self.traps.len()];
+        let section = ground.flow.phase().unwrap_or(0);
+        let mut latest: VecDeque<Vec<f64>> = VecDeque::new();
         for _ in 0..PASSAGES {
             let begun = pursuit.time;
             let passage = pursuit.on()?;
+            let before = latest.len();
+            for minimum in minima(&passage, section) {
+                latest.push_front(minimum.state.clone());
+            }
+            let crossed = latest.len() > before;
+            latest.truncate(BACK);
             let future = self
                 .memo
                 .future(&passage, &ground.usual)
@@ -227,7 +246,8 @@ impl<'a> Scouted<'a> {
                     .iter()
                     .position(|known| self.same(known, &found)));
             }
-            if pursuit.steps > STEPS {
+            if pursuit.steps > STEPS || (crossed && returns(latest.iter(), &ground.usual, SETTLED))
+            {
                 break;
             }
         }

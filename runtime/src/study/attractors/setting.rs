@@ -20,18 +20,35 @@ pub struct Region {
     pub sides: Vec<Side>,
 }
 
+/// From where motions are followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sampling {
+    /// Where starts lie.
+    pub region: Region,
+    /// How many starts at each value of what is followed.
+    pub starts: usize,
+    /// How many values.
+    pub values: usize,
+    /// Whether shares are areas, too: of a region with two sides.
+    pub areas: bool,
+}
+
 impl Region {
-    /// Start number `k`: all fill the region evenly, and each depends on nothing but its number.
-    #[must_use]
-    pub fn start(&self, k: usize, others: &[f64]) -> Vec<f64> {
+    /// The start at these shares of its sides.
+    pub(super) fn at(&self, shares: impl Iterator<Item = f64>, others: &[f64]) -> Vec<f64> {
         let mut start = others.to_vec();
-        let spread = Spread::new(self.sides.len());
-        for (side, share) in self.sides.iter().zip(spread.point(k)) {
+        for (side, share) in self.sides.iter().zip(shares) {
             if let Some(place) = start.get_mut(side.state) {
                 *place = side.low + share * (side.high - side.low);
             }
         }
         start
+    }
+
+    /// Start number `k`: all fill the region evenly, and each depends on nothing but its number.
+    #[must_use]
+    pub fn start(&self, k: usize, others: &[f64]) -> Vec<f64> {
+        self.at(Spread::new(self.sides.len()).point(k), others)
     }
 
     /// How large the states are in it, beside those of a start.

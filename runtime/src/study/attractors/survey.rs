@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
+use super::areas::areas;
 use super::ground::Ground;
 use super::record::{Attractor, AttractorsRecord, Fate, Found, Survey};
 use super::scouted::Scouted;
-use super::setting::Region;
+use super::setting::Sampling;
 use crate::flow::FlowError;
 use crate::study::error::StudyError;
 use crate::study::question::Case;
@@ -15,21 +16,21 @@ use crate::study::system::System;
 use crate::study::work::{Item, List};
 
 impl System {
-    /// On what motions from starts in a region settle: `list` has `starts` items for each of the values that are
-    /// followed, value after value, and `watch` sees each.
+    /// On what motions from starts in a region settle: `list` has an item for each start at each of the values that are
+    /// followed, value after value, and `watch` sees each. Areas are found once all starts are there.
     ///
     /// # Errors
     /// The case cannot be asked.
     pub fn attractors(
         &self,
         case: &Case,
-        region: &Region,
-        (values, starts): (usize, usize),
+        sampling: &Sampling,
         list: &List<Fate>,
         watch: &(dyn Fn(Item<'_, Fate>) -> ControlFlow<()> + Sync),
     ) -> Result<AttractorsRecord, StudyError> {
         self.check(case)?;
-        let stations = stations(case, values);
+        let (region, starts) = (&sampling.region, sampling.starts);
+        let stations = stations(case, sampling.values);
         let scouted: Vec<OnceLock<Result<Scouted<'_>, FlowError>>> =
             stations.iter().map(|_| OnceLock::new()).collect();
         let at = |station: usize| {
@@ -39,7 +40,7 @@ impl System {
             })
         };
         let one = |number: usize| match at(number / starts) {
-            Ok(scouted) => scouted.fate(number % starts),
+            Ok(scouted) => scouted.fate(&scouted.start(number % starts)),
             Err(error) => {
                 let start = region.start(number % starts, &self.start(case));
                 let class = super::record::Class::Failed;
@@ -55,13 +56,16 @@ impl System {
             let fates = found.range(station * starts..(station + 1) * starts);
             let fates: BTreeMap<usize, &Fate> = fates.map(|(n, fate)| (n % starts, fate)).collect();
             let scouted = at(station).as_ref().ok()?;
-            Some(survey(scouted, stations[station].0, &fates))
+            let mut survey = survey(scouted, stations[station].0, &fates);
+            if sampling.areas && found.len() == list.count && region.sides.len() == 2 {
+                measure(scouted, &mut survey, list.threads);
+            }
+            Some(survey)
         });
         Ok(AttractorsRecord {
             surveys: surveys.collect(),
-            region: region.clone(),
+            sampling: sampling.clone(),
             along: case.along,
-            starts,
             missing: list.count - found.len(),
         })
     }
@@ -90,6 +94,8 @@ fn survey(scouted: &Scouted<'_>, r: Option<f64>, fates: &BTreeMap<usize, &Fate>)
     let mut starts: Vec<(Vec<f64>, usize)> = Vec::new();
     for (k, fate) in fates {
         let of = match fate {
+            // What is no motion here was noted by another program.
+            Fate::Known(of) if *of >= scouted.attractors.len() => continue,
             Fate::Known(of) => *of,
             Fate::Other(new) => {
                 let known = attractors.iter().position(|known| scouted.same(known, new));
@@ -115,5 +121,26 @@ fn survey(scouted: &Scouted<'_>, r: Option<f64>, fates: &BTreeMap<usize, &Fate>)
         r,
         found: found.collect(),
         starts,
+    }
+}
+
+/// Measures the areas of the basins of all motions that were found.
+fn measure(scouted: &Scouted<'_>, survey: &mut Survey, threads: Option<usize>) {
+    let known = &survey.found;
+    let place = |found: &Attractor| {
+        known
+            .iter()
+            .position(|one| scouted.same(&one.attractor, found))
+    };
+    let basin = |at: [f64; 2]| {
+        let of = match scouted.fate(&scouted.at(&at)) {
+            Fate::Known(of) => place(&scouted.attractors[of]),
+            Fate::Other(new) => place(&new),
+        };
+        of.unwrap_or(known.len())
+    };
+    let found = areas(known.len() + 1, threads, &basin);
+    for (one, share) in survey.found.iter_mut().zip(found.shares) {
+        one.area = Some([share, found.error]);
     }
 }

@@ -7,7 +7,10 @@ use crate::bifurcation::Stability;
 use crate::motion::{Flow, Place};
 
 /// Sizes tried, in half extents of the orbit.
-const SIZES: [f64; 9] = [0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5];
+const SIZES: [f64; 6] = [0.3, 0.1, 0.03, 0.01, 3e-3, FAINT];
+/// The size at which it is found out how many laps that takes, over those that the multipliers alone would need.
+const FAINT: f64 = 1e-3;
+const FACTORS: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 5.0, 8.0];
 /// Share of its size to which a trap is to shrink while it is watched.
 const FALL: f64 = 0.5;
 /// Most laps for which it is watched.
@@ -59,15 +62,18 @@ impl Trap {
         if let Some(phase) = flow.phase() {
             units[phase] = f64::INFINITY;
         }
-        let trap = |size: f64| Self {
+        let trap = |size: f64, factor: f64| Self {
             of,
             orbit: orbit.clone(),
             units: units.clone(),
             size,
-            crossings: laps as usize * orbit.points.len(),
+            crossings: (factor * laps).ceil() as usize * orbit.points.len(),
         };
         let held = |trap: &Self| trap.holds(flow);
-        SIZES.into_iter().map(trap).find(held)
+        let faint = |factor: &f64| trap(FAINT, *factor).holds(flow);
+        let factor = FACTORS.into_iter().find(faint)?;
+        let mut sizes = SIZES.into_iter().map(|size| trap(size, factor));
+        sizes.find(held)
     }
 
     /// The state whose minima are its section.

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use super::cell::Cell;
 use crate::field::Smoothing;
 use crate::motion::half_extents;
-use crate::study::attractors::{Attractor, Class, Region, closely};
+use crate::study::attractors::{Attractor, Class, Region, Sampling, closely};
 use crate::study::question::Case;
 use crate::study::system::System;
 use crate::study::work::{List, Share};
@@ -94,9 +94,13 @@ fn share(system: &System, case: &Case, class: Class, (region, starts): (&Region,
         known: BTreeMap::new(),
         closed: false,
     };
-    let found = system.attractors(case, region, (1, starts), &list, &|_| {
-        ControlFlow::Continue(())
-    });
+    let sampling = Sampling {
+        region: region.clone(),
+        starts,
+        values: 1,
+        areas: false,
+    };
+    let found = system.attractors(case, &sampling, &list, &|_| ControlFlow::Continue(()));
     match found {
         Ok(record) => {
             let all = record.surveys.iter().flat_map(|survey| &survey.found);

@@ -30,26 +30,17 @@ pub(super) fn answer<'a>(
 fn describe(info: &ModelInfo, case: &Case, record: &AttractorsRecord) -> String {
     let what = format!(
         "on what {} starts settle in {}",
-        record.starts,
+        record.sampling.starts,
         within(info, record)
     );
     let along = record.along.map(|along| followed(info, &along));
+    let area = record.sampling.areas.then(|| "area".to_owned());
     let period = timed(info, "period", "s");
-    let columns = [
-        "share",
-        "95 %",
-        "motion",
-        "word",
-        &period,
-        "stability",
-        "drawn in by",
-    ];
-    let head = along
-        .iter()
-        .map(String::as_str)
-        .chain(columns)
-        .chain(info.states.iter().map(|state| state.name));
-    let mut lines = line(head.map(str::to_owned));
+    let columns = ["motion", "word", &period, "stability", "drawn in by"].map(str::to_owned);
+    let shares = ["share", "95 %"].map(str::to_owned).into_iter().chain(area);
+    let states = info.states.iter().map(|state| state.name.to_owned());
+    let head = along.into_iter().chain(shares).chain(columns).chain(states);
+    let mut lines = line(head);
     for survey in &record.surveys {
         for found in &survey.found {
             lines += &line(
@@ -70,6 +61,7 @@ fn within(info: &ModelInfo, record: &AttractorsRecord) -> String {
         format!("{name} = {}..{}", short(side.low), short(side.high))
     };
     record
+        .sampling
         .region
         .sides
         .iter()
@@ -82,35 +74,28 @@ fn cells(found: &Found) -> impl Iterator<Item = String> {
     let Found {
         attractor,
         share,
-        interval,
+        interval: [low, high],
+        area,
         ..
     } = found;
     let shown = digits(attractor.error.unwrap_or(1e-9));
-    let of = |value: Option<f64>| value.map_or_else(String::new, |value| number(value, shown));
-    let [low, high] = interval.map(|end| format!("{end:.4}"));
-    let first = [
-        format!("{share:.4}"),
-        format!("{low}..{high}"),
+    let shares = [format!("{share:.4}"), format!("{low:.4}..{high:.4}")];
+    let area = area.map(|[area, error]| format!("{area:.6} ± {}", number(error, 1)));
+    let columns = [
         attractor.class.to_string(),
         attractor.word.clone().unwrap_or_default(),
-        of(attractor.period),
         attractor
-            .stability
-            .map_or("", |stability| stability.name())
-            .to_owned(),
+            .period
+            .map_or_else(String::new, |value| number(value, shown)),
+        attractor.stability.map_or("", |one| one.name()).to_owned(),
         drawn(attractor),
     ];
     let state = attractor
         .state
         .iter()
-        .map(|y| number(*y, shown.min(9)))
-        .collect::<Vec<_>>();
-    let state = if has_place(attractor) {
-        state
-    } else {
-        Vec::new()
-    };
-    first.into_iter().chain(state)
+        .map(move |y| number(*y, shown.min(9)));
+    let state = state.filter(|_| has_place(attractor));
+    shares.into_iter().chain(area).chain(columns).chain(state)
 }
 
 /// Whether the state of a motion lies on it.
@@ -170,8 +155,8 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, record: &AttractorsRecord) -> 
     };
     let missing = (record.missing > 0).then(|| serde_json::json!({ "missing": record.missing }));
     let document = Document::case(info, case)
-        .list("box", &record.region.sides, side)
-        .put("starts", record.starts);
+        .list("box", &record.sampling.region.sides, side)
+        .put("starts", record.sampling.starts);
     let document = match &record.along {
         Some(along) => document.range("along", along),
         None => document,
@@ -189,6 +174,7 @@ fn motion<'a>(info: &'a ModelInfo, found: &Found) -> Document<'a> {
         .put("count", found.count)
         .put("share", found.share)
         .put("interval", found.interval)
+        .maybe("area", found.area)
         .maybe("word", one.word.as_ref())
         .maybe("period", one.period)
         .states("state", &one.state)
@@ -221,6 +207,8 @@ fn motions(info: &ModelInfo, record: &AttractorsRecord) -> Spreadsheet {
             .number("share", |found| found.share)
             .number("share_low", |found| found.interval[0])
             .number("share_high", |found| found.interval[1])
+            .number("area", |found| Some(found.area?[0]))
+            .number("area_error", |found| Some(found.area?[1]))
             .number(timed(info, "period", "s"), |found| found.attractor.period)
             .column("stability", |found| {
                 found.attractor.stability.map_or("", |one| one.name())

@@ -12,11 +12,11 @@ use crate::app::ledger::{Ledger, Sharing};
 use crate::app::offer::App;
 use crate::app::progress::Progress;
 use crate::app::question::Question;
-use crate::app::request::{Request, request};
+use crate::app::request::request;
 use crate::app::show::Show;
 use crate::app::values::{Reading, counted};
 use crate::model::ModelInfo;
-use crate::study::{Fate, Item, Region};
+use crate::study::{Fate, Item, Region, Sampling};
 pub(in crate::app::commands) use region::Sides;
 
 /// Find all motions on which starts in a region settle, and the share of each
@@ -40,6 +40,9 @@ pub(in crate::app) struct Arguments {
     /// How many starts at each value
     #[arg(long, value_name = "N", default_value = "1000", value_parser = counted::<1, 1_000_000_000>())]
     starts: usize,
+    /// Shares as areas, too, by lines across a region with two sides: some four digits more
+    #[arg(long)]
+    areas: bool,
     #[command(flatten)]
     show: Show,
     #[command(flatten)]
@@ -53,13 +56,21 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         );
     };
     let asked = request(app, &arguments.subject, arguments.way.along.as_ref(), None)?;
-    let region = sides.of(asked.info)?;
-    let shown = arguments.shown(asked.info, &region)?;
-    let values = asked.case.along.map_or(1, |_| arguments.values);
-    let Some(count) = values.checked_mul(arguments.starts) else {
+    let sampling = Sampling {
+        region: sides.of(asked.info)?,
+        starts: arguments.starts,
+        values: asked.case.along.map_or(1, |_| arguments.values),
+        areas: arguments.areas,
+    };
+    if sampling.areas && sampling.region.sides.len() != 2 {
+        return refuse!("`--areas` are those of a region with two sides: `--box x=A..B,v=C..D`");
+    }
+    let shown = arguments.shown(asked.info, &sampling.region)?;
+    let Some(count) = sampling.values.checked_mul(sampling.starts) else {
         return refuse!("`--values` times `--starts` are too many");
     };
-    let question = question(app, &asked, &region, (values, arguments.starts));
+    let question =
+        Question::new(app.version, asked.info, &asked.case).exactly("`--box`", &sampling);
     let output = &asked.output;
     let ledger: Ledger<Fate> =
         Ledger::open(output, &arguments.sharing, "attractors", &question, count)?;
@@ -69,32 +80,13 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         progress.reach(item.done, "starts followed".to_owned())
     };
     let (entry, case) = (asked.entry, &asked.case);
-    let record = entry.attractors(
-        case,
-        &region,
-        (values, arguments.starts),
-        &ledger.list,
-        &watch,
-    );
+    let record = entry.attractors(case, &sampling, &ledger.list, &watch);
     let record = asked.got(record)?;
     drop(progress);
     if !ledger.is_shared() {
         output.deliver(&answer::answer(asked.info, case, &record, shown))?;
     }
     ledger.close(output, record.missing)
-}
-
-/// What is asked, as far as the answer depends on it.
-fn question(
-    app: &App,
-    asked: &Request<'_>,
-    region: &Region,
-    (values, starts): (usize, usize),
-) -> Question {
-    Question::new(app.version, asked.info, &asked.case)
-        .exactly("`--box`", region)
-        .and("`--values`", values)
-        .and("`--starts`", starts)
 }
 
 impl Arguments {

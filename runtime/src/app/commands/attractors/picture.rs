@@ -24,14 +24,19 @@ fn basins(
     let title = format!("{}: basins of attraction", info.command);
     let caption = format!(
         "{} starts, each in the colour of the motion on which it settles.",
-        record.starts
+        record.sampling.starts
     );
     let [x, y] = shown.map(|state| {
         let axis = info
             .states
             .get(state)
             .map_or_else(|| Axis::new(""), |one| axis(one.name, one.unit));
-        let side = record.region.sides.iter().find(|side| side.state == state);
+        let side = record
+            .sampling
+            .region
+            .sides
+            .iter()
+            .find(|side| side.state == state);
         side.map_or(axis.clone(), |side| axis.from(side.low, side.high))
     });
     let found = survey.map_or(&[][..], |survey| &survey.found);
@@ -62,7 +67,7 @@ fn shares(info: &ModelInfo, record: &AttractorsRecord, along: &Along) -> Figure 
     let title = format!("{}: shares of motions", info.command);
     let caption = format!(
         "{} starts at each of {} values.",
-        record.starts,
+        record.sampling.starts,
         record.surveys.len()
     );
     let mut names: Vec<String> = Vec::new();

@@ -1,0 +1,6 @@
+//! All motions without a seed: shares of published systems, boundaries in closed form, and nothing that depends on how
+//! the work is shared.
+
+mod models;
+mod shares;
+mod sharing;
