@@ -101,7 +101,7 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
         Study::Diagram(arguments) => diagram::perform(app, &arguments),
         Study::Attractors(arguments) => attractors::perform(app, &arguments),
         Study::Map(arguments) => map::perform(app, &arguments),
-        Study::Merge(arguments) => merge::perform(app, &arguments),
+        Study::Merge(arguments) => again(app, &merge::words(&arguments)?),
         Study::Status(arguments) => status::perform(app, &arguments),
     }
 }

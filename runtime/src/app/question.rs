@@ -3,10 +3,11 @@
 use std::fmt::{Debug, Display};
 
 use super::failure::Failure;
-use super::resume::ANEW;
 use crate::model::ModelInfo;
 use crate::study::Case;
 
+/// The way out of notes that do not help.
+pub(super) const ANEW: &str = "leave out `--resume` to begin anew";
 /// The name of the words with which it was asked, which may differ where the question does not.
 const COMMAND: &str = "the command line";
 /// The name of the number of items of a list.

@@ -15,11 +15,8 @@ use super::failure::{Failure, refuse};
 use super::interrupt::ENDING;
 use super::journal::Growing;
 use super::output::Output;
-use super::question::Question;
+use super::question::{ANEW, Question};
 use super::seal::Seal;
-
-/// The way out of notes that do not help.
-pub(super) const ANEW: &str = "leave out `--resume` to begin anew";
 
 /// The notes of a command.
 pub(super) struct Notes(Option<(PathBuf, Option<Sealed>)>);

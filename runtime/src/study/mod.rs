@@ -10,13 +10,13 @@
 //! | `law` | the force of a law on its own |
 //! | `predict` | what a smoothing would make of an exact orbit |
 //! | `system` | whether a case can be asked at all |
+//! | `work` | nothing: lists of items, and shares of them |
 //! | `motion` | [`System::motion`], [`System::crossings`] |
 //! | `equilibria` | [`System::equilibria`], [`System::equilibria_along`], [`System::proofs`] |
 //! | `orbit` | [`System::orbit`], [`System::certified_orbit`] |
 //! | `branch` | [`System::branch`] |
 //! | `curve` | [`System::curve`] |
 //! | `diagram` | [`System::diagram`] |
-//! | `work` | nothing: lists of items, their shares |
 //! | `attractors` | [`System::attractors`] |
 //! | `map` | [`System::map`] |
 //! | `trade` | [`System::trade`] |
@@ -48,8 +48,7 @@ pub use curve::{
     CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
 };
 pub use diagram::{
-    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher, parallel,
-    parallel_on,
+    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
 };
 pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
@@ -61,4 +60,4 @@ pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::{News, System};
 pub use trade::{End, TradeRecord};
-pub use work::{Item, List, Share};
+pub use work::{Item, List, Share, parallel, parallel_on};

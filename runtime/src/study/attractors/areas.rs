@@ -1,6 +1,6 @@
 //! Shares as areas: along lines across a plane region it is found out where basins end, and the lengths are integrated.
 
-use crate::study::diagram::parallel_on;
+use crate::study::work::parallel_on;
 
 /// Places on a line between which basins are looked for: a basin that is narrower everywhere is overlooked.
 const PLACES: usize = 64;

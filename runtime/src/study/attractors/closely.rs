@@ -12,8 +12,8 @@ use crate::motion::{Passage, Place, apart, sticking, word};
 use crate::shooting::{Orbit, OrbitError, Search, settled};
 use crate::study::equilibria::{sliding_mode, spelt};
 
-/// Passages in which it is looked for rest, and for a motion that runs.
-const PASSAGES: usize = 400;
+/// Passages in which it is looked for rest, for a motion that runs, and for returns.
+const PASSAGES: usize = 300;
 /// Nothing moves by more than this, in usual sizes, where a motion rests.
 const REST: f64 = 1e-9;
 /// Over how many first passages a motion must have gone to be at rest.
@@ -21,7 +21,7 @@ const SOON: f64 = 4.0;
 /// A rest and the equilibrium that it is are so far apart, in usual sizes.
 const NEAR: f64 = 1e-5;
 /// Returns this close, in usual sizes, on end, are those of an orbit.
-const CLOSE: f64 = 3e-2;
+const CLOSE: f64 = 1e-3;
 const ON_END: usize = 4;
 /// Most crossings between them.
 const LONGEST: usize = 16;
@@ -30,7 +30,10 @@ const LONGEST: usize = 16;
 enum Look {
     Rest(Place),
     Running(Box<Attractor>),
-    Further,
+    /// It comes back near where it was.
+    Returning(Place),
+    /// None of these yet.
+    Roaming(Place),
 }
 
 impl Ground<'_> {
@@ -49,11 +52,16 @@ impl Ground<'_> {
         match self.look(start)? {
             Look::Rest(place) => self.rest(&place),
             Look::Running(found) => Ok(*found),
-            Look::Further => self.settled(start),
+            Look::Returning(place) => self.settled(&place.state, true),
+            Look::Roaming(place) => match irregular(self, &place.state)? {
+                Some(found) => Ok(found),
+                None => self.settled(&place.state, false),
+            },
         }
     }
 
-    fn settled(&self, start: &[f64]) -> Result<Attractor, FlowError> {
+    /// The orbit or the state of rest on which the motion from `start` settles; else what it is if it may be irregular.
+    fn settled(&self, start: &[f64], may_roam: bool) -> Result<Attractor, FlowError> {
         let search = Search {
             start: start.to_vec(),
             period: None,
@@ -68,9 +76,14 @@ impl Ground<'_> {
             }
             Err(OrbitError::Flow(error)) => Err(error),
             Err(error) => {
+                let irregular = if may_roam {
+                    irregular(self, start)?
+                } else {
+                    None
+                };
                 let unsettled =
                     || Attractor::bare(Class::Unsettled, start, Some(error.to_string()));
-                Ok(irregular(self, start)?.unwrap_or_else(unsettled))
+                Ok(irregular.unwrap_or_else(unsettled))
             }
         }
     }
@@ -163,10 +176,10 @@ impl Ground<'_> {
             }
             let points = crossings[section].iter().map(|(_, state)| state);
             if returns(points.rev(), &self.usual, CLOSE) {
-                return Ok(Look::Further);
+                return Ok(Look::Returning(pursuit.place));
             }
         }
-        Ok(Look::Further)
+        Ok(Look::Roaming(pursuit.place))
     }
 
     /// Whether nothing moved in a passage of this length, and nothing would in another one.

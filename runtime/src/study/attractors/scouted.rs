@@ -18,7 +18,7 @@ use crate::motion::Passage;
 /// Starts that are looked at closely before any other.
 const SCOUTS: usize = 32;
 /// Passages for which a start is followed to a motion that is known.
-const PASSAGES: usize = 4000;
+const PASSAGES: usize = 1500;
 /// Steps of the integrator for that.
 const STEPS: u64 = 2_000_000;
 /// Returns this close, in usual sizes, are those of a motion that has settled without being held.

@@ -8,8 +8,8 @@ use crate::lyapunov::lyapunov;
 use crate::motion::Place;
 
 /// Crossings that are left out, and crossings in each of two averages.
-const SETTLE: usize = 1000;
-const TAKEN: usize = 1000;
+const SETTLE: usize = 300;
+const TAKEN: usize = 600;
 /// Passages that are followed at most.
 const PASSAGES: usize = 20_000;
 /// Two averages of a motion with several periods agree to this share of its extent, those of a chaotic one do not.
@@ -20,7 +20,7 @@ const SURE: f64 = 5.0;
 /// Growth in one lap that is none.
 const STILL: f64 = 3e-3;
 /// Laps over which the exponent is averaged.
-const LAPS: usize = 1000;
+const LAPS: usize = 500;
 
 /// The irregular motion on which a start settles; `None` if it is not irregular beyond doubt.
 ///

@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::known::Known;
-use super::parallel::parallel_on;
 use super::record::{DiagramRecord, Seen, SweepRecord, Watcher};
 use super::setting::{Diagram, Sweep};
 use super::slice::{Cut, Slice};
@@ -13,6 +12,7 @@ use crate::motion::Family;
 use crate::study::error::StudyError;
 use crate::study::question::{Along, Case};
 use crate::study::system::System;
+use crate::study::work::parallel_on;
 
 impl System {
     /// Where the motions of the case meet a section, for many values of its design variable; what is `known` from the

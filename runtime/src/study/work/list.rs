@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use super::parallel::parallel_on;
 use super::share::Share;
-use crate::study::diagram::parallel_on;
 
 /// Which items are to be done, and what is known of them.
 #[derive(Debug, Clone)]

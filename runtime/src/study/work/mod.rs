@@ -2,9 +2,11 @@
 //! interruptions leads to the same answer.
 
 mod list;
+mod parallel;
 mod share;
 mod spread;
 
 pub use list::{Item, List};
+pub use parallel::{parallel, parallel_on};
 pub use share::Share;
 pub(in crate::study) use spread::Spread;

@@ -4,7 +4,9 @@ use super::picture;
 use crate::app::answer::Answer;
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, Spreadsheet, full, headed, optional};
-use crate::app::text::{digits, followed, heading, line, number, short, states, table, timed};
+use crate::app::text::{
+    brief, digits, followed, heading, line, number, short, states, table, timed,
+};
 use crate::model::ModelInfo;
 use crate::study::{Attractor, AttractorsRecord, Case, Class, Found, Survey};
 
@@ -83,7 +85,7 @@ fn cells(found: &Found) -> impl Iterator<Item = String> {
     let area = area.map(|[area, error]| format!("{area:.6} ± {}", number(error, 1)));
     let columns = [
         attractor.class.to_string(),
-        attractor.word.clone().unwrap_or_default(),
+        brief(attractor.word.as_deref().unwrap_or_default()),
         attractor
             .period
             .map_or_else(String::new, |value| number(value, shown)),

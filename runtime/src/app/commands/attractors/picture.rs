@@ -1,6 +1,7 @@
 //! Basins in a plane of two states, or shares along what is followed.
 
 use crate::app::chart::{along_axis, axis};
+use crate::app::text::brief;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
 use crate::study::{Along, AttractorsRecord, Class, Survey};
@@ -45,7 +46,11 @@ fn basins(
     let clouds = found.iter().enumerate().map(|(number, one)| {
         let all = starts.iter().take(DRAWN).filter(|(_, of)| *of == number);
         let points = all.map(|(start, _)| at(start)).collect();
-        let label = format!("{} ({:.2} %)", one.attractor.name(), 100.0 * one.share);
+        let label = format!(
+            "{} ({:.2} %)",
+            brief(&one.attractor.name()),
+            100.0 * one.share
+        );
         Curve::points(label, number + 1, Marker::Dot, points)
     });
     let resting = found
@@ -72,7 +77,7 @@ fn shares(info: &ModelInfo, record: &AttractorsRecord, along: &Along) -> Figure 
     );
     let mut names: Vec<String> = Vec::new();
     for found in record.surveys.iter().flat_map(|survey| &survey.found) {
-        let name = found.attractor.name();
+        let name = brief(&found.attractor.name());
         if !names.contains(&name) {
             names.push(name);
         }
@@ -81,7 +86,7 @@ fn shares(info: &ModelInfo, record: &AttractorsRecord, along: &Along) -> Figure 
         let found = survey
             .found
             .iter()
-            .filter(|one| one.attractor.name() == *wanted);
+            .filter(|one| brief(&one.attractor.name()) == *wanted);
         Some([survey.r?, found.map(|one| one.share).sum::<f64>()])
     };
     let curves = names.iter().enumerate().map(|(number, wanted)| {

@@ -6,12 +6,14 @@ use super::picture::picture;
 use crate::app::answer::Answer;
 use crate::app::document::Document;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{followed, heading, line, number, states, table, timed};
+use crate::app::text::{brief, followed, heading, line, number, states, table, timed};
 use crate::model::ModelInfo;
 use crate::study::{Attractor, Case, Cell, MapRecord};
 
 /// Digits shown of values.
 const DIGITS: usize = 6;
+/// Kinds that are shown.
+const SHOWN: usize = 16;
 
 pub(super) fn answer<'a>(
     info: &'a ModelInfo,
@@ -41,7 +43,8 @@ fn describe(info: &ModelInfo, case: &Case, record: &MapRecord, question: &str) -
     let mut kinds: Vec<_> = kinds.into_iter().collect();
     kinds.sort_by_key(|(_, nodes)| std::cmp::Reverse(nodes.len()));
     let head = ["", "nodes", "from", "to", "for instance at"].map(str::to_owned);
-    let rows = kinds.iter().map(|(kind, nodes)| {
+    let rest = kinds.len().saturating_sub(SHOWN);
+    let rows = kinds.iter().take(SHOWN).map(|(kind, nodes)| {
         let values = || nodes.iter().filter_map(|(_, cell)| cell.value);
         let [low, high] = [
             values().fold(f64::INFINITY, f64::min),
@@ -59,7 +62,7 @@ fn describe(info: &ModelInfo, case: &Case, record: &MapRecord, question: &str) -
             .map(|value| number(value, DIGITS))
             .join(", ");
         line([
-            (*kind).to_owned(),
+            brief(kind),
             nodes.len().to_string(),
             told(low),
             told(high),
@@ -73,7 +76,9 @@ fn describe(info: &ModelInfo, case: &Case, record: &MapRecord, question: &str) -
     let reason = reason.map_or(String::new(), |reason| {
         format!("\n  for instance: {reason}\n")
     });
-    heading(info, case, &what) + &table(&(line(head) + &rows.collect::<String>())) + &reason
+    let more = (rest > 0).then(|| format!("  and {rest} more kinds\n"));
+    let kinds = table(&(line(head) + &rows.collect::<String>()));
+    heading(info, case, &what) + &kinds + &more.unwrap_or_default() + &reason
 }
 
 fn document<'a>(

@@ -1,6 +1,6 @@
 //! The question of a map, as it is written.
 
-use super::Arguments;
+use crate::app::commands::attractors::Sides;
 use crate::app::failure::{Failure, refuse};
 use crate::app::request::state;
 use crate::app::words::unknown;
@@ -12,8 +12,11 @@ use crate::study::{Asked, Class, Quantity};
 const WORDS: [&str; 4] = ["motion", "equilibrium", "share", "smoothing"];
 
 /// `motion`, `amplitude:x`, `share:orbit`, `smoothing:arctan:1e5`.
-pub(super) fn read(info: &ModelInfo, arguments: &Arguments) -> Result<Asked, Failure> {
-    let question = arguments.question.as_str();
+pub(super) fn read(
+    info: &ModelInfo,
+    question: &str,
+    starts: (Option<&Sides>, usize),
+) -> Result<Asked, Failure> {
     let (word, rest) = match question.split_once(':') {
         Some((word, rest)) => (word, Some(rest)),
         None => (question, None),
@@ -21,7 +24,7 @@ pub(super) fn read(info: &ModelInfo, arguments: &Arguments) -> Result<Asked, Fai
     let quantity = Quantity::ALL
         .into_iter()
         .find(|quantity| quantity.name() == word);
-    if arguments.region.is_some() && word != "share" {
+    if starts.0.is_some() && word != "share" {
         return refuse!("`--box` says where starts lie, and `{question}` has only one: `--start`");
     }
     match (word, quantity, rest) {
@@ -31,7 +34,7 @@ pub(super) fn read(info: &ModelInfo, arguments: &Arguments) -> Result<Asked, Fai
             Ok(Asked::Quantity(Quantity::Amplitude, state(info, name)?))
         }
         (_, Some(quantity), None) => Ok(Asked::Quantity(quantity, 0)),
-        ("share", _, Some(class)) => share(info, arguments, class),
+        ("share", _, Some(class)) => share(info, starts, class),
         ("share", _, None) => refuse!("`share` of what? For instance `share:orbit`"),
         ("smoothing", _, Some(copy)) => smoothing(question, copy),
         ("smoothing", _, None) => {
@@ -52,8 +55,12 @@ pub(super) fn read(info: &ModelInfo, arguments: &Arguments) -> Result<Asked, Fai
     }
 }
 
-fn share(info: &ModelInfo, arguments: &Arguments, class: &str) -> Result<Asked, Failure> {
-    let Some(sides) = &arguments.region else {
+fn share(
+    info: &ModelInfo,
+    (sides, starts): (Option<&Sides>, usize),
+    class: &str,
+) -> Result<Asked, Failure> {
+    let Some(sides) = sides else {
         return refuse!(
             "`share:{class}` needs `--box NAME=A..B,..`: where starts lie, state by state"
         );
@@ -66,7 +73,7 @@ fn share(info: &ModelInfo, arguments: &Arguments, class: &str) -> Result<Asked, 
             &names,
         )));
     };
-    Ok(Asked::Share(class, sides.of(info)?, arguments.starts))
+    Ok(Asked::Share(class, sides.of(info)?, starts))
 }
 
 fn smoothing(question: &str, copy: &str) -> Result<Asked, Failure> {

@@ -65,7 +65,8 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let Some(count) = grid.count() else {
         return refuse!("the grid has too many nodes");
     };
-    let wanted = asked::read(info, arguments)?;
+    let starts = (arguments.region.as_ref(), arguments.starts);
+    let wanted = asked::read(info, &arguments.question, starts)?;
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &grid)
         .exactly("the question", &wanted);

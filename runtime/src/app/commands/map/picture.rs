@@ -1,7 +1,7 @@
 //! A map as tiles: of kinds a colour each, of values a shade.
 
 use crate::app::chart::along_axis;
-use crate::app::text::number;
+use crate::app::text::{brief, number};
 use crate::field::Design;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Panel, SHADES};
@@ -62,7 +62,7 @@ fn kinds(record: &MapRecord) -> Vec<Curve> {
         .enumerate()
         .map(|(i, (kind, _))| {
             Curve::tiles(
-                *kind,
+                brief(kind),
                 Some(i + 1),
                 0,
                 record.grid.values,

@@ -1,14 +1,13 @@
 //! `merge`: the answer of a list whose shares were done apart.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::Args;
 
 use crate::app::arguments::View;
-use crate::app::command;
 use crate::app::failure::{Failure, refuse};
 use crate::app::ledger::left;
-use crate::app::offer::App;
 use crate::app::question::Question;
 use crate::app::resume::peruse;
 
@@ -31,7 +30,8 @@ pub(in crate::app) struct Arguments {
     view: View,
 }
 
-pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
+/// The words that ask the question of the shares again, to be answered from what they have left.
+pub(in crate::app) fn words(arguments: &Arguments) -> Result<Vec<OsString>, Failure> {
     let Some(folder) = &arguments.folder else {
         return refuse!(
             "`merge` needs the folder in which shares have left what they found: `merge DIR`"
@@ -40,7 +40,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let Some(words) = asked(folder)? else {
         return refuse!("no share has left anything in `{}`", folder.display());
     };
-    let mut words: Vec<std::ffi::OsString> = words.into_iter().map(Into::into).collect();
+    let mut words: Vec<OsString> = words.into_iter().map(Into::into).collect();
     words.insert(0, "stickslip".into());
     let out = arguments.out.as_ref().unwrap_or(folder);
     words.extend(["--merged".into(), folder.into(), "--out".into(), out.into()]);
@@ -50,7 +50,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         ("--quiet", arguments.view.quiet),
     ];
     words.extend(flags.iter().filter(|flag| flag.1).map(|flag| flag.0.into()));
-    command::again(app, &words)
+    Ok(words)
 }
 
 /// The words with which the shares in a folder were asked; those of the first that can be read.
