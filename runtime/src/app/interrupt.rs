@@ -21,6 +21,8 @@ pub(super) const ENDING: &str = "resume";
 
 /// How long a computation has to come to an end by itself.
 const GRACE: Duration = Duration::from_secs(2);
+/// The same where schedulers ask: they wait longer before they end it.
+const LONG_GRACE: Duration = Duration::from_secs(20);
 /// How often the signal is looked for.
 const GLANCE: Duration = Duration::from_millis(50);
 
@@ -128,11 +130,13 @@ fn wait() {
         std::thread::sleep(GLANCE);
     }
     let asked = Instant::now();
+    let continued = CODE.load(Ordering::Relaxed) == CONTINUED;
+    let grace = if continued { LONG_GRACE } else { GRACE };
     loop {
         // Held to the end: what has come to its end is not ended any more.
         let at_work = held(&AT_WORK);
         if let Some(begun) = &*at_work
-            && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= GRACE)
+            && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= grace)
         {
             let mut files = growing();
             // What was there before is not what was found now.

@@ -7,12 +7,12 @@ use std::sync::{Mutex, PoisonError};
 use clap::Args;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::json;
 
 use super::arguments::Resume;
 use super::failure::{Failure, refuse};
 use super::interrupt::{self, ENDING};
 use super::output::Output;
-use super::print::print;
 use super::question::Question;
 use super::resume::{Notes, peruse};
 use super::shard::Shard;
@@ -133,7 +133,8 @@ impl<T: Serialize + DeserializeOwned + Clone + Send + Sync> Ledger<T> {
         if there < of {
             return Err(Failure::continued(&said));
         }
-        print(&format!("{said}\n"))
+        let document = json!({ "share": share.to_string(), "of": self.name, "items": there });
+        output.tell(&format!("{said}\n"), &document)
     }
 }
 

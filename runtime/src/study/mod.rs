@@ -41,7 +41,7 @@ pub mod trade;
 mod work;
 
 pub use attractors::{
-    Attractor, AttractorsRecord, Class, Fate, Found, Region, Sampling, Side, Survey,
+    Attractor, AttractorsRecord, Class, Edge, Fate, Found, Region, Sampling, Side, Survey,
 };
 pub use branch::{BranchRecord, Special};
 pub use curve::{

@@ -1,12 +1,11 @@
 //! Shares of basins against published ones, each within three of their standard errors.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use stickslip::bifurcation::Stability;
 use stickslip::model::ModelInfo;
 use stickslip::study::{
-    Case, Class, Found, List, Region, Sampling, Share, Side, Survey, System, choose,
+    Case, Class, Fate, Found, Item, List, Region, Sampling, Side, Survey, System, choose,
 };
 
 use crate::models::{Duffing, FrictionOscillator, Pendulum};
@@ -31,7 +30,7 @@ fn survey(
     system: &System,
     set: &[(&str, f64)],
     sides: &[(&str, f64, f64)],
-    starts: usize,
+    (starts, whole): (usize, bool),
 ) -> Survey {
     let info = system.info();
     let mut case = Case::declared(info, choose(info, None, 1e-9).dynamics);
@@ -43,16 +42,14 @@ fn survey(
             .unwrap();
         case.parameters[index] = *value;
     }
-    let list = List {
-        count: starts,
-        share: Share::WHOLE,
-        threads: None,
-        known: BTreeMap::new(),
-        closed: false,
+    let go_on = |_: Item<'_, Fate>| ControlFlow::Continue(());
+    let sampling = Sampling {
+        areas: whole,
+        edges: whole,
+        ..Sampling::of(region(info, sides), starts)
     };
-    let go_on = |_: stickslip::study::Item<'_, _>| ControlFlow::Continue(());
     let record = system
-        .attractors(&case, &region(info, sides), (1, starts), &list, &go_on)
+        .attractors(&case, &sampling, &List::whole(starts), &go_on)
         .unwrap();
     assert_eq!(record.missing, 0);
     record.surveys.into_iter().next().unwrap()
@@ -72,13 +69,13 @@ fn standard_error(share: f64, starts: f64) -> f64 {
 }
 
 fn sliding(v_d: f64, starts: usize) -> Survey {
+    sliding_from(v_d, &[("x", -2.0, 2.0), ("v", 0.0, 2.0)], (starts, false))
+}
+
+/// The friction oscillator at a speed of its belt.
+pub(crate) fn sliding_from(v_d: f64, sides: &[(&str, f64, f64)], wanted: (usize, bool)) -> Survey {
     let system = System::of::<FrictionOscillator, _>();
-    survey(
-        &system,
-        &[("v_d", v_d)],
-        &[("x", -2.0, 2.0), ("v", 0.0, 2.0)],
-        starts,
-    )
+    survey(&system, &[("v_d", v_d)], sides, wanted)
 }
 
 #[test]

@@ -26,25 +26,24 @@ fn found(list: &List<Fate>) -> (AttractorsRecord, BTreeMap<usize, Fate>) {
         ..Case::declared(system.info(), Dynamics::Exact)
     };
     let region = region(system.info(), &[("x", -2.0, 2.0), ("v", 0.0, 2.0)]);
+    let sampling = Sampling {
+        values: VALUES,
+        ..Sampling::of(region, STARTS)
+    };
     let seen = std::sync::Mutex::new(BTreeMap::new());
     let watch = |item: Item<'_, Fate>| {
         seen.lock().unwrap().insert(item.number, item.found.clone());
         ControlFlow::Continue(())
     };
-    let record = system
-        .attractors(&case, &region, (VALUES, STARTS), list, &watch)
-        .unwrap();
+    let record = system.attractors(&case, &sampling, list, &watch).unwrap();
     (record, seen.into_inner().unwrap())
 }
 
 #[test]
 fn shares_add_up_to_the_whole() {
     let list = List {
-        count: VALUES * STARTS,
-        share: Share::WHOLE,
         threads: Some(2),
-        known: BTreeMap::new(),
-        closed: false,
+        ..List::whole(VALUES * STARTS)
     };
     let (whole, items) = found(&list);
     let mut known = BTreeMap::new();

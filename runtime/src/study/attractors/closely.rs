@@ -4,7 +4,7 @@ use super::copies;
 use super::ground::Ground;
 use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class};
-use super::running::{Crossing, running};
+use super::running::{Crossing, running, steady};
 use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
 use crate::flow::FlowError;
@@ -88,7 +88,7 @@ impl Ground<'_> {
         }
     }
 
-    fn orbit(&self, orbit: &Orbit) -> Attractor {
+    pub(super) fn orbit(&self, orbit: &Orbit) -> Attractor {
         let multipliers = orbit.floquet.multipliers.iter();
         Attractor {
             class: Class::Orbit,
@@ -159,6 +159,9 @@ impl Ground<'_> {
             let first = *first.get_or_insert(pursuit.time);
             if pursuit.time >= SOON * first && self.rests(&passage, pursuit.time - begun)? {
                 return Ok(Look::Rest(pursuit.place));
+            }
+            if let Some(found) = steady(self, &passage)? {
+                return Ok(Look::Running(Box::new(found)));
             }
             for (j, crossings) in crossings.iter_mut().enumerate() {
                 let found = minima(&passage, j);

@@ -27,7 +27,7 @@ struct Release {
 impl Memo {
     /// Told of the releases of a motion that settles on motion number `of`.
     pub(super) fn learn(&mut self, passages: &[Passage], of: usize, usual: &[f64]) {
-        for event in passages.iter().flat_map(|passage| releases(passage)) {
+        for event in passages.iter().flat_map(releases) {
             if self.0.len() < MOST && self.release(event, usual).is_none() {
                 self.0.push(Release {
                     contact: event.contact,

@@ -10,6 +10,7 @@ mod areas;
 mod basin;
 mod closely;
 mod copies;
+mod edge;
 mod ground;
 mod memo;
 mod pursuit;
@@ -22,5 +23,5 @@ mod survey;
 mod trap;
 
 pub(in crate::study) use ground::closely;
-pub use record::{Attractor, AttractorsRecord, Class, Fate, Found, Survey};
+pub use record::{Attractor, AttractorsRecord, Class, Edge, Fate, Found, Survey};
 pub use setting::{Region, Sampling, Side};

@@ -8,6 +8,8 @@ use crate::poincare::{longest, radian};
 const ENOUGH: usize = 2;
 /// Steps in a passage that suffice.
 const STEPS: u64 = 2000;
+/// How long a passage can be at most, over the first one.
+const MOST: f64 = 1e12;
 
 pub(super) struct Pursuit<'f> {
     flow: &'f dyn Flow,
@@ -21,9 +23,10 @@ pub(super) struct Pursuit<'f> {
 impl<'f> Pursuit<'f> {
     pub(super) fn new(flow: &'f dyn Flow, start: &[f64]) -> Result<Self, FlowError> {
         let place = flow.place(start)?;
+        let chunk = radian(flow, &place)?;
         Ok(Self {
-            chunk: radian(flow, &place)?,
-            longest: longest(flow, &place)?,
+            chunk,
+            longest: longest(flow, &place)?.min(MOST * chunk),
             flow,
             place,
             time: 0.0,

@@ -52,7 +52,7 @@ pub struct Attractor {
     pub word: Option<String>,
     /// Its period.
     pub period: Option<f64>,
-    /// What is added to the states in one period, where something is.
+    /// What is added to the states in one period, or, where none of them turns, in a unit of time.
     pub shift: Option<Vec<f64>>,
     /// Smallest value of each state, as far as it was seen.
     pub min: Vec<f64>,
@@ -98,6 +98,15 @@ pub struct Found {
     pub area: Option<[f64; 2]>,
 }
 
+/// An unstable motion on the edge between two basins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Edge {
+    /// The places of the motions of both in the list of those that were found.
+    pub between: [usize; 2],
+    /// The motion.
+    pub saddle: Attractor,
+}
+
 /// What all starts settle on at one value of a design variable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Survey {
@@ -105,6 +114,8 @@ pub struct Survey {
     pub r: Option<f64>,
     /// The motions: those on which most starts settle first.
     pub found: Vec<Found>,
+    /// What lies on the edges between their basins, if that was wanted.
+    pub edges: Vec<Edge>,
     /// The start and the place of its motion in `found`, in the order of their numbers.
     pub starts: Vec<(Vec<f64>, usize)>,
 }
@@ -167,7 +178,8 @@ impl Attractor {
         match self.class {
             Class::Equilibrium => apart(&self.state, &other.state, usual) <= SAME,
             Class::Sticking => self.modes == other.modes,
-            Class::Orbit | Class::Running => self.coincides(other, &units),
+            Class::Orbit => self.coincides(other, &units),
+            Class::Running => self.runs_like(other, usual) && self.coincides(other, &units),
             Class::Torus | Class::Chaos => {
                 apart(&self.state, &other.state, &units)
                     .max(apart(&self.min, &other.min, &units))
@@ -176,6 +188,14 @@ impl Attractor {
             }
             Class::Family | Class::Escape | Class::Unsettled => true,
             Class::Failed => self.reason == other.reason,
+        }
+    }
+
+    /// Whether both advance as much.
+    fn runs_like(&self, other: &Self, usual: &[f64]) -> bool {
+        match (&self.shift, &other.shift) {
+            (Some(a), Some(b)) => apart(a, b, usual) <= SAME,
+            _ => false,
         }
     }
 

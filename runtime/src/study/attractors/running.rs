@@ -6,8 +6,9 @@ use super::copies;
 use super::ground::Ground;
 use super::record::{Attractor, Class};
 use crate::bifurcation::floquet;
+use crate::equilibrium::Spectrum;
 use crate::flow::{FlowError, Want};
-use crate::motion::{apart, sticking, word};
+use crate::motion::{Passage, apart, sticking, word};
 
 /// Most crossings in one period.
 const LONGEST: usize = 8;
@@ -38,6 +39,50 @@ pub(super) fn running(
     let last = &crossings[crossings.len() - count - 1..];
     let period = last[count].0 - last[0].0;
     read(ground, section, last, (period, shift)).map(Some)
+}
+
+/// The motion of a passage if all its rates are constant, and nothing depends on where it is: what slides on and on.
+pub(super) fn steady(
+    ground: &Ground<'_>,
+    passage: &Passage,
+) -> Result<Option<Attractor>, FlowError> {
+    let flow = ground.flow.as_ref();
+    if flow.phase().is_some() || !passage.extrema.is_empty() {
+        return Ok(None);
+    }
+    let [before, after] = [&passage.calm.place, &passage.end].map(|place| flow.velocity(place));
+    let (before, after) = (before?, after?);
+    let rates = after.f.as_slice();
+    // Shifts of a usual size, of which no two are parts of each other.
+    let fastest = rates
+        .iter()
+        .zip(&ground.usual)
+        .map(|(rate, usual)| (rate / usual).abs());
+    let time = 1.0 / fastest.fold(0.0, f64::max);
+    let shifted =
+        |share: f64| -> Vec<f64> { rates.iter().map(|rate| share * time * rate).collect() };
+    let free = |share| copies::changes_nothing(flow, &shifted(share), &ground.usual);
+    let constant = (&before.f - &after.f).amax() <= SETTLED * after.f.amax();
+    if !(constant && time.is_finite() && free(1.0) && free(0.618_034)) {
+        return Ok(None);
+    }
+    let mut found = Attractor::bare(Class::Running, &passage.end.state, None);
+    let spectrum = Spectrum::across(
+        &after.jacobian,
+        1 + sticking(&passage.end.modes) + after.lost,
+    );
+    found.multipliers = spectrum
+        .eigenvalues
+        .iter()
+        .map(|value| [value.re, value.im])
+        .collect();
+    found.stability = Some(spectrum.stability);
+    found.word = ground
+        .touches()
+        .then(|| word(ground.system.info(), &passage.segments));
+    found.modes = passage.end.modes.clone();
+    found.shift = Some(rates.to_vec());
+    Ok(Some(found))
 }
 
 /// What the states gain in the last two times `count` crossings alike, if some do.

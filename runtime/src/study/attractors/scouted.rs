@@ -126,7 +126,7 @@ impl<'a> Scouted<'a> {
     fn watch(&mut self, of: usize, new: &Attractor) {
         let (ground, usual) = (&self.ground, &self.ground.usual);
         match new.class {
-            Class::Orbit | Class::Running => {
+            Class::Orbit | Class::Running if new.period.is_some() => {
                 self.traps
                     .extend(Trap::around(ground.flow.as_ref(), of, new, usual));
             }
@@ -148,8 +148,8 @@ impl<'a> Scouted<'a> {
             }
             _ => {}
         }
-        if let Some(shift) = new.shift.clone() {
-            self.shift(shift);
+        if let (Some(shift), Some(_)) = (&new.shift, new.period) {
+            self.shift(shift.clone());
         }
     }
 
@@ -172,6 +172,14 @@ impl<'a> Scouted<'a> {
         }
         let new = self.ground.closely(start);
         known(&new).map_or_else(|| Fate::Other(Box::new(new)), Fate::Known)
+    }
+
+    pub(super) fn ground(&self) -> &Ground<'a> {
+        &self.ground
+    }
+
+    pub(super) fn usual(&self) -> &[f64] {
+        &self.ground.usual
     }
 
     /// Start number `k`.

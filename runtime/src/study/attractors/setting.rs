@@ -31,6 +31,22 @@ pub struct Sampling {
     pub values: usize,
     /// Whether shares are areas, too: of a region with two sides.
     pub areas: bool,
+    /// Whether saddles are sought on the edges between basins.
+    pub edges: bool,
+}
+
+impl Sampling {
+    /// So many starts in a region, at one value of what is followed.
+    #[must_use]
+    pub const fn of(region: Region, starts: usize) -> Self {
+        Self {
+            region,
+            starts,
+            values: 1,
+            areas: false,
+            edges: false,
+        }
+    }
 }
 
 impl Region {

@@ -7,11 +7,11 @@ use crate::flow::FlowError;
 use crate::lyapunov::lyapunov;
 use crate::motion::Place;
 
-/// Crossings that are left out, and crossings in each of two averages.
+/// Crossings that are left out, and crossings in each of two averages: more where few do not suffice.
 const SETTLE: usize = 300;
-const TAKEN: usize = 600;
+const TAKEN: [usize; 2] = [600, 3000];
 /// Passages that are followed at most.
-const PASSAGES: usize = 20_000;
+const PASSAGES: usize = 30_000;
 /// Two averages of a motion with several periods agree to this share of its extent, those of a chaotic one do not.
 const REGULAR: f64 = 1e-6;
 const IRREGULAR: f64 = 1e-4;
@@ -19,8 +19,6 @@ const IRREGULAR: f64 = 1e-4;
 const SURE: f64 = 5.0;
 /// Growth in one lap that is none.
 const STILL: f64 = 3e-3;
-/// Laps over which the exponent is averaged.
-const LAPS: usize = 500;
 
 /// The irregular motion on which a start settles; `None` if it is not irregular beyond doubt.
 ///
@@ -30,31 +28,15 @@ pub(super) fn irregular(
     ground: &Ground<'_>,
     start: &[f64],
 ) -> Result<Option<Attractor>, FlowError> {
-    let Some(watched) = Watched::from(ground, start)? else {
-        return Ok(None);
-    };
-    let [first, second] = [&watched.points[..TAKEN], &watched.points[TAKEN..]].map(mean);
-    let mut found = Attractor::bare(Class::Torus, &second, None);
-    found.min = watched.low;
-    found.max = watched.high;
-    let units = found.magnitude(&ground.usual);
-    let phase = ground.flow.phase();
-    let states = (0..units.len()).filter(|j| phase != Some(*j));
-    let apart = states
-        .map(|j| (first[j] - second[j]).abs() / units[j])
-        .fold(0.0, f64::max);
-    let exponent = lyapunov(ground.flow.as_ref(), watched.place, watched.lap, LAPS)?;
-    let Some(value) = exponent.exponent else {
-        return Ok(None);
-    };
-    let still = value.abs() * watched.lap <= STILL;
-    found.exponent = Some([value, exponent.error]);
-    found.class = match () {
-        () if still && apart <= REGULAR => Class::Torus,
-        () if !still && value > SURE * exponent.error && apart > IRREGULAR => Class::Chaos,
-        () => return Ok(None),
-    };
-    Ok(Some(found))
+    for taken in TAKEN {
+        let Some(watched) = Watched::from(ground, start, taken)? else {
+            return Ok(None);
+        };
+        if let Some(found) = watched.judged(ground, taken)? {
+            return Ok(Some(found));
+        }
+    }
+    Ok(None)
 }
 
 struct Watched {
@@ -66,7 +48,33 @@ struct Watched {
 }
 
 impl Watched {
-    fn from(ground: &Ground<'_>, start: &[f64]) -> Result<Option<Self>, FlowError> {
+    /// What it is beyond doubt.
+    fn judged(self, ground: &Ground<'_>, taken: usize) -> Result<Option<Attractor>, FlowError> {
+        let (first, second) = self.points.split_at(taken);
+        let (first, second) = (mean(first), mean(second));
+        let mut found = Attractor::bare(Class::Torus, &second, None);
+        found.min = self.low;
+        found.max = self.high;
+        let units = found.magnitude(&ground.usual);
+        let phase = ground.flow.phase();
+        let states = (0..units.len()).filter(|j| phase != Some(*j));
+        let gaps = states.map(|j| (first[j] - second[j]).abs() / units[j]);
+        let apart = gaps.fold(0.0, f64::max);
+        let exponent = lyapunov(ground.flow.as_ref(), self.place, self.lap, taken)?;
+        let Some(value) = exponent.exponent else {
+            return Ok(None);
+        };
+        let still = value.abs() * self.lap <= STILL;
+        found.exponent = Some([value, exponent.error]);
+        found.class = match () {
+            () if still && apart <= REGULAR => Class::Torus,
+            () if !still && value > SURE * exponent.error && apart > IRREGULAR => Class::Chaos,
+            () => return Ok(None),
+        };
+        Ok(Some(found))
+    }
+
+    fn from(ground: &Ground<'_>, start: &[f64], taken: usize) -> Result<Option<Self>, FlowError> {
         let flow = ground.flow.as_ref();
         let section = flow.phase().unwrap_or(0);
         let mut pursuit = Pursuit::new(flow, start)?;
@@ -90,17 +98,21 @@ impl Watched {
                 low[j] = low[j].min(y);
                 high[j] = high[j].max(y);
             }
-            if points.len() >= SETTLE + 2 * TAKEN {
+            if points.len() >= SETTLE + 2 * taken {
                 break;
             }
         }
-        if points.len() < SETTLE + 2 * TAKEN {
+        if points.len() < SETTLE + 2 * taken {
             return Ok(None);
+        }
+        for (j, y) in pursuit.place.state.iter().enumerate() {
+            low[j] = low[j].min(*y);
+            high[j] = high[j].max(*y);
         }
         if let Some(phase) = flow.phase() {
             (low[phase], high[phase]) = (0.0, std::f64::consts::TAU);
         }
-        let last = SETTLE + 2 * TAKEN - 1;
+        let last = SETTLE + 2 * taken - 1;
         Ok(Some(Self {
             lap: (times[last] - times[SETTLE]) / (last - SETTLE) as f64,
             points: points[SETTLE..=last].to_vec(),

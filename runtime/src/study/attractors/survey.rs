@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
 use super::areas::areas;
+use super::edge::edges;
 use super::ground::Ground;
 use super::record::{Attractor, AttractorsRecord, Fate, Found, Survey};
 use super::scouted::Scouted;
@@ -57,8 +58,12 @@ impl System {
             let fates: BTreeMap<usize, &Fate> = fates.map(|(n, fate)| (n % starts, fate)).collect();
             let scouted = at(station).as_ref().ok()?;
             let mut survey = survey(scouted, stations[station].0, &fates);
-            if sampling.areas && found.len() == list.count && region.sides.len() == 2 {
+            let whole = found.len() == list.count;
+            if whole && sampling.areas && region.sides.len() == 2 {
                 measure(scouted, &mut survey, list.threads);
+            }
+            if whole && sampling.edges {
+                survey.edges = edges(scouted, &survey);
             }
             Some(survey)
         });
@@ -120,6 +125,7 @@ fn survey(scouted: &Scouted<'_>, r: Option<f64>, fates: &BTreeMap<usize, &Fate>)
     Survey {
         r,
         found: found.collect(),
+        edges: Vec::new(),
         starts,
     }
 }

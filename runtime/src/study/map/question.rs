@@ -1,6 +1,5 @@
 //! What can be asked at a node.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use super::cell::Cell;
@@ -9,7 +8,7 @@ use crate::motion::half_extents;
 use crate::study::attractors::{Attractor, Class, Region, Sampling, closely};
 use crate::study::question::Case;
 use crate::study::system::System;
-use crate::study::work::{List, Share};
+use crate::study::work::List;
 use crate::words::words;
 
 words! {
@@ -88,18 +87,10 @@ fn equilibrium(system: &System, case: &Case) -> Cell {
 
 fn share(system: &System, case: &Case, class: Class, (region, starts): (&Region, usize)) -> Cell {
     let list = List {
-        count: starts,
-        share: Share::WHOLE,
         threads: Some(1),
-        known: BTreeMap::new(),
-        closed: false,
+        ..List::whole(starts)
     };
-    let sampling = Sampling {
-        region: region.clone(),
-        starts,
-        values: 1,
-        areas: false,
-    };
+    let sampling = Sampling::of(region.clone(), starts);
     let found = system.attractors(case, &sampling, &list, &|_| ControlFlow::Continue(()));
     match found {
         Ok(record) => {
@@ -139,7 +130,7 @@ impl Quantity {
     /// Its value for a motion that has one.
     fn of(self, found: &Attractor, state: usize) -> Option<f64> {
         let [re, im] = found.multipliers.first().copied().unwrap_or([f64::NAN; 2]);
-        let cycle = matches!(found.class, Class::Orbit | Class::Running);
+        let cycle = matches!(found.class, Class::Orbit | Class::Running) && found.period.is_some();
         let value = match self {
             Self::Period => found.period?,
             Self::Amplitude if found.min == found.max => 0.0,

@@ -35,6 +35,20 @@ pub struct Item<'a, T> {
     pub done: f64,
 }
 
+impl<T> List<T> {
+    /// All of so many items, of which nothing is known.
+    #[must_use]
+    pub fn whole(count: usize) -> Self {
+        Self {
+            count,
+            share: Share::WHOLE,
+            threads: None,
+            known: BTreeMap::new(),
+            closed: false,
+        }
+    }
+}
+
 impl<T: Clone + Send + Sync> List<T> {
     /// Does what is not known yet; `watch` is told of each item, from any thread, and may end the work there. What is
     /// there then, by number.

@@ -8,7 +8,7 @@ use crate::app::text::{
     brief, digits, followed, heading, line, number, short, states, table, timed,
 };
 use crate::model::ModelInfo;
-use crate::study::{Attractor, AttractorsRecord, Case, Class, Found, Survey};
+use crate::study::{Attractor, AttractorsRecord, Case, Class, Edge, Found, Survey};
 
 /// Digits shown of shares, and of what only shows how a motion is drawn in.
 const SHARE: usize = 4;
@@ -54,7 +54,7 @@ fn describe(info: &ModelInfo, case: &Case, record: &AttractorsRecord) -> String 
             );
         }
     }
-    heading(info, case, &what) + &table(&lines) + &remarks(record)
+    heading(info, case, &what) + &table(&lines) + &edges(info, record) + &remarks(record)
 }
 
 fn within(info: &ModelInfo, record: &AttractorsRecord) -> String {
@@ -100,6 +100,35 @@ fn cells(found: &Found) -> impl Iterator<Item = String> {
     shares.into_iter().chain(area).chain(columns).chain(state)
 }
 
+/// What lies on the edges between basins, by the numbers of their lines.
+fn edges(info: &ModelInfo, record: &AttractorsRecord) -> String {
+    if !record.sampling.edges {
+        return String::new();
+    }
+    let along = record.along.map(|along| followed(info, &along));
+    let columns = ["between", "saddle", "word", "period", "unstable by"].map(str::to_owned);
+    let states = info.states.iter().map(|state| state.name.to_owned());
+    let mut lines = line(along.into_iter().chain(columns).chain(states));
+    for survey in &record.surveys {
+        for Edge { between, saddle } in &survey.edges {
+            let [a, b] = between.map(|of| of + 1);
+            let columns = [
+                format!("{a}, {b}"),
+                saddle.class.to_string(),
+                brief(saddle.word.as_deref().unwrap_or_default()),
+                saddle
+                    .period
+                    .map_or_else(String::new, |value| number(value, 9)),
+                drawn(saddle),
+            ];
+            let state = saddle.state.iter().map(|y| number(*y, 9));
+            let r = survey.r.map(|r| number(r, 6));
+            lines += &line(r.into_iter().chain(columns).chain(state));
+        }
+    }
+    format!("\n{}", table(&lines))
+}
+
 /// Whether the state of a motion lies on it.
 const fn has_place(found: &Attractor) -> bool {
     matches!(
@@ -118,10 +147,10 @@ fn drawn(found: &Attractor) -> String {
         );
     }
     match (found.class, found.multipliers.first()) {
-        (Class::Orbit | Class::Running, Some([re, im])) => {
+        (Class::Orbit | Class::Running, Some([re, im])) if found.period.is_some() => {
             format!("|μ| = {}", number(re.hypot(*im), SHARE))
         }
-        (Class::Equilibrium | Class::Sticking, Some([re, _])) => {
+        (Class::Equilibrium | Class::Sticking | Class::Running, Some([re, _])) => {
             format!("Re = {}", number(*re, SHARE))
         }
         _ => String::new(),
@@ -154,6 +183,10 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, record: &AttractorsRecord) -> 
         Document::new(info)
             .maybe("r", survey.r)
             .list("motions", &survey.found, |found| motion(info, found))
+            .list("edges", &survey.edges, |edge| {
+                let between = edge.between.map(|of| of + 1);
+                kind(info, &edge.saddle).put("between", between)
+            })
     };
     let missing = (record.missing > 0).then(|| serde_json::json!({ "missing": record.missing }));
     let document = Document::case(info, case)
@@ -170,13 +203,16 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, record: &AttractorsRecord) -> 
 }
 
 fn motion<'a>(info: &'a ModelInfo, found: &Found) -> Document<'a> {
-    let one = &found.attractor;
-    let document = Document::new(info)
-        .put("motion", one.class)
+    kind(info, &found.attractor)
         .put("count", found.count)
         .put("share", found.share)
         .put("interval", found.interval)
         .maybe("area", found.area)
+}
+
+fn kind<'a>(info: &'a ModelInfo, one: &Attractor) -> Document<'a> {
+    let document = Document::new(info)
+        .put("motion", one.class)
         .maybe("word", one.word.as_ref())
         .maybe("period", one.period)
         .states("state", &one.state)

@@ -19,6 +19,9 @@ use crate::model::ModelInfo;
 use crate::study::{Fate, Item, Region, Sampling};
 pub(in crate::app::commands) use region::Sides;
 
+/// Most starts in all: so many are kept in memory.
+const MOST: usize = 100_000_000;
+
 /// Find all motions on which starts in a region settle, and the share of each
 #[derive(Debug, Clone, Args)]
 #[command(
@@ -38,11 +41,14 @@ pub(in crate::app) struct Arguments {
     #[arg(long = "box", value_name = "NAME=A..B,..", value_parser = Reading(Sides::read))]
     region: Option<Sides>,
     /// How many starts at each value
-    #[arg(long, value_name = "N", default_value = "1000", value_parser = counted::<1, 1_000_000_000>())]
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = counted::<1, 10_000_000>())]
     starts: usize,
     /// Shares as areas, too, by lines across a region with two sides: some four digits more
     #[arg(long)]
     areas: bool,
+    /// Saddles too, on the edges between basins
+    #[arg(long)]
+    edges: bool,
     #[command(flatten)]
     show: Show,
     #[command(flatten)]
@@ -61,13 +67,15 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         starts: arguments.starts,
         values: asked.case.along.map_or(1, |_| arguments.values),
         areas: arguments.areas,
+        edges: arguments.edges,
     };
     if sampling.areas && sampling.region.sides.len() != 2 {
         return refuse!("`--areas` are those of a region with two sides: `--box x=A..B,v=C..D`");
     }
     let shown = arguments.shown(asked.info, &sampling.region)?;
-    let Some(count) = sampling.values.checked_mul(sampling.starts) else {
-        return refuse!("`--values` times `--starts` are too many");
+    let count = sampling.values.checked_mul(sampling.starts);
+    let Some(count) = count.filter(|count| *count <= MOST) else {
+        return refuse!("`--values` times `--starts` are more than {MOST}");
     };
     let question =
         Question::new(app.version, asked.info, &asked.case).exactly("`--box`", &sampling);

@@ -19,6 +19,9 @@ use crate::app::values::{Reading, counted};
 use crate::study::{Cell, Grid, Item};
 use axis::Spaced;
 
+/// Most nodes: so many are kept in memory.
+const MOST: usize = 10_000_000;
+
 /// Ask a question at every node of a grid of two parameters
 #[derive(Debug, Clone, Args)]
 #[command(
@@ -43,7 +46,7 @@ pub(in crate::app) struct Arguments {
     #[arg(long = "box", value_name = "NAME=A..B,..", value_parser = Reading(Sides::read))]
     region: Option<Sides>,
     /// How many starts at each node, for `share`
-    #[arg(long, value_name = "N", default_value = "200", value_parser = counted::<1, 1_000_000_000>())]
+    #[arg(long, value_name = "N", default_value = "200", value_parser = counted::<1, 10_000_000>())]
     starts: usize,
     #[command(flatten)]
     sharing: Sharing,
@@ -62,8 +65,8 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     if grid.along[0].design == grid.along[1].design {
         return refuse!("`--along` and `--and` name the same parameter: a map has two");
     }
-    let Some(count) = grid.count() else {
-        return refuse!("the grid has too many nodes");
+    let Some(count) = grid.count().filter(|count| *count <= MOST) else {
+        return refuse!("the grid has more than {MOST} nodes");
     };
     let starts = (arguments.region.as_ref(), arguments.starts);
     let wanted = asked::read(info, &arguments.question, starts)?;

@@ -1,7 +1,7 @@
 //! `merge`: the answer of a list whose shares were done apart.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -54,7 +54,7 @@ pub(in crate::app) fn words(arguments: &Arguments) -> Result<Vec<OsString>, Fail
 }
 
 /// The words with which the shares in a folder were asked; those of the first that can be read.
-fn asked(folder: &PathBuf) -> Result<Option<Vec<String>>, Failure> {
+fn asked(folder: &Path) -> Result<Option<Vec<String>>, Failure> {
     let files = left(folder)?;
     let words = files.iter().find_map(|(path, ..)| {
         let words = std::cell::OnceCell::new();
