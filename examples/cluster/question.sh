@@ -2,4 +2,4 @@
 STICKSLIP=${STICKSLIP:-stickslip}
 SHARES=${SHARES:-7}
 OUT=${OUT:-found}
-QUESTION=(map belt-pair motion --along v_dr=0.05..0.4:60 --and gamma=1..5:60)
+QUESTION=(map belt-oscillator period --along v_dr=0.05..0.4:40 --and delta=1..5:40)

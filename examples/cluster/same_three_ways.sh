@@ -42,11 +42,11 @@ mkdir -p /run/munge && chown munge: /run/munge
 started=()
 trap 'kill "${started[@]}" 2> /dev/null || true' EXIT
 if [ ! -S /run/munge/munge.socket.2 ]; then
-    runuser -u munge -- munged --foreground & started+=($!)
+    runuser -u munge -- munged --foreground 2> /dev/null & started+=($!)
     sleep 1
 fi
-slurmctld -D & started+=($!)
-slurmd -D & started+=($!)
+slurmctld -D 2> /dev/null & started+=($!)
+slurmd -D 2> /dev/null & started+=($!)
 until sinfo --noheader -o %t | grep -q idle; do sleep 1; done
 OUT=by-slurm sbatch --wait slurm.sh
 "$STICKSLIP" merge by-slurm --quiet > by-slurm.txt
