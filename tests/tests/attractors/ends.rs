@@ -19,7 +19,8 @@ fn the_cycle_ends_where_its_share_becomes_zero() {
         let v_d = 0.5 * (there + gone);
         let found = sliding_from(v_d, &CAUGHT, (1, false)).found;
         match found[0].attractor.class {
-            Class::Orbit => there = v_d,
+            // Within 1e-8 the mass is caught so softly that the orbit has no derivative.
+            Class::Orbit | Class::Unsettled => there = v_d,
             Class::Equilibrium => gone = v_d,
             other => panic!("{v_d}: {other}"),
         }

@@ -44,6 +44,10 @@ impl Ground<'_> {
             Err(error @ FlowError::Unbounded { .. }) => {
                 Attractor::bare(Class::Escape, start, Some(error.to_string()))
             }
+            // The motion goes on, but cannot be judged.
+            Err(error @ FlowError::SensitivityUndefined(_)) => {
+                Attractor::bare(Class::Unsettled, start, Some(error.to_string()))
+            }
             Err(error) => Attractor::bare(Class::Failed, start, Some(error.to_string())),
         }
     }

@@ -9,7 +9,7 @@ use crate::study::question::Case;
 use crate::study::system::System;
 
 /// Relative accuracy with which motions are followed until they are recognised.
-const ROUGH: f64 = 1e-7;
+pub(super) const ROUGH: f64 = 1e-7;
 
 /// What the start of a case, in which nothing is followed, settles on.
 pub(in crate::study) fn closely(system: &System, case: &Case) -> Result<Attractor, FlowError> {

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::copies;
-use super::ground::Ground;
+use super::ground::{Ground, ROUGH};
 use super::record::{Attractor, Class};
 use crate::bifurcation::floquet;
 use crate::equilibrium::Spectrum;
@@ -94,20 +94,17 @@ fn advance(ground: &Ground<'_>, count: usize, crossings: &[Crossing]) -> Option<
             .map(|i| &crossings[i].1)
     };
     let (a, b, c) = (from(0)?, from(1)?, from(2)?);
-    let gain = |later: &[f64], before: &[f64]| -> Vec<f64> {
+    let gain = |later: &[f64], before: &[f64]| {
         let usual = &ground.usual;
         let gain = |j: usize| later[j] - before[j];
-        // A phase that turns is where it was.
-        let moves = |j: usize| ground.flow.phase() != Some(j) && gain(j).abs() > SETTLED * usual[j];
-        (0..usual.len())
-            .map(|j| if moves(j) { gain(j) } else { 0.0 })
-            .collect()
+        // A phase that turns is where it was; what gains no more than it has settled gains nothing.
+        let runs = |j: usize| ground.flow.phase() != Some(j) && gain(j).abs() > RUNS * usual[j];
+        let settled = (0..usual.len()).all(|j| runs(j) || gain(j).abs() <= SETTLED * usual[j]);
+        let gain = |j: usize| if runs(j) { gain(j) } else { 0.0 };
+        settled.then(|| (0..usual.len()).map(gain).collect::<Vec<f64>>())
     };
-    let (new, old) = (gain(a, b), gain(b, c));
-    let runs = new
-        .iter()
-        .zip(&ground.usual)
-        .any(|(gain, usual)| gain.abs() > RUNS * usual);
+    let (new, old) = (gain(a, b)?, gain(b, c)?);
+    let runs = new.iter().any(|gain| *gain != 0.0);
     (runs && apart(&new, &old, &ground.usual) <= SETTLED).then_some(new)
 }
 
@@ -166,7 +163,7 @@ fn read(
         .iter()
         .map(|(_, state)| state.clone())
         .collect();
-    found.error = Some(SETTLED);
+    found.error = Some(ROUGH);
     found.section = section;
     found.modes = place.modes;
     found.period = Some(period);
