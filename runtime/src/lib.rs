@@ -1,4 +1,6 @@
-//! Periodic motions of systems with dry friction: declared once, exact or smoothed, shot, followed and judged.
+#![doc = include_str!("../README.md")]
+//!
+//! # Architecture
 //!
 //! The path of the data is the order of the modules; each imports only from those above it:
 //!

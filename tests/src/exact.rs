@@ -1,7 +1,5 @@
 //! Exact motions of models at their own parameters.
 
-use std::ops::ControlFlow;
-
 use stickslip::flow::ExactFamily;
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
@@ -64,6 +62,6 @@ pub fn trade<M: Model<N>, const N: usize>(
     scope: &Scope,
 ) -> Result<Trade, StudyError> {
     let (system, case) = (System::of::<M, N>(), case(&model, start));
-    let mut record = system.trade(&case, scope, &mut |_, _| ControlFlow::Continue(()))?;
+    let mut record = system.trade(&case, scope)?;
     Ok(record.ends.remove(0).trade)
 }

@@ -1,11 +1,8 @@
 //! How a program asks: it finds the orbit of a brake pad, follows it along the speed of the disc, and does the same with
 //! the pad that slides evenly.
 
-use std::ops::ControlFlow;
-
-use stickslip::field::Design;
 use stickslip::model;
-use stickslip::study::{Along, Case, Dynamics, StudyError, System};
+use stickslip::study::{Case, StudyError, System};
 use stickslip_models::friction::Tustin;
 
 model! {
@@ -25,7 +22,7 @@ model! {
 
 fn main() -> Result<(), StudyError> {
     let system = System::of::<Pad, _>();
-    let mut case = Case::declared(system.info(), Dynamics::Exact);
+    let case = Case::of(&Pad::default());
     let orbit = system.orbit(&case)?;
     println!(
         "period {:.9} s, {}",
@@ -33,13 +30,11 @@ fn main() -> Result<(), StudyError> {
         orbit.floquet.stability.name()
     );
 
-    let (design, from, to) = (Design::Parameter(Pad::disc.index), 0.2, 0.6);
-    case.along = Some(Along { design, from, to });
-    let branch = system.branch(&case, &mut |_| ControlFlow::Continue(()))?;
-    for point in &branch.special {
+    let case = case.following(Pad::disc, 0.2..0.6);
+    for point in &system.branch(&case)?.special {
         println!("{} at {:.9} m/s", point.kind, point.r);
     }
-    let even = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()))?;
+    let even = system.equilibria_along(&case)?;
     for point in &even.special {
         println!("{} at {:.9} m/s", point.kind, point.r);
     }

@@ -1,8 +1,6 @@
 //! Where a brake pad squeals: 20 × 20 speeds of the disc and dampings, on all cores; model included.
 
-use stickslip::model::Model;
-use stickslip::shooting::OrbitError;
-use stickslip::study::{Case, Dynamics, StudyError, System, parallel};
+use stickslip::study::{Case, OrbitError, StudyError, System, parallel};
 use stickslip_models::friction::Tustin;
 
 stickslip::model! {
@@ -26,13 +24,11 @@ fn main() {
         .map(|cell| [f64::from(19 - cell / 20), f64::from(cell % 20 + 1)])
         .collect();
     let map = parallel(&cells, |[damping, disc]| {
-        let pad = Pad {
+        let case = Case::of(&Pad {
             damping: 0.5 * damping,
             disc: 0.05 * disc,
             ..Pad::default()
-        };
-        let mut case = Case::declared(system.info(), Dynamics::Exact);
-        case.parameters = pad.values().to_vec();
+        });
         match system.orbit(&case) {
             Ok(_) => '#',
             Err(StudyError::Orbit(OrbitError::Equilibrium { .. })) => '.',

@@ -1,31 +1,13 @@
 //! How the tests ask, and how they compare.
 
-use stickslip::continuation::Kind;
-use stickslip::field::Design;
-use stickslip::model::{Model, ParamId};
-use stickslip::study::{Along, Case, EquilibriaRecord, OrbitRecord, System, choose};
+use stickslip::model::Model;
+use stickslip::study::{Case, EquilibriaRecord, Kind, OrbitRecord, System};
 
 use crate::reference::{Motion, Plant, follow};
 
 /// A model with its parameters as a system and a case.
-pub fn case<M: Model<N>, const N: usize>(model: &M) -> (System, Case)
-where
-    M::Params<f64>: AsRef<[f64]>,
-{
-    let mut case = Case::declared(M::INFO, choose(M::INFO, None, 1e-9).dynamics);
-    case.parameters = model.values().as_ref().to_vec();
-    (System::of::<M, N>(), case)
-}
-
-/// The same case along a parameter.
-pub fn along<M>(case: &Case, parameter: ParamId<M>, from: f64, to: f64) -> Case {
-    let design = Design::Parameter(parameter.index);
-    let along = Some(Along { design, from, to });
-    Case {
-        along,
-        ..case.clone()
-    }
-    .at(from)
+pub fn case<M: Model<N>, const N: usize>(model: &M) -> (System, Case) {
+    (System::of::<M, N>(), Case::of(model))
 }
 
 /// The orbit of a model, and whether a hand-written plant comes back to its start after its period.

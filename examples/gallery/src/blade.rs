@@ -38,10 +38,9 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
     use super::Blade;
-    use crate::asked::{along, case, close, returns};
+    use crate::asked::{case, close, returns};
     use crate::reference::Plant;
 
     impl Plant<5, 1> for Blade {
@@ -145,8 +144,8 @@ mod tests {
             };
             let (system, mut case) = case(&model);
             case.accuracy = 1e-11;
-            let case = along(&case, Blade::omega, 0.4, 2.2);
-            let record = system.branch(&case, &mut |_| ControlFlow::Continue(()));
+            let case = case.following(Blade::omega, 0.4..2.2);
+            let record = system.branch(&case);
             let record = record.unwrap();
             assert_eq!(record.ended.word(), "reached-end");
             assert!(record.special.is_empty(), "{level}: {:?}", record.special);

@@ -28,12 +28,11 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
     use stickslip::continuation::Kind;
 
     use super::FroudePendulum;
-    use crate::asked::{along, case, close, returns, special};
+    use crate::asked::{case, close, returns, special};
     use crate::reference::Plant;
 
     impl Plant<2, 1> for FroudePendulum {
@@ -58,8 +57,8 @@ mod tests {
     fn it_hangs_still_above_a_speed_that_is_a_closed_form() {
         let model = FroudePendulum::default();
         let (system, case) = case(&model);
-        let case = along(&case, FroudePendulum::shaft, 0.5, 6.0);
-        let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(FroudePendulum::shaft, 0.5..6.0);
+        let record = system.equilibria_along(&case);
         let (shaft, frequency) = special(&record.unwrap(), Kind::Hopf);
         let expected = 4.0 * (0.1 * model.grip / model.drag).ln();
         let aside = (model.slip(0, expected, &[0.0; 2]) / model.moment).asin();

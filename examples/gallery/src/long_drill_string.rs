@@ -47,12 +47,11 @@ model! {
 #[cfg(test)]
 mod tests {
     use std::array::from_fn;
-    use std::ops::ControlFlow;
 
     use stickslip::continuation::Kind;
 
     use super::LongDrillString;
-    use crate::asked::{along, case, close, returns, special};
+    use crate::asked::{case, close, returns, special};
     use crate::reference::Plant;
 
     impl Plant<20, 1> for LongDrillString {
@@ -128,8 +127,8 @@ mod tests {
         let damping = model.mud + answer(&model, omega).1 / omega;
         let table = (0.27 * model.weight * model.radius / damping).ln() / 0.9;
         let (system, case) = case(&model);
-        let case = along(&case, LongDrillString::table, 20.0, 4.0);
-        let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(LongDrillString::table, 20.0..4.0);
+        let record = system.equilibria_along(&case);
         let (found, frequency) = special(&record.unwrap(), Kind::Hopf);
         close(found, table, 1e-8 * table, "speed of the table");
         close(frequency, omega, 1e-8, "frequency");

@@ -2,21 +2,26 @@
 #![forbid(unsafe_code)]
 
 mod blade;
+mod bouncing_ball;
+mod bouncing_bit;
 mod bowed_string;
 mod burridge_knopoff;
 mod clutch;
 mod den_hartog;
 mod feeny_moon;
 mod froude;
+mod impact_oscillator;
 mod isolator;
 mod long_drill_string;
 mod mass_on_belt;
 mod popp;
 mod positioning;
+mod relief_valve;
 mod rotor;
 mod spring_slider;
 mod squeal;
 mod two_blocks;
+mod woodpecker;
 
 #[cfg(test)]
 mod asked;
@@ -24,21 +29,26 @@ mod asked;
 mod reference;
 
 use blade::Blade;
+use bouncing_ball::BouncingBall;
+use bouncing_bit::BouncingBit;
 use bowed_string::BowedString;
 use burridge_knopoff::BurridgeKnopoff;
 use clutch::Clutch;
 use den_hartog::DenHartog;
 use feeny_moon::FeenyMoon;
 use froude::FroudePendulum;
+use impact_oscillator::ImpactOscillator;
 use isolator::Isolator;
 use long_drill_string::LongDrillString;
 use mass_on_belt::MassOnBelt;
 use popp::PoppOscillator;
 use positioning::Positioning;
+use relief_valve::ReliefValve;
 use rotor::Rotor;
 use spring_slider::SpringSlider;
 use squeal::Squeal;
 use two_blocks::TwoBlocks;
+use woodpecker::Woodpecker;
 
 stickslip::app!(
     Squeal,
@@ -57,4 +67,9 @@ stickslip::app!(
     MassOnBelt,
     FroudePendulum,
     FeenyMoon,
+    ImpactOscillator,
+    BouncingBall,
+    ReliefValve,
+    Woodpecker,
+    BouncingBit,
 );

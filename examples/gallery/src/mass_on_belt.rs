@@ -27,12 +27,11 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
     use stickslip::continuation::Kind;
 
     use super::MassOnBelt;
-    use crate::asked::{along, case, close, returns, special};
+    use crate::asked::{case, close, returns, special};
     use crate::reference::Plant;
 
     impl Plant<2, 1> for MassOnBelt {
@@ -57,8 +56,8 @@ mod tests {
     fn steady_sliding_loses_stability_where_the_closed_form_says() {
         let model = MassOnBelt::default();
         let (system, case) = case(&model);
-        let case = along(&case, MassOnBelt::belt, 0.05, 0.8);
-        let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(MassOnBelt::belt, 0.05..0.8);
+        let record = system.equilibria_along(&case);
         let (belt, frequency) = special(&record.unwrap(), Kind::Hopf);
         let slope = 1.5 * (model.mu_s - model.mu_m) / model.v_m;
         let expected = model.v_m * (1.0 - 2.0 * model.beta / slope).sqrt();

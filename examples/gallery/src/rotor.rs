@@ -34,12 +34,11 @@ model! {
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
-    use std::ops::ControlFlow;
 
     use stickslip::continuation::Kind;
 
     use super::Rotor;
-    use crate::asked::{along, case, close, special};
+    use crate::asked::{case, close, special};
 
     /// Smith's threshold ω_n (1 + c_e/c_i), at which the whirl has the frequency ω_n.
     #[test]
@@ -52,8 +51,8 @@ mod tests {
                 ..Rotor::default()
             };
             let (system, case) = case(&model);
-            let case = along(&case, Rotor::Omega, 1.0, 5.0);
-            let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+            let case = case.following(Rotor::Omega, 1.0..5.0);
+            let record = system.equilibria_along(&case);
             let (threshold, frequency) = special(&record.unwrap(), Kind::Hopf);
             close(threshold, 2.0 * (1.0 + outside / inside), 1e-9, "threshold");
             close(frequency, 2.0, 1e-9, "frequency");

@@ -39,12 +39,11 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
     use stickslip::continuation::Kind;
 
     use super::SpringSlider;
-    use crate::asked::{along, case, close, returns, special};
+    use crate::asked::{case, close, returns, special};
     use crate::reference::Plant;
 
     impl Plant<3, 0> for SpringSlider {
@@ -81,8 +80,8 @@ mod tests {
             let inertia = mass * model.V * model.V / (model.sigma * model.a * model.L);
             let expected = model.sigma * (model.b - model.a) / model.L * (1.0 + inertia);
             let (system, case) = case(&model);
-            let case = along(&case, SpringSlider::k, 3e8, 8e8);
-            let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+            let case = case.following(SpringSlider::k, 3e8..8e8);
+            let record = system.equilibria_along(&case);
             let (found, frequency) = special(&record.unwrap(), Kind::Hopf);
             close(found, expected, 1e-9 * expected, "critical stiffness");
             let expected = model.V / model.L * (model.b / model.a - 1.0).sqrt();

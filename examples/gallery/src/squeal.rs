@@ -42,13 +42,12 @@ model! {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
 
     use stickslip::continuation::Kind;
     use stickslip::study::EquilibriaRecord;
 
     use super::Squeal;
-    use crate::asked::{along, case, close, returns, special};
+    use crate::asked::{case, close, returns, special};
     use crate::reference::Plant;
 
     impl Plant<4, 1> for Squeal {
@@ -70,8 +69,8 @@ mod tests {
 
     fn equilibria(model: &Squeal) -> EquilibriaRecord {
         let (system, case) = case(model);
-        let case = along(&case, Squeal::mu, 0.0, 1.2);
-        let record = system.equilibria_along(&case, &mut |_| ControlFlow::Continue(()));
+        let case = case.following(Squeal::mu, 0.0..1.2);
+        let record = system.equilibria_along(&case);
         record.unwrap()
     }
 

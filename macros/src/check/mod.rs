@@ -2,6 +2,7 @@
 
 mod arrays;
 mod bounds;
+mod contacts;
 mod dimension;
 mod drive;
 mod equations;
@@ -53,7 +54,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
     bounds::check_bounds(written, errors);
     let units = Units::of(written, errors);
     units::check_drive(written, &units, errors);
-    units::check_contacts(written, &units, errors);
+    contacts::check_contacts(written, &units, errors);
     units::check_equations(written, &units, errors);
     if legible {
         names::check_used(written, &names, errors);

@@ -237,15 +237,6 @@ pub(super) fn check_drive(written: &Declaration, units: &Units, errors: &mut Err
     }
 }
 
-/// The fields of a contact, and its speed or gap, agree in themselves.
-pub(super) fn check_contacts(written: &Declaration, units: &Units, errors: &mut Errors) {
-    for contact in written.frictions().chain(written.presses()) {
-        for formula in contact.formulas() {
-            units.measure(formula, errors);
-        }
-    }
-}
-
 /// Both lines of a law are forces.
 pub(super) fn check_law(written: &Declaration, units: &Units, errors: &mut Errors) {
     let plain = units.time == Dimension::NONE;

@@ -76,17 +76,16 @@ fn of_stops(contact: &Contact, model: &Model, info: &TokenStream) -> Vec<TokenSt
     assertions.collect()
 }
 
-/// That a rigid press, whose reaction is solved for, enters linearly, and that no friction reads it.
+/// That a rigid press, whose reaction is solved for, enters linearly, and that no law with internal state reads it.
 fn of_reaction(contact: &Contact, model: &Model, info: &TokenStream) -> Vec<TokenStream> {
     let name = &contact.line.name;
     let law = law(contact);
-    let others = model.contacts().chain(model.memories());
     let reads = |other: &&Contact| pattern::presses_of(other, model).contains(&contact.place);
-    let reader = others.filter(reads).map(|other| {
+    let reader = model.memories().filter(reads).map(|other| {
         let other = &other.line.name;
         format!(
-            "the law of `{other}` reads `{name}`, and friction under the reaction of a rigid contact is not known yet: press \
-             with a compliant law"
+            "the law of `{other}` has internal state and reads `{name}`, the reaction of a rigid contact, which is solved for \
+             together with friction that it causes at once: press with a compliant law, or take a law without internal state"
         )
     });
     let bent = model.bent.then(|| {

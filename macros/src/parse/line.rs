@@ -50,7 +50,11 @@ impl Reader<'_> {
         }
         let mut rate = None;
         let (line, name, formula): (fn(Rule) -> Line, _, _) = match text.as_str() {
-            "let" => (Line::Let, self.declared(input)?, self.moving_side(input)?),
+            "let" => {
+                let name = self.declared(input)?;
+                no_unit(&name, input)?;
+                (Line::Let, name, self.moving_side(input)?)
+            }
             "drive" => (Line::Drive, name(input)?, self.at(input)?),
             "stop" => (Line::Stop, name(input)?, self.at(input)?),
             "stick" => (Line::Stick, word.clone(), self.right_side(input)?),
@@ -124,7 +128,14 @@ impl Reader<'_> {
         braced!(body in input);
         let mut fields = Vec::new();
         while !body.is_empty() {
-            fields.push(self.field(&body)?);
+            let field = self.field(&body)?;
+            let name = &field.name;
+            if fields.iter().any(|other: &Field| other.name == *name) {
+                let message = format!("field `{name}` is given twice; keep one");
+                self.errors.at(name, message);
+            } else {
+                fields.push(field);
+            }
             if !body.is_empty() {
                 body.parse::<Token![,]>()?;
             }
@@ -135,6 +146,10 @@ impl Reader<'_> {
     /// `name: formula`, or `name` alone where both are called the same.
     fn field(&mut self, input: ParseStream) -> syn::Result<Field> {
         let name: Ident = input.parse()?;
+        if input.peek(Token![=]) {
+            let message = format!("a field takes its value after `:`: write `{name}: ...`");
+            return Err(input.error(message));
+        }
         let formula = if input.parse::<Option<Token![:]>>()?.is_some() {
             self.formula(input)?
         } else {
@@ -211,6 +226,16 @@ impl Reader<'_> {
         };
         Ok(arithmetic.read(&input.parse()?))
     }
+}
+
+/// What a `let` line abbreviates has the unit that follows.
+fn no_unit(name: &Ident, input: ParseStream) -> syn::Result<()> {
+    if input.peek(Token![:]) {
+        return Err(input.error(format!(
+            "a `let` line states no unit, for that of `{name}` follows from its formula: write `let {name} = ...;`"
+        )));
+    }
+    Ok(())
 }
 
 /// `(depth, rate)`

@@ -2,6 +2,7 @@
 
 mod docs;
 mod element;
+mod heading;
 mod line;
 mod measure;
 mod repeat;
@@ -14,7 +15,7 @@ use syn::{Token, braced};
 
 use crate::errors::Errors;
 use crate::repeated::Repeated;
-use crate::syntax::{Broken, Declaration, Header, Line};
+use crate::syntax::{Broken, Declaration, Line};
 
 /// Which grammar a declaration follows, and its formulas.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -53,12 +54,7 @@ pub(crate) fn declaration(
 
 fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
     let declaration = Declaration {
-        header: Header {
-            docs: docs::docs(input)?,
-            visibility: input.parse()?,
-            keyword: input.parse()?,
-            name: input.parse()?,
-        },
+        header: heading::heading(input)?,
         lines: Vec::new(),
         repeated: Repeated::default(),
     };

@@ -150,6 +150,24 @@ pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
     input.error(format!("a line begins with {}", listed(grammar)))
 }
 
+/// Words with which people begin lines, and what to write instead.
+const OTHERS: [(&str, &str); 5] = [
+    (
+        "const",
+        "a number that does not change is a `param`: `param g: m/s^2 = 9.81;`",
+    ),
+    (
+        "constant",
+        "a number that does not change is a `param`: `param g: m/s^2 = 9.81;`",
+    ),
+    ("var", "what moves is a `state`: `state x: m = 1.0;`"),
+    (
+        "force",
+        "a force of friction is declared by `friction`, others stand in equations, or have a name by `let`",
+    ),
+    ("equation", "an equation is written `der(x) = v;`"),
+];
+
 /// A `stop` line where none can be.
 const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`; a coordinate that meets a wall is pressed \
      back by it: `press N = Law { .. } closing gap;`";
@@ -160,6 +178,10 @@ pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStr
         NO_STOP.to_owned()
     } else if let Some(near) = meant(written, grammar) {
         format!("did you mean `{near}`?")
+    } else if let Some((_, advice)) = OTHERS.iter().find(|(other, _)| *other == word) {
+        (*advice).to_owned()
+    } else if word.starts_with('d') && input.peek(Token![/]) {
+        "a rate of change is written `der(x) = v;`".to_owned()
     } else if grammar == Grammar::Model && input.peek(Token![=]) {
         format!(
             "write `der({word}) = ...;` for an equation, `let {word} = ...;` for an abbreviation"

@@ -10,7 +10,7 @@ fn a_line_begins_with_a_keyword() {
     assert_eq!(
         of_belt("param k", "constant k"),
         [
-            "`constant` does not begin a line; a line begins with `state`, `param`, `let`, `friction`, `press`, `drive` or `der`"
+            "`constant` does not begin a line; a number that does not change is a `param`: `param g: m/s^2 = 9.81;`"
         ]
     );
     assert_eq!(
@@ -107,7 +107,10 @@ fn laws_have_no_defaults_and_models_have() {
 #[test]
 fn one_macro_declares_one_struct() {
     let declared = |text| super::messages(text, Grammar::Model);
-    assert_eq!(declared("enum M {}"), ["expected `struct`"]);
+    assert_eq!(
+        declared("enum M {}"),
+        ["`enum` declares nothing here: write `pub struct Name { ... }`"]
+    );
     assert_eq!(
         declared("struct M { state x = 1.0; der(x) = -x; } struct N {}"),
         ["one declaration each: nothing may follow the closing brace"]

@@ -142,3 +142,30 @@ fn units_have_one_form() {
         ["the exponents of this unit are too large"]
     );
 }
+
+#[test]
+fn friction_opposes_a_speed() {
+    let said = |why: &str, instead: &str| {
+        [format!(
+            "friction opposes a speed, but `x` is a displacement, {why}: write the relative speed of the contact, such as \
+             `opposing {instead}`"
+        )]
+    };
+    let opposed = of_belt("opposing v - v_dr", "opposing x");
+    assert!(opposed.contains(&said("in m", "v")[0]), "{opposed:?}");
+    let plain = "
+        state x = 1.0;
+        state v = 0.0;
+        friction F = Dry { level: 1.0 } opposing OPPOSED;
+        der(x) = v;
+        der(v) = F - x;
+    ";
+    let opposing = |speed| of_model(&plain.replace("OPPOSED", speed));
+    assert_eq!(
+        opposing("x"),
+        said("for `der(x) = v`, on which `F` acts", "v")
+    );
+    assert_eq!(opposing("v"), NONE);
+    // The speed of a contact may well depend on where it is.
+    assert_eq!(opposing("v + 0.1 * x"), NONE);
+}

@@ -9,8 +9,8 @@ press_law! {
     ///
     /// v⁺ = e v⁻
     pub struct Rigid {
-        /// Coefficient of restitution: 1 loses nothing.
-        param restitution: 1 where 0.0 < restitution <= 1.0;
+        /// Coefficient of restitution: 1 loses nothing, 0 stays closed.
+        param restitution: 1 where 0.0 <= restitution <= 1.0;
 
         rebound(v) = restitution * v;
     }

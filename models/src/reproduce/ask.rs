@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use stickslip::field::Design;
 use stickslip::model::{Model, ModelInfo, ParamId};
-use stickslip::study::trade::{Finding, Scope, Trade};
+use stickslip::study::trade::{Scope, Trade};
 use stickslip::study::{
     Acting, Along, BranchRecord, Case, Dynamics, EquilibriaRecord, OrbitRecord, StudyError, System,
     Trajectory,
@@ -126,22 +126,14 @@ impl Subject {
                 false => ControlFlow::Continue(()),
             }
         };
-        let record = self.follow(&case, &mut watch)?;
+        let record = self.entry.branch_watched(&case, &mut watch);
+        let record = record.map_err(self.missing(&case))?;
         Ok(Branch::of(record, clock.elapsed()))
     }
 
     /// The branch of a case with all that leave it.
     pub(super) fn branches(&self, case: &Case) -> Result<BranchRecord, ReproduceError> {
-        self.follow(case, &mut |_| ControlFlow::Continue(()))
-    }
-
-    fn follow(
-        &self,
-        case: &Case,
-        watch: &mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>,
-    ) -> Result<BranchRecord, ReproduceError> {
-        let record = self.entry.branch(case, watch);
-        record.map_err(self.missing(case))
+        self.entry.branch(case).map_err(self.missing(case))
     }
 
     /// The branch of equilibria between two values of the parameter.
@@ -152,16 +144,14 @@ impl Subject {
     ) -> Result<EquilibriaRecord, ReproduceError> {
         let mut case = self.case(dynamics, from);
         case.along = Some(self.along(from, to));
-        let mut watch = |_: &_| ControlFlow::Continue(());
-        let record = self.entry.equilibria_along(&case, &mut watch);
+        let record = self.entry.equilibria_along(&case);
         record.map_err(self.missing(&case))
     }
 
     /// Error against cost of the copies where the parameter is r.
     pub(super) fn trade(&self, r: f64, scope: &Scope) -> Result<Vec<Trade>, ReproduceError> {
         let case = self.case(Dynamics::Exact, r);
-        let mut watch = |_, _: Finding<'_>| ControlFlow::Continue(());
-        let record = self.entry.trade(&case, scope, &mut watch);
+        let record = self.entry.trade(&case, scope);
         let ends = record.map_err(self.missing(&case))?.ends.into_iter();
         Ok(ends.map(|end| end.trade).collect())
     }

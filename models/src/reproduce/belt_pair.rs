@@ -82,7 +82,7 @@ fn panels(found: &[Found], ends: [f64; 2]) -> impl Iterator<Item = Panel> {
         let (v_dr, count) = (one.asked.v_dr, one.cycle.orbit.period_count);
         Panel::new(axis("*X*_{1}"), axis("*X*_{2}"))
             .titled(format!("*V*_{{dr}} = {v_dr}, period {count}"))
-            .curve(Curve::line("", 0, path.collect()))
+            .curve(Curve::smooth("", 0, path.collect()))
     })
 }
 

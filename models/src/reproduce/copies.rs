@@ -102,12 +102,6 @@ impl Copies {
         })
     }
 
-    /// The copies, and then the exact system.
-    pub(super) fn all(&self) -> impl Iterator<Item = &Member> {
-        let copies = self.copies.iter().map(|(_, copy)| copy);
-        copies.chain([&self.exact])
-    }
-
     /// What all branches cost along the parameter with this symbol.
     pub(super) fn costs(&self, system: &str, symbol: &str, thesis: &str) -> Vec<Vec<String>> {
         let costs =
@@ -121,26 +115,30 @@ impl Copies {
         self.copies.iter().flat_map(|(_, copy)| copy.points())
     }
 
-    /// A curve for each copy, and one for the exact system.
-    fn curves(&self, of: impl Fn(&Member) -> Vec<[f64; 2]>) -> Vec<Curve> {
-        let series = (1..=self.copies.len()).chain([0]);
-        let curve = |(series, one): (usize, &Member)| Curve::line(&one.label, series, of(one));
-        series.zip(self.all()).map(curve).collect()
+    /// A curve for each copy, and one for the exact system: behind the copies, which it would hide.
+    fn curves(&self, draw: impl Fn(&Member, usize) -> Curve) -> Vec<Curve> {
+        let copies = (1..).zip(self.copies.iter().map(|(_, copy)| copy));
+        let all = [(0, &self.exact)].into_iter().chain(copies);
+        all.map(|(series, one)| draw(one, series)).collect()
+    }
+
+    fn along(&self, of: fn(&OrbitRecord) -> f64) -> Vec<Curve> {
+        self.curves(|one, series| Curve::smooth(&one.label, series, one.along(of)))
     }
 
     /// The orbits at the beginning, in the plane of the first two states.
     pub(super) fn planes(&self) -> Vec<Curve> {
-        self.curves(Member::plane)
+        self.curves(|one, series| Curve::smooth(&one.label, series, one.plane()))
     }
 
     /// The largest magnitude of the first state along the branches.
     pub(super) fn amplitudes(&self) -> Vec<Curve> {
-        self.curves(Member::amplitudes)
+        self.along(|orbit| orbit.max_abs[0])
     }
 
     /// The frequency along the branches.
     pub(super) fn frequencies(&self) -> Vec<Curve> {
-        self.curves(|one| one.along(|orbit| 1.0 / orbit.period))
+        self.along(|orbit| 1.0 / orbit.period)
     }
 }
 

@@ -35,11 +35,11 @@ pub(super) fn drawn(
             true => ("copy, stable", STABLE),
             false => ("copy, unstable", UNSTABLE),
         };
-        Curve::line(label, series, points)
+        Curve::smooth(label, series, points)
     });
     let exact = curve(exact).into_iter().map(|(_, point)| point).collect();
     let hopf = Curve::points(artefacts, HOPF, Marker::Diamond, points(copy));
-    let others = [hopf, Curve::line(label, EXACT, exact)];
+    let others = [hopf, Curve::smooth(label, EXACT, exact)];
     stretches.chain(others).collect()
 }
 

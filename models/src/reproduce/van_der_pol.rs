@@ -27,24 +27,28 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
         .curves(
             "3.1",
             [vec![
-                Curve::line("limit cycle", 0, cycles.plane()),
+                Curve::smooth("limit cycle", 0, cycles.plane()),
                 Curve::points("unstable equilibrium", 2, Marker::Cross, vec![[0.0, 0.0]]),
             ]],
         )
         .curves(
             "3.2",
             [vec![
-                Curve::line("max |*x*|", 1, cycles.amplitudes()),
-                Curve::line("max |*x*′|", 2, cycles.along(|orbit| orbit.max_abs[1])),
+                Curve::smooth("max |*x*|", 1, cycles.amplitudes()),
+                Curve::smooth("max |*x*′|", 2, cycles.along(|orbit| orbit.max_abs[1])),
             ]],
         )
         .curves(
             "3.3",
             [
-                vec![Curve::line("", 0, cycles.along(|orbit| 1.0 / orbit.period))],
+                vec![Curve::smooth(
+                    "",
+                    0,
+                    cycles.along(|orbit| 1.0 / orbit.period),
+                )],
                 vec![
-                    Curve::line("*λ*_{1} = 1, the trivial one", 1, cycles.along(|_| 0.0)),
-                    Curve::line("*λ*_{2}", 2, second.collect()),
+                    Curve::smooth("*λ*_{1} = 1, the trivial one", 1, cycles.along(|_| 0.0)),
+                    Curve::smooth("*λ*_{2}", 2, second.collect()),
                 ],
             ],
         );
@@ -64,6 +68,14 @@ fn values(manuscript: Manuscript, orbit: &OrbitRecord, all: &[&OrbitRecord]) -> 
         decimals(orbit.map_or(f64::NAN, |orbit| of(orbit)), count)
     };
     manuscript
+        .value(
+            "least",
+            decimals(
+                fast.and_then(|orbit| log10_modulus(orbit))
+                    .unwrap_or(f64::NAN),
+                0,
+            ),
+        )
         .value("max", decimals(orbit.max_abs[0], 8))
         .value("period", decimals(orbit.period, 8))
         .value("multiplier", decimals(1e3 * multiplier, 6))

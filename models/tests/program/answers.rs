@@ -123,7 +123,7 @@ fn exact_friction_is_the_default() {
     );
     assert!((orbit["period"].as_f64().unwrap() / 12.001_031_294_830_58 - 1.0).abs() < 1e-8);
     assert_eq!(orbit["multipliers"][0][0], 0.0);
-    assert!(orbit["log_abs_multipliers"][0].is_null());
+    assert_eq!(orbit["log_abs_multipliers"][0], "-inf");
     assert_eq!(orbit, json("orbit belt-oscillator --exact --json"));
 }
 
@@ -169,10 +169,8 @@ fn the_shape_of_a_branch() {
     let points = branch["points"].as_array().unwrap();
     let ends = [&points[0], &points[points.len() - 1]];
     assert_eq!(ends.map(|point| point["r"].as_f64().unwrap()), [1.0, 0.5]);
-    assert_eq!(
-        ends.map(|point| point["parameters"]["nu"].as_f64().unwrap()),
-        [1.0, 0.5]
-    );
+    assert_eq!(branch["parameters"]["nu"], 1.0);
+    assert!(points.iter().all(|point| point["parameters"].is_null()));
     assert!((ends[0]["period"].as_f64().unwrap() - 6.663_286_859_323).abs() < 1e-7);
 }
 
@@ -185,10 +183,6 @@ fn a_smoothing_is_followed_in_its_size() {
         let points = branch["points"].as_array().unwrap();
         let ends = [&points[0], &points[points.len() - 1]];
         assert_eq!(ends.map(|point| point["r"].as_f64().unwrap()), [1e2, 1e4]);
-        assert_eq!(
-            ends.map(|point| point["dynamics"].as_str().unwrap()),
-            ["arctan:100", "arctan:1e4"]
-        );
     }
 }
 

@@ -34,7 +34,7 @@ fn the_shape_of_a_curve() {
     assert!(sheet.starts_with("eta,zeta,period,psi,omega,"), "{sheet}");
     assert_eq!(sheet.lines().count(), points.len() + 1);
     let picture = std::fs::read_to_string(folder.join("curve.svg")).unwrap();
-    assert!(picture.contains("zeta") && picture.contains("eta"));
+    assert!(picture.contains('ζ') && picture.contains('η'));
     let text = stickslip(&words(GRAZE)).stdout;
     assert!(
         text.contains("grazing-sliding points (GS1) in eta and zeta"),

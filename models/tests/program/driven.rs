@@ -63,7 +63,7 @@ fn a_frequency_response_is_one_command() {
         rows.lines()
             .all(|row| row.split(',').count() == head.split(',').count())
     );
-    assert!(read("branch.svg").contains("amplitude_3 v (m/s)"));
+    assert!(read("branch.svg").contains("\"amplitude_3 v (m/s) against"));
 }
 
 #[test]

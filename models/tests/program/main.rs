@@ -18,10 +18,12 @@ mod refusals;
 #[cfg(unix)]
 mod resumed;
 mod saved;
+mod schema;
 #[cfg(unix)]
 mod shared;
 #[cfg(unix)]
 mod streamed;
+mod tables;
 mod trade;
 
 use std::process::Command;

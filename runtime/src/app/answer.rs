@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::document::value_of;
+use super::document::{value_of, versioned};
 use super::spreadsheet::Spreadsheet;
 use crate::report::Figure;
 
@@ -77,6 +77,14 @@ impl<'a> Answer<'a> {
         self
     }
 
+    /// The names of its files.
+    pub(super) fn files(&self) -> Vec<String> {
+        let figures = self.figures.iter().map(|(name, _)| format!("{name}.svg"));
+        let sheets = self.sheets.iter().map(|(name, _)| format!("{name}.csv"));
+        let document = format!("{}.json", self.name);
+        figures.chain(sheets).chain([document]).collect()
+    }
+
     /// All words.
     pub(super) fn text(&self) -> String {
         self.text.iter().map(|text| text()).collect()
@@ -84,7 +92,7 @@ impl<'a> Answer<'a> {
 
     /// The document with all its fields.
     pub(super) fn document(&self) -> Value {
-        let mut document = (self.document)();
+        let mut document = versioned((self.document)());
         for (name, part) in &self.parts {
             document[*name] = part();
         }

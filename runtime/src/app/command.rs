@@ -11,7 +11,7 @@ use super::commands::{
 };
 use super::failure::Failure;
 use super::offer::App;
-use super::usage;
+use super::{shell, usage};
 
 /// A command that every program has.
 #[derive(Debug, Subcommand)]
@@ -53,14 +53,24 @@ pub(super) fn command(app: &App, called: Option<&OsString>) -> Command {
         Some(_) if arg.get_action().takes_values() => arg.allow_hyphen_values(true),
         _ => arg,
     };
-    command
+    let command = command
         .mut_args(valued)
-        .mut_subcommands(|one| one.mut_args(valued))
+        .mut_subcommands(|one| one.mut_args(valued));
+    shell::hidden(command)
 }
 
 /// Does what the command line says.
-pub(super) fn perform(app: &App, matches: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn perform(
+    app: &App,
+    called: Option<&OsString>,
+    matches: &ArgMatches,
+) -> Result<(), Failure> {
+    if let Some(done) = shell::form(matches) {
+        return done;
+    }
     match matches.subcommand() {
+        Some((shell::COMPLETIONS, options)) => shell::completions(command(app, called), options),
+        Some((shell::MANUAL, options)) => shell::manual(command(app, called), options),
         Some((reproduce::NAME, options)) => reproduce::perform(app, &read(options)?),
         Some(_) => study(app, read(matches)?),
         None if app.reproduction.is_none() => {
@@ -74,7 +84,7 @@ pub(super) fn perform(app: &App, matches: &ArgMatches) -> Result<(), Failure> {
 pub(super) fn again(app: &App, words: &[OsString]) -> Result<(), Failure> {
     let command = command(app, words.first());
     match command.clone().try_get_matches_from(words) {
-        Ok(matches) => perform(app, &matches),
+        Ok(matches) => perform(app, words.first(), &matches),
         Err(error) => usage::explain(&error, &command, words),
     }
 }

@@ -143,6 +143,27 @@ pub(super) fn columns(rows: &[Vec<f64>], count: usize) -> impl Iterator<Item = V
     (0..count).map(column)
 }
 
+/// The version of the form of all documents: see the page of `--json-schema`.
+pub(super) const SCHEMA: u64 = 1;
+
+/// A document that says first in which form it is.
+pub(super) fn versioned(document: Value) -> Value {
+    let mut fields = Map::new();
+    fields.insert("schema".to_owned(), SCHEMA.into());
+    if let Value::Object(given) = document {
+        fields.extend(given);
+    }
+    Value::Object(fields)
+}
+
+/// A logarithm, of which JSON has no number where it is that of nothing.
+pub(super) fn logarithm(value: Option<f64>) -> Value {
+    match value {
+        Some(f64::NEG_INFINITY) => "-inf".into(),
+        other => value_of(other),
+    }
+}
+
 /// A value as JSON; nothing is written of what has no form there.
 pub(super) fn value_of(value: impl Serialize) -> Value {
     serde_json::to_value(value).unwrap_or_default()

@@ -23,6 +23,7 @@ mod saved;
 mod seal;
 mod section;
 mod shard;
+mod shell;
 mod show;
 mod spreadsheet;
 mod text;

@@ -9,12 +9,13 @@ use serde_json::Value;
 
 use super::answer::Answer;
 use super::arguments::{Destination, View};
-use super::document::value_of;
+use super::document::{value_of, versioned};
 use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
 use super::print::print;
 use super::spreadsheet::{Row, csv};
+use super::text::{fitted, wrapped};
 use crate::report::whole;
 use crate::study::Ended;
 
@@ -57,10 +58,10 @@ impl Output {
 
     /// What is printed of a question that was ended before it had an answer.
     pub(super) fn last_words(&self) -> String {
-        let mut subject = self.subject.clone();
-        if !(self.view.json && subject.is_object()) {
+        if !(self.view.json && self.subject.is_object()) {
             return String::new();
         }
+        let mut subject = versioned(self.subject.clone());
         subject["ended"] = "interrupted".into();
         json(&subject).unwrap_or_default()
     }
@@ -88,8 +89,11 @@ impl Output {
             json(&answer.document())?
         } else {
             let place = self.out.iter().filter(|_| written.is_ok());
-            let place = place.map(|folder| format!("\nwritten to {}\n", folder.display()));
-            answer.text() + &place.collect::<String>()
+            let place = place.map(|folder| {
+                let files = wrapped(&answer.files().join(", "), "  ");
+                format!("\nwritten to {}:\n{files}", folder.display())
+            });
+            fitted(&answer.text()) + &place.collect::<String>()
         };
         print(&told).and(written)
     }

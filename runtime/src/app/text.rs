@@ -4,6 +4,9 @@ use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case};
 
+/// Letters in a line of a terminal.
+pub(super) const WIDTH: usize = 80;
+
 /// A number with this many significant digits.
 pub(super) fn number(value: f64, digits: usize) -> String {
     if value == 0.0 {
@@ -116,24 +119,123 @@ pub(super) fn time_unit(info: &ModelInfo) -> &'static str {
     }
 }
 
-/// Lines whose cells stand between tabs, each column as wide as its widest cell, indented.
+/// Between columns.
+const GAP: usize = 2;
+/// From so many columns on, what is too wide for a line is divided into blocks.
+const MANY: usize = 4;
+
+/// Lines whose cells stand between tabs, each column as wide as its widest cell, indented; many columns that are too wide
+/// for a line stand in blocks, each of which begins with the first column.
 pub(super) fn table(lines: &str) -> String {
-    let rows = || lines.lines().map(|line| line.split('\t'));
+    let rows: Vec<Vec<&str>> = lines
+        .lines()
+        .map(|line| line.split('\t').collect())
+        .collect();
     let mut widths: Vec<usize> = Vec::new();
-    for row in rows() {
-        for (j, cell) in row.enumerate() {
+    for row in &rows {
+        for (j, cell) in row.iter().enumerate() {
             widths.resize(widths.len().max(j + 1), 0);
             widths[j] = widths[j].max(cell.chars().count());
         }
     }
-    let aligned = rows().map(|row| {
-        let cells = row.zip(&widths);
-        let line: String = cells
-            .map(|(cell, &width)| format!("  {cell:<width$}"))
-            .collect();
-        line.trim_end().to_owned() + "\n"
-    });
-    aligned.collect()
+    let aligned = |columns: &Vec<usize>| -> String {
+        let line = |row: &Vec<&str>| {
+            let cells = columns
+                .iter()
+                .filter_map(|&j| Some((row.get(j)?, widths[j])));
+            let line: String = cells
+                .map(|(cell, width)| format!("  {cell:<width$}"))
+                .collect();
+            line.trim_end().to_owned() + "\n"
+        };
+        rows.iter().map(line).collect()
+    };
+    let blocks: Vec<String> = blocks(&widths).iter().map(aligned).collect();
+    blocks.join("\n")
+}
+
+/// The columns of each block: all in one where they fit, or are few.
+fn blocks(widths: &[usize]) -> Vec<Vec<usize>> {
+    let all: usize = widths.iter().map(|width| GAP + width).sum();
+    if all <= WIDTH || widths.len() < MANY {
+        return vec![(0..widths.len()).collect()];
+    }
+    let mut blocks = vec![vec![0]];
+    let mut used = GAP + widths[0];
+    for (j, width) in widths.iter().enumerate().skip(1) {
+        let block = blocks.len() - 1;
+        if used + GAP + width > WIDTH && blocks[block].len() > 1 {
+            blocks.push(vec![0, j]);
+            used = 2 * GAP + widths[0] + width;
+        } else {
+            blocks[block].push(j);
+            used += GAP + width;
+        }
+    }
+    blocks
+}
+
+/// The same text, with what is too wide for a line continued on the next ones, further to the right.
+pub(super) fn fitted(text: &str) -> String {
+    let fit = |line: &str| match line.chars().count() {
+        0..=WIDTH => format!("{line}\n"),
+        _ => continued(line, hanging(line)),
+    };
+    text.lines().map(fit).collect()
+}
+
+/// Where a line that is too wide goes on: under its last cell, or a bit to the right of its beginning.
+fn hanging(line: &str) -> usize {
+    let indent = line.len() - line.trim_start().len();
+    let cell = line
+        .trim_end()
+        .rfind("  ")
+        .map(|at| line[..at].chars().count() + GAP);
+    let cell = cell.filter(|cell| (indent + 1..=WIDTH / 2).contains(cell));
+    cell.unwrap_or(indent + 2 * GAP)
+}
+
+/// A line broken between words.
+fn continued(line: &str, indent: usize) -> String {
+    let (mut out, mut used) = (String::new(), 0);
+    let mut rest = line;
+    while !rest.is_empty() {
+        let gap = rest.len() - rest.trim_start().len();
+        let end = rest[gap..].find(' ').map_or(rest.len(), |end| gap + end);
+        let (word, after) = rest.split_at(end);
+        let length = word.chars().count();
+        if used > indent && used + length > WIDTH {
+            out += &format!("\n{:indent$}", "");
+            out += word.trim_start();
+            used = indent + word.trim_start().chars().count();
+        } else {
+            out += word;
+            used += length;
+        }
+        rest = after;
+    }
+    out + "\n"
+}
+
+/// Words in lines of at most eighty letters, each after `indent`.
+pub(super) fn wrapped(text: &str, indent: &str) -> String {
+    let mut lines = vec![indent.to_owned()];
+    for word in text.split_whitespace() {
+        let line = &lines[lines.len() - 1];
+        let begun = line.len() > indent.len();
+        if begun && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            lines.push(indent.to_owned());
+        }
+        let line = lines.last_mut().filter(|line| line.len() > indent.len());
+        match line {
+            Some(line) => *line += &format!(" {word}"),
+            None => {
+                let last = lines.len() - 1;
+                lines[last] += word;
+            }
+        }
+    }
+    lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
 /// A line of cells.
@@ -188,6 +290,27 @@ mod tests {
         assert_eq!(number(1.5e-7, 3), "1.50e-7");
         assert_eq!(number(123_456.0, 3), "1.23e5");
         assert_eq!(number(0.0, 3), "0");
+    }
+
+    #[test]
+    fn no_line_is_wider_than_a_terminal() {
+        let words = "many words ".repeat(30);
+        for text in [
+            fitted(&words),
+            wrapped(&words, "  "),
+            fitted(&format!("    {words}")),
+        ] {
+            assert!(
+                text.lines().all(|line| line.chars().count() <= WIDTH),
+                "{text}"
+            );
+            assert_eq!(text.split_whitespace().count(), 60);
+        }
+        let wide: Vec<String> = (0..9).map(|j| format!("column number {j}")).collect();
+        let blocks = table(&line(wide));
+        assert!(blocks.lines().all(|line| line.chars().count() <= WIDTH));
+        assert_eq!(blocks.matches("number 0").count(), 3);
+        assert_eq!(blocks.matches("number 8").count(), 1);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use clap::{Command, Error};
 
 use super::failure::Failure;
 use super::print::print;
+use super::text::fitted;
 use super::words::unknown;
 
 /// Turns a refusal into a message; a request for help or the version is answered.
@@ -15,7 +16,9 @@ pub(super) fn explain(error: &Error, command: &Command, words: &[OsString]) -> R
     let option = named(ContextKind::InvalidArg);
     let bare = option.split_whitespace().next().unwrap_or_default();
     Err(Failure::usage(match error.kind() {
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => return print(&error.to_string()),
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            return print(&fitted(&error.to_string()));
+        }
         ErrorKind::InvalidSubcommand => no_command(&named(ContextKind::InvalidSubcommand), command),
         ErrorKind::UnknownArgument if bare.starts_with('-') => no_option(bare, command, words),
         ErrorKind::UnknownArgument => stray(&option, command, words),
@@ -51,7 +54,8 @@ fn plain(error: &Error) -> String {
 }
 
 fn commands(command: &Command) -> Vec<&str> {
-    command.get_subcommands().map(Command::get_name).collect()
+    let shown = command.get_subcommands().filter(|one| !one.is_hide_set());
+    shown.map(Command::get_name).collect()
 }
 
 fn no_command(word: &str, command: &Command) -> String {

@@ -2,6 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::Kind;
 use super::exponents::exponents;
 use super::growth::{Growth, Growths};
 use super::stability::Stability;
@@ -82,6 +83,39 @@ pub fn floquet(
         stability: growths.stability(),
         unstable: growths.growing(),
         growths,
+    }
+}
+
+impl Floquet {
+    /// How many multipliers are outside the unit circle beside those that pass it at a special point of this kind, if this
+    /// is one; `None` where that cannot be told.
+    #[must_use]
+    pub fn growing_beside(&self, kind: Kind) -> Option<usize> {
+        let one = Complex::new(1.0, 0.0);
+        let all = self.multipliers.iter().filter(|mu| mu.norm() > 0.0);
+        let nearest = |off: &dyn Fn(&Complex<f64>) -> f64| {
+            let nearest = all.clone().min_by(|a, b| off(a).total_cmp(&off(b)));
+            nearest.map(|mu| mu.norm().ln())
+        };
+        let passing = match kind {
+            Kind::Fold | Kind::BranchPoint | Kind::SymmetryBreaking => {
+                nearest(&|mu| (mu - one).norm())
+            }
+            Kind::Flip => nearest(&|mu| (mu + one).norm()),
+            Kind::Torus => nearest(&|mu| {
+                if mu.im == 0.0 {
+                    f64::INFINITY
+                } else {
+                    mu.norm().ln().abs()
+                }
+            }),
+            _ => None,
+        }?;
+        let (beside, own): (Vec<&Growth>, Vec<&Growth>) =
+            self.growths.iter().partition(|one| one.rate != passing);
+        let certain =
+            own.len() == kind.jump()? as usize && !beside.iter().any(|one| one.is_marginal());
+        certain.then(|| beside.iter().filter(|one| one.rate > 0.0).count())
     }
 }
 
@@ -183,6 +217,20 @@ mod tests {
         assert_eq!(verdict.multipliers[0].norm(), 0.0);
         assert_eq!(verdict.log_moduli, [Some(-29_000.0)]);
         assert_eq!(verdict.stability, Stability::Stable);
+    }
+
+    #[test]
+    fn what_passes_is_told_from_what_grows_beside_it() {
+        let diagonal = |all: [f64; 4]| {
+            let phi = DMatrix::from_diagonal(&DVector::from_row_slice(&all));
+            let along = DVector::from_vec(vec![1.0, 0.0, 0.0, 0.0]);
+            floquet(&phi, &along, None, 0, &[], 0, 1e-12)
+        };
+        let fold = diagonal([1.0, 1.0 + 1e-6, -3.0, 0.2]);
+        assert_eq!(fold.growing_beside(Kind::Fold), Some(1));
+        assert_eq!(fold.growing_beside(Kind::GrazingSliding), None);
+        let both = diagonal([1.0, 1.0 + 1e-6, -1.0, 0.2]);
+        assert_eq!(both.growing_beside(Kind::Fold), None, "another is marginal");
     }
 
     #[test]

@@ -41,14 +41,15 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let factor = growth(&corrected.corrections, bend);
         let direction = base.tangent.clone();
         let problem = self.problem.clone();
-        let before = (problem.clone(), base.clone(), length);
+        let r_scale = self.r_scale;
+        let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let arrives = self.tangent(&corrected, &direction)?;
         let accepted = self.accept(corrected, arrives.clone());
         // What the problem fixed for the new point does not fit the old one.
         let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
         let tangents = [direction, arrives];
-        self.link = Some(Link::new(problem, ends, tangents, self.r_scale, accuracy));
+        self.link = Some(Link::new(problem, ends, tangents, r_scale, accuracy));
         self.before = Some(before);
         self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
         self.step = (self.step * factor).min(self.settings.largest_step);

@@ -1,16 +1,16 @@
 //! Where a branch passes from one regime to another.
 
+use super::exchange::{self, Exchange};
 use super::path::{Border, Path, Spot, Watched};
+use super::root::SETTLED;
 
 const ITERATIONS: usize = 60;
 /// Halvings after each of which the change is sought as a point of its own, and up to which.
 const EVERY: usize = 4;
 const SOUGHT: usize = 24;
-/// Part of the accuracy asked for to which r is bracketed.
-const SETTLED: f64 = 0.01;
 /// Relative width of a bracket that cannot be made smaller, beyond which nothing is located.
 const WIDE: f64 = 1e-6;
-/// Where in a bracket the next point is tried: in the middle, elsewhere if there is none.
+/// Where else in a bracket the next point is tried if there is none.
 const TRIALS: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
 /// Share of the step that such a bracket may be: where r turns, it does not change much either.
 const APART: f64 = 1e-3;
@@ -21,6 +21,8 @@ pub(super) struct Change<P> {
     pub(super) after: Vec<Spot<P>>,
     /// The change as a point of its own.
     pub(super) border: Option<Border<P>>,
+    /// The point at which two events that exchange their order happen at once, and the estimated error of r there.
+    pub(super) meeting: Option<(Spot<P>, f64)>,
 }
 
 impl<P: Watched> Change<P> {
@@ -33,7 +35,7 @@ impl<P: Watched> Change<P> {
     pub(super) fn is_sharp(&self) -> bool {
         let [before, after] = self.nearest();
         let narrow = width([before, after]) <= WIDE && after.share - before.share <= APART;
-        self.border.is_some() || narrow
+        self.border.is_some() || self.meeting.is_some() || narrow
     }
 }
 
@@ -47,9 +49,16 @@ pub(super) fn change<Q: Path>(
         before: vec![from.clone()],
         after: vec![to.clone()],
         border: None,
+        meeting: None,
     };
+    let mut falsi = Exchange::within(to.share - from.share);
     for iteration in 0..ITERATIONS {
         let ends = found.nearest();
+        if let Some(spot) = exchange::met(ends, accuracy) {
+            let error = exchange::error(path, ends, accuracy);
+            found.meeting = Some((spot, error));
+            break;
+        }
         if width(ends) <= SETTLED * accuracy {
             break;
         }
@@ -63,14 +72,21 @@ pub(super) fn change<Q: Path>(
             found.border = Some(border);
             break;
         }
-        let Some(spot) = try_between(path, ends) else {
+        let Some(spot) = try_between(path, ends, falsi.part(ends)) else {
             break;
         };
         if spot.point.same_regime(&from.point) {
+            falsi.replaced(0);
             found.before.push(spot);
         } else if spot.point.same_regime(&ends[1].point) {
+            falsi.replaced(1);
             found.after.push(spot);
+        } else if exchange::meets(&spot, ends) {
+            let error = exchange::error(path, ends, accuracy);
+            found.meeting = Some((spot, error));
+            break;
         } else {
+            falsi = Exchange::within(spot.share - ends[0].share);
             found.after = vec![spot];
         }
     }
@@ -82,8 +98,12 @@ fn width<P: Watched>([a, b]: [&Spot<P>; 2]) -> f64 {
     (b.point.r() - r).abs() / r.abs().max(f64::MIN_POSITIVE)
 }
 
-fn try_between<Q: Path>(path: &mut Q, [low, high]: [&Spot<Q::Point>; 2]) -> Option<Spot<Q::Point>> {
-    TRIALS.iter().find_map(|part| {
+fn try_between<Q: Path>(
+    path: &mut Q,
+    [low, high]: [&Spot<Q::Point>; 2],
+    first: f64,
+) -> Option<Spot<Q::Point>> {
+    std::iter::once(&first).chain(&TRIALS).find_map(|part| {
         let share = low.share + part * (high.share - low.share);
         let inside = share > low.share && share < high.share;
         let point = inside.then(|| path.at(share).ok()).flatten()?;

@@ -83,7 +83,7 @@ impl Kind {
     }
 
     /// By how many the number of unstable directions changes; `None` if it may be any number.
-    pub(super) const fn jump(self) -> Option<i64> {
+    pub(crate) const fn jump(self) -> Option<i64> {
         match self {
             Self::Fold | Self::Flip | Self::BranchPoint | Self::SymmetryBreaking => Some(1),
             Self::Torus | Self::Hopf | Self::Flutter | Self::Krein => Some(2),

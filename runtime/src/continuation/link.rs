@@ -80,7 +80,10 @@ impl<P: ZeroProblem> Link<P> {
     /// The corrector failed, or went to another branch.
     pub fn between(&mut self, share: f64) -> Result<Point<P::Extra>, Failure<P::Error>> {
         let (z, r) = self.on_chord(share);
-        let found = self.across(share, &self.chord.clone())?;
+        // The cubic meets the plane across the chord where the chord itself does.
+        let near = self.on_cubic(share).map(|[near, _]| near);
+        let near = near.unwrap_or_else(|| (z.clone(), r));
+        let found = self.across(near, &self.chord.clone())?;
         let scale = self.problem.scale();
         let off = scaled(&scale, self.r_scale, &(&found.z - z), found.r - r).norm();
         if off > OFF * self.length {
@@ -96,23 +99,13 @@ impl<P: ZeroProblem> Link<P> {
 
     /// About the point at this share of the way: that of the cubic through both ends along both tangents, not corrected.
     pub(super) fn glance(&mut self, share: f64) -> Option<Point<P::Extra>> {
-        let (s, scale) = (share, self.problem.scale());
-        let along = |tangent: &DVector<f64>| tangent * (self.length / tangent.dot(&self.chord));
-        let [leaves, arrives] = self.tangents.each_ref().map(along);
-        let chord = &self.chord * self.length;
-        // Hermite's basis: what the chord and both tangents add.
-        let way = &chord * (s * s * (3.0 - 2.0 * s)) + &leaves * (s * (1.0 - s) * (1.0 - s))
-            - &arrives * (s * s * (1.0 - s));
-        let tangent = &chord * (6.0 * s * (1.0 - s))
-            + &leaves * ((1.0 - s) * (1.0 - 3.0 * s))
-            + &arrives * (s * (3.0 * s - 2.0));
-        let ((z, r), n) = (&self.ends[0], scale.len());
-        let z = z + way.rows(0, n).component_mul(&scale);
-        let r = r + way[n] * self.r_scale;
+        let [(z, r), (dz, dr)] = self.on_cubic(share)?;
         let at = self.problem.evaluate(&z, r).ok()?;
+        let tangent = scaled(&self.problem.scale(), self.r_scale, &dz, dr);
         Some(Point {
             residual: at.residual.norm(),
             tangent: tangent.try_normalize(0.0)?,
+            r_scale: self.r_scale,
             extra: at.extra,
             newton: 0,
             z,
@@ -129,7 +122,7 @@ impl<P: ZeroProblem> Link<P> {
         let [from, to] = &self.ends;
         let mut normal = DVector::zeros(from.0.len() + 1);
         normal[from.0.len()] = (to.1 - from.1).signum();
-        self.across(share, &normal)
+        self.across(self.on_chord(share), &normal)
     }
 
     /// The point of the chord at this share of it.
@@ -139,13 +132,31 @@ impl<P: ZeroProblem> Link<P> {
         (z, from.1 + (to.1 - from.1) * share)
     }
 
-    /// The point of the branch in the plane across `normal` through this share of the chord.
+    /// The point at this share of the cubic through both ends along both tangents, and its derivatives by the share.
+    fn on_cubic(&self, share: f64) -> Option<[(DVector<f64>, f64); 2]> {
+        let (s, scale) = (share, self.problem.scale());
+        let along = |tangent: &DVector<f64>| tangent * (self.length / tangent.dot(&self.chord));
+        let [leaves, arrives] = self.tangents.each_ref().map(along);
+        let chord = &self.chord * self.length;
+        // Hermite's basis: what the chord and both tangents add.
+        let way = &chord * (s * s * (3.0 - 2.0 * s)) + &leaves * (s * (1.0 - s) * (1.0 - s))
+            - &arrives * (s * s * (1.0 - s));
+        let slope = &chord * (6.0 * s * (1.0 - s))
+            + &leaves * ((1.0 - s) * (1.0 - 3.0 * s))
+            + &arrives * (s * (3.0 * s - 2.0));
+        let n = scale.len();
+        let unscaled = |v: DVector<f64>| (v.rows(0, n).component_mul(&scale), v[n] * self.r_scale);
+        let (from, finite) = (&self.ends[0], way.iter().all(|x| x.is_finite()));
+        let (by, slope) = (unscaled(way), unscaled(slope));
+        finite.then(|| [(&from.0 + by.0, from.1 + by.1), slope])
+    }
+
+    /// The point of the branch in the plane across `normal` through a point near it.
     fn across(
         &mut self,
-        share: f64,
+        (z, r): (DVector<f64>, f64),
         normal: &DVector<f64>,
     ) -> Result<Point<P::Extra>, Failure<P::Error>> {
-        let (z, r) = self.on_chord(share);
         let accuracy = (self.share * self.accuracy).max(FINEST);
         let found = correct(&mut self.problem, z, r, normal, self.r_scale, accuracy)?;
         let scale = self.problem.scale();
@@ -160,6 +171,7 @@ impl<P: ZeroProblem> Link<P> {
         } = found;
         Ok(Point {
             tangent: direction,
+            r_scale: self.r_scale,
             z,
             r,
             extra: linearisation.extra,

@@ -29,6 +29,12 @@ pub trait Watched: Clone {
         None
     }
 
+    /// The number of unstable directions beside those that pass at a special point of this kind, if this is one; `None`
+    /// where that is not known.
+    fn growing_beside(&self, _kind: Kind) -> Option<usize> {
+        None
+    }
+
     /// Takes from the point before on its branch what it cannot tell itself.
     fn inherit(&mut self, _before: &Self) {}
 
@@ -40,6 +46,12 @@ pub trait Watched: Clone {
     /// Whether both lie in one regime: what lies between two regimes is not smooth.
     fn same_regime(&self, _other: &Self) -> bool {
         true
+    }
+
+    /// The time between the two events that happen in the other order in the regime of `other`, if that is all by which
+    /// they differ; zero, if they happen at once here and one after the other there.
+    fn exchanged(&self, _other: &Self) -> Option<f64> {
+        None
     }
 }
 

@@ -15,6 +15,8 @@ pub struct Point<Extra> {
     pub residual: f64,
     /// Unit tangent in scaled coordinates, r last: that component changes sign at a fold.
     pub tangent: DVector<f64>,
+    /// The magnitude of r in these coordinates.
+    pub r_scale: f64,
     /// Newton iterations spent.
     pub newton: u64,
 }
@@ -27,9 +29,15 @@ pub(super) struct Base {
     pub(super) tangent: DVector<f64>,
 }
 
-/// A tangent in coordinates that are stretched by `ratio`, r left as it is.
-pub(super) fn rescaled(mut tangent: DVector<f64>, ratio: &DVector<f64>) -> DVector<f64> {
-    tangent.rows_mut(0, ratio.len()).component_mul_assign(ratio);
+/// A tangent in coordinates that are stretched by `ratio`, and in r by another one.
+pub(super) fn rescaled(
+    mut tangent: DVector<f64>,
+    ratio: &DVector<f64>,
+    r_ratio: f64,
+) -> DVector<f64> {
+    let n = ratio.len();
+    tangent.rows_mut(0, n).component_mul_assign(ratio);
+    tangent[n] *= r_ratio;
     tangent.normalize()
 }
 

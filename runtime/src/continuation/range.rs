@@ -13,7 +13,7 @@ pub struct Settings {
     pub to: f64,
     /// Corrections at most this, relative to the scale of the unknowns, end an iteration.
     pub accuracy: f64,
-    /// First step, as an arclength in scaled coordinates; r is scaled by |to − from|.
+    /// First step, as an arclength in scaled coordinates, r in its own magnitude along the branch.
     pub first_step: f64,
     /// Smallest step.
     pub smallest_step: f64,

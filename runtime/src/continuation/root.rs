@@ -6,13 +6,13 @@ const ITERATIONS: usize = 120;
 /// Secants after which a bracket that is no half of what it was is halved; once that was so, after each.
 const PATIENCE: usize = 3;
 /// Part of the accuracy asked for at which a point has converged.
-const SETTLED: f64 = 0.01;
+pub(super) const SETTLED: f64 = 0.01;
 /// Width of a bracket, as a share of the path, at which a point that cannot be found ends the search.
 const NARROW: f64 = 1e-4;
 /// Distance from a zero, as a share of the path, from which on slopes there are not all rounding.
 const NEIGHBOUR: f64 = 1e-3;
 /// What is reported over what two runs differ by: they share part of their errors.
-const DOUBT: f64 = 1.5;
+pub(super) const DOUBT: f64 = 1.5;
 /// Distance, as a part of the bracket, at which another point is tried instead.
 const BESIDE: f64 = 0.01;
 

@@ -1,4 +1,5 @@
-//! Equilibria at which contacts stick: sets of states, bounded by what friction can hold.
+//! Equilibria at which contacts stick, or rest on what does not give way: sets of states, bounded by what friction can
+//! hold.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -49,7 +50,12 @@ struct Sought<'a> {
 
 impl Sought<'_> {
     fn set(&self, start: &[f64]) -> Option<StickingSet> {
-        let sticking = sticking(self.modes);
+        let lost = sticking(self.modes);
+        let sticking = self
+            .modes
+            .iter()
+            .filter(|mode| **mode == Mode::Stick)
+            .count();
         let inside = self.solve(start, &[])?;
         let dimension = inside.len() - self.rank(&inside)?;
         let corners = self.corners(&inside, if dimension == 0 { 0 } else { sticking });
@@ -65,7 +71,7 @@ impl Sought<'_> {
             dimension,
             low,
             high,
-            spectrum: Spectrum::across(&at.jacobian, sticking + dimension),
+            spectrum: Spectrum::across(&at.jacobian, lost + dimension),
             state,
         })
     }
@@ -96,6 +102,7 @@ impl Sought<'_> {
                 match mode {
                     Mode::Stick => stick > 0.0 && contact.force.value.abs() <= stick,
                     Mode::Loose => true,
+                    Mode::Rest => contact.force.value > 0.0,
                     sliding => contact.speed.value * sliding.sign() > 0.0,
                 }
             })
@@ -112,7 +119,27 @@ impl Sought<'_> {
         self.flow.contacts(&self.place(state)).ok()
     }
 
-    /// f = 0, w = 0 of the sticking contacts, and, for signs given, their forces at the limit: as a matrix of slopes,
+    /// The gaps of the presses at rest, which are closed.
+    fn gaps(&self, state: &[f64]) -> Option<Vec<Row>> {
+        let rests = |(i, mode): (usize, &Mode)| (*mode == Mode::Rest).then_some(i);
+        let resting: Vec<usize> = self.modes.iter().enumerate().filter_map(rests).collect();
+        if resting.is_empty() {
+            return Some(Vec::new());
+        }
+        let mut open = self.place(state);
+        for press in &resting {
+            open.modes[*press] = Mode::Open;
+        }
+        let all = self.flow.contacts(&open).ok()?.all;
+        Some(
+            resting
+                .iter()
+                .map(|press| all[*press].speed.clone())
+                .collect(),
+        )
+    }
+
+    /// f = 0, w = 0 of the sticking contacts, closed gaps, and, for signs given, forces at the limit: as a matrix of slopes,
     /// and what is missing.
     fn equations(&self, state: &[f64], signs: &[f64]) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let Contacts { f, jacobian, all } = self.at(state)?;
@@ -123,7 +150,7 @@ impl Sought<'_> {
         let held = stuck().zip(signs);
         let limits = held.map(|(contact, sign)| limit(&contact.force, &contact.stick, *sign));
         let speeds = stuck().map(|contact| contact.speed.clone());
-        let more: Vec<Row> = speeds.chain(limits).collect();
+        let more: Vec<Row> = speeds.chain(self.gaps(state)?).chain(limits).collect();
         let order = f.len();
         let matrix = DMatrix::from_fn(order + more.len(), order, |i, j| {
             match i.checked_sub(order) {

@@ -105,14 +105,53 @@ pub enum FlowError {
         /// Its gap, below zero.
         gap: f64,
     },
-    /// A contact that does not give way and stays closed.
+    /// Presses that do not give way, of which none and all would bear.
     #[error(
-        "contact {contact} does not give way and comes to rest with its gap closed: only its impacts are known yet, not \
-         contact that lasts"
+        "at t = {} no reactions are consistent at contacts {}: whichever of them bear, some would pull, or close further",
+        brief(*.time),
+        listed(.contacts)
     )]
-    Resting {
-        /// Number of the contact.
+    NotBorne {
+        /// Numbers of the contacts whose gaps are closed.
+        contacts: Vec<usize>,
+        /// When.
+        time: f64,
+    },
+    /// An impact whose friction would have to know how the speed changes during it.
+    #[error(
+        "contact {contact} is hit at t = {}, and the friction of contact {friction} under it changes with speed: its impulse \
+         is defined only for a law that grows with the reaction at the same rate at every speed",
+        brief(*.time)
+    )]
+    Impulsive {
+        /// Number of the press.
         contact: usize,
+        /// Number of the contact that rubs.
+        friction: usize,
+        /// When.
+        time: f64,
+    },
+    /// An impact with friction that has no solution.
+    #[error("contact {contact} is hit at t = {}, and no impulses of it and its friction are consistent", brief(*.time))]
+    NoImpulse {
+        /// Number of the press.
+        contact: usize,
+        /// When.
+        time: f64,
+    },
+    /// Newton's restitution would make energy of friction.
+    #[error(
+        "contact {contact} is hit at t = {}, and with its restitution and friction the motion would gain the energy \
+         {energy:e}: Newton's law of impact says nothing there",
+        brief(*.time)
+    )]
+    Gains {
+        /// Number of the press.
+        contact: usize,
+        /// When.
+        time: f64,
+        /// Work of all impulses.
+        energy: f64,
     },
     /// Impacts at one time.
     #[error(

@@ -35,6 +35,13 @@ pub enum EventKind {
         /// Speed at which it opens.
         departure: f64,
     },
+    /// Impacts that follow each other ever faster came to their end, all that were left at once; the contact stays closed.
+    Settled {
+        /// Speed at which the gap closed the last time that was seen.
+        approach: f64,
+        /// For how long the others go on.
+        lasts: f64,
+    },
     /// It came nearest to an event that did not happen: a local minimum of |w|, of stick − |λ|, or of a gap.
     Nearest {
         /// That minimum.

@@ -54,7 +54,7 @@ pub trait Flow<const N: usize> {
     /// No mode is consistent with the state.
     fn place(&self, state: [f64; N]) -> Result<Place<N, Self::Mode>, FlowError>;
 
-    /// How many contacts stick in this mode: as many multipliers of an orbit through it are exactly zero.
+    /// How many directions of motion this mode takes away: as many multipliers of an orbit through it are exactly zero.
     fn sticking(_mode: &Self::Mode) -> usize {
         0
     }

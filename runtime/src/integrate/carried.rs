@@ -3,6 +3,10 @@
 use super::Propagator;
 use crate::field::{Field, Work};
 
+/// States from which on entries of a Jacobian are looked at before their row is multiplied: most are zero there, while
+/// the products of a small one are done in the time of the question.
+const SPARSE: usize = 8;
+
 /// A point of the space in which an explicit method steps, and a slope in it.
 ///
 /// With tangents the method differentiates its own step: Φ and ∂φ/∂r pass through the same stages as
@@ -85,13 +89,22 @@ impl<const N: usize> Motion<N> {
             ..Self::NOTHING
         };
         motion.design = step.design;
+        motion.add_product(&step.state, self);
+        motion
+    }
+
+    /// Adds `factor` times the derivatives of `motion` to these.
+    #[inline]
+    fn add_product(&mut self, factor: &[[f64; N]; N], motion: &Self) {
         for i in 0..N {
-            for (k, &entry) in step.state[i].iter().enumerate() {
-                motion.tangent[i].add(entry, &self.tangent[k]);
-                motion.design[i] += entry * self.design[k];
+            for (j, &entry) in factor[i].iter().enumerate() {
+                if N >= SPARSE && entry == 0.0 {
+                    continue;
+                }
+                self.tangent[i].add(entry, &motion.tangent[j]);
+                self.design[i] += entry * motion.design[j];
             }
         }
-        motion
     }
 
     /// Sets Φ = I and leaves the rest.
@@ -134,12 +147,7 @@ impl<const N: usize> Carried<N> for Motion<N> {
             trace: linear.trace(),
             ..Self::NOTHING
         };
-        for i in 0..N {
-            for (j, &entry) in linear.jacobian[i].iter().enumerate() {
-                slope.tangent[i].add(entry, &self.tangent[j]);
-                slope.design[i] += entry * self.design[j];
-            }
-        }
+        slope.add_product(&linear.jacobian, self);
         slope
     }
 

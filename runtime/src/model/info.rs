@@ -161,6 +161,12 @@ impl ModelInfo {
         press.is_some_and(|press| press.law.is_rigid())
     }
 
+    /// The numbers of the contacts whose friction reads the force of this press.
+    pub fn rubs_under(&self, press: usize) -> impl Iterator<Item = usize> {
+        let contacts = self.contacts.iter().enumerate();
+        contacts.filter_map(move |(i, contact)| contact.presses.contains(&press).then_some(i))
+    }
+
     /// Why no smooth copy stands for the model, where none does.
     #[must_use]
     pub fn unsmoothed(&self) -> Option<String> {

@@ -86,6 +86,15 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         ExactFlow::loosening(self, &fixed(state), contact)
     }
 
+    fn kick(&self, state: &[f64], contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
+        if !M::INFO.is_rigid(contact) {
+            return Ok(None);
+        }
+        Ok(Some(
+            ExactFlow::kick(self, &fixed(state), contact)?.to_vec(),
+        ))
+    }
+
     fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
         let (speeds, rounding) = self.speeds(&fixed(&at.state));
         let signs = at.modes.iter().map(|mode| mode.sign());

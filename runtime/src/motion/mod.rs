@@ -85,6 +85,14 @@ pub trait Flow: Send + Sync {
         0.0
     }
 
+    /// What a unit speed of approach adds to the state at an impact; `None` if there is no such contact, or it gives way.
+    ///
+    /// # Errors
+    /// The impulses are not determined there.
+    fn kick(&self, _state: &[f64], _contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
+        Ok(None)
+    }
+
     /// For each sliding contact its number and its relative speed the way it slides, for each press its gap or depth: not
     /// positive beyond the mode.
     fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {

@@ -7,10 +7,11 @@ use crate::model::ModelInfo;
 /// The mode of every contact in the order of declaration; none for a smooth system.
 pub type Modes = Vec<Mode>;
 
-/// How many contacts stick: as many multipliers of an orbit through these modes are exactly zero.
+/// How many directions of motion these modes take away, one for each contact that sticks and two for each press at rest: as
+/// many multipliers of an orbit through them are exactly zero.
 #[must_use]
 pub fn sticking(modes: &[Mode]) -> usize {
-    modes.iter().filter(|mode| **mode == Mode::Stick).count()
+    modes.iter().map(|mode| mode.lost()).sum()
 }
 
 /// The modes of all contacts in the order of declaration, for a message.
@@ -80,9 +81,10 @@ fn least_rotation(letters: Vec<(Letter, usize)>) -> Vec<(Letter, usize)> {
             Letter::Mode(Mode::SlideBackward) => 1,
             Letter::Mode(Mode::SlideForward) => 2,
             Letter::Mode(Mode::Loose) => 3,
-            Letter::Mode(Mode::Closed) => 4,
-            Letter::Mode(Mode::Open | Mode::Parted) => 5,
-            Letter::Impact => 6,
+            Letter::Impact => 4,
+            Letter::Mode(Mode::Rest) => 5,
+            Letter::Mode(Mode::Closed) => 6,
+            Letter::Mode(Mode::Open | Mode::Parted) => 7,
         };
         (order, contact)
     };

@@ -31,6 +31,19 @@ pub struct Panel {
     pub y: Axis,
     /// What is drawn, back to front.
     pub curves: Vec<Curve>,
+    /// A part of it, enlarged where nothing else is drawn.
+    pub inset: Option<Inset>,
+}
+
+/// A part of a panel, enlarged.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inset {
+    /// What of the horizontal axis.
+    pub x: [f64; 2],
+    /// What of the vertical axis.
+    pub y: [f64; 2],
+    /// Where it stands: the left, upper, right and lower end in shares of the panel, from its upper left corner.
+    pub place: [f64; 4],
 }
 
 /// An axis.
@@ -57,13 +70,19 @@ pub struct Curve {
     pub shape: Shape,
     /// Its points.
     pub points: Vec<[f64; 2]>,
+    /// The direction of a smooth line at each point, of any length, where it is known; NaN or nothing elsewhere.
+    pub directions: Vec<[f64; 2]>,
+    /// What stands beside each point, if anything does.
+    pub labels: Vec<String>,
 }
 
 /// How the points of a curve are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// Joined by a line in the style of the series.
+    /// Joined by a line in the style of the series, straight from each to the next.
     Line,
+    /// Joined by a smooth line in the style of the series.
+    Smooth,
     /// A marker each.
     Points(Marker),
     /// A tile each, of which so many fill the panel side by side, and on top of each other.
@@ -82,8 +101,14 @@ pub enum Marker {
     Circle,
     /// ×
     Cross,
+    /// +
+    Plus,
     /// ◇
     Diamond,
+    /// □
+    Square,
+    /// △
+    Triangle,
     /// A dot, for clouds of points.
     Dot,
 }
@@ -138,6 +163,31 @@ impl Panel {
             x,
             y,
             curves: Vec::new(),
+            inset: None,
+        }
+    }
+
+    /// The same panel with a part of it enlarged.
+    pub fn inset(self, inset: Inset) -> Self {
+        Self {
+            inset: Some(inset),
+            ..self
+        }
+    }
+
+    /// The panel that an inset of it is.
+    pub(super) fn enlarged(&self, inset: &Inset) -> Self {
+        let axis = |axis: &Axis, range| Axis {
+            label: String::new(),
+            range: Some(range),
+            ..axis.clone()
+        };
+        Self {
+            title: String::new(),
+            x: axis(&self.x, inset.x),
+            y: axis(&self.y, inset.y),
+            curves: self.curves.clone(),
+            inset: None,
         }
     }
 
@@ -184,14 +234,31 @@ impl Axis {
 }
 
 impl Curve {
-    /// A line in the style of series number `series`.
-    pub fn line(label: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
+    fn new(
+        label: impl Into<String>,
+        series: usize,
+        shape: Shape,
+        points: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Self {
         Self {
             label: label.into(),
             series,
-            shape: Shape::Line,
-            points,
+            shape,
+            points: points.into_iter().collect(),
+            directions: Vec::new(),
+            labels: Vec::new(),
         }
+    }
+
+    /// Straight lines from point to point in the style of series number `series`.
+    pub fn line(label: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
+        Self::new(label, series, Shape::Line, points)
+    }
+
+    /// A smooth line through points in the style of series number `series`: cubics with the directions that are known,
+    /// and with those of parabolas through neighbours elsewhere.
+    pub fn smooth(label: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
+        Self::new(label, series, Shape::Smooth, points)
     }
 
     /// Tiles in the colour of a series, or else in shade number `shade`, of which `fill` fill the panel.
@@ -203,12 +270,8 @@ impl Curve {
         points: Vec<[f64; 2]>,
     ) -> Self {
         let shade = series.is_none().then_some(shade);
-        Self {
-            label: label.into(),
-            series: series.unwrap_or(0),
-            shape: Shape::Tiles { fill, shade },
-            points,
-        }
+        let tiled = Shape::Tiles { fill, shade };
+        Self::new(label, series.unwrap_or(0), tiled, points)
     }
 
     /// Markers in the colour of series number `series`.
@@ -218,11 +281,16 @@ impl Curve {
         marker: Marker,
         points: Vec<[f64; 2]>,
     ) -> Self {
-        Self {
-            label: label.into(),
-            series,
-            shape: Shape::Points(marker),
-            points,
-        }
+        Self::new(label, series, Shape::Points(marker), points)
+    }
+
+    /// The same curve, with these directions at its points.
+    pub fn directed(self, directions: Vec<[f64; 2]>) -> Self {
+        Self { directions, ..self }
+    }
+
+    /// The same curve, with words beside its points.
+    pub fn labelled(self, labels: Vec<String>) -> Self {
+        Self { labels, ..self }
     }
 }

@@ -1,10 +1,14 @@
 //! A report: sections of text, figures and tables, written as one page with its data beside it.
 
+pub mod chart;
+mod data;
 mod draw;
 mod figure;
 mod manuscript;
 pub mod numerals;
 mod page;
+mod special;
+pub mod symbols;
 mod text;
 pub(crate) mod whole;
 mod written;
@@ -12,7 +16,7 @@ mod written;
 use std::io;
 use std::path::PathBuf;
 
-pub use figure::{Axis, Curve, Figure, Marker, Panel, SHADES, Shape};
+pub use figure::{Axis, Curve, Figure, Inset, Marker, Panel, SHADES, Shape};
 pub use manuscript::Manuscript;
 pub use written::{Report, Written};
 

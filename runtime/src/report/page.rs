@@ -1,7 +1,7 @@
 //! A report as one HTML page that needs nothing but itself.
 
 use super::figure::Figure;
-use super::text::html;
+use super::text::{escape, html, plain};
 use super::{Block, Section, Table};
 
 const STYLE: &str = include_str!("page.css");
@@ -39,7 +39,7 @@ fn figures(section: &Section) -> String {
             Block::Figure(figure) => Some(format!(
                 "<a href=\"#{}\" title=\"{}\">{}</a>",
                 figure.name(),
-                html(&figure.title),
+                escape(&plain(&figure.title)),
                 figure.number
             )),
             _ => None,
@@ -111,10 +111,11 @@ fn table(table: &Table) -> String {
         _ => "",
     };
     let line = |tag: &str, cells: Vec<&String>| -> String {
+        let scope = if tag == "th" { " scope=\"col\"" } else { "" };
         let cells: String = cells
             .iter()
             .enumerate()
-            .map(|(i, cell)| format!("<{tag}{}>{}</{tag}>", class(i), html(cell)))
+            .map(|(i, cell)| format!("<{tag}{scope}{}>{}</{tag}>", class(i), html(cell)))
             .collect();
         format!("<tr>{cells}</tr>\n")
     };
@@ -127,7 +128,7 @@ fn table(table: &Table) -> String {
     format!(
         "<figure class=\"table\" id=\"{name}\">\n<figcaption>{caption} \
          <span class=\"data\"><a href=\"data/{name}.csv\">{name}.csv</a></span></figcaption>\n\
-         <div class=\"scroll\"><table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n</figure>\n",
+         <div class=\"scroll\" tabindex=\"0\"><table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n</figure>\n",
         name = table.name,
         caption = html(&table.caption),
     )

@@ -6,7 +6,7 @@ use std::{fs, io};
 use super::figure::Panel;
 use super::page::{page, section};
 use super::whole::{self, csv};
-use super::{Block, ReportError, Section, Table, text};
+use super::{Block, ReportError, Section, Table, data, text};
 
 /// A report in a folder, `index.html` with `figures/*.svg` and `data/*.csv`: after each section that is added, it is whole.
 #[derive(Debug)]
@@ -129,13 +129,7 @@ fn save_panel(path: &Path, panel: &Panel) -> Result<(), ReportError> {
 }
 
 fn save_table(path: &Path, table: &Table) -> Result<(), ReportError> {
-    let head = table.columns.iter().map(|column| &column.head);
-    let rows = table.rows.iter().map(|row| row.iter().collect());
-    let rows = std::iter::once(head.collect::<Vec<_>>()).chain(rows);
-    save_rows(
-        path,
-        rows.map(|row| row.into_iter().map(|cell| text::plain(cell))),
-    )
+    save_rows(path, data::rows(table).into_iter())
 }
 
 fn save_rows<R>(path: &Path, rows: impl Iterator<Item = R>) -> Result<(), ReportError>

@@ -76,7 +76,7 @@ impl OrbitBranch {
             .map_err(Failure::Evaluation)?;
         let mut direction = DVector::zeros(z.len() + 1);
         direction[z.len()] = if upwards { 1.0 } else { -1.0 };
-        let started = Branch::set_out(problem, (z, r), &direction, settings)?;
+        let started = Branch::set_out(problem, (z, r), (&direction, 1.0), settings)?;
         Ok(Self::begin(started, search.accuracy))
     }
 
@@ -102,7 +102,7 @@ impl Reader for Orbits {
             residual: point.residual,
         };
         let mut orbit = Orbit::read(&problem.family, solution, self.accuracy, work);
-        orbit.heading.follow(&point.tangent);
+        orbit.heading.follow(&point.tangent, point.r_scale);
         orbit
     }
 
@@ -110,7 +110,7 @@ impl Reader for Orbits {
         let mut orbit = self.read(problem, point, Work::default());
         // At a branch point the kernel has no one direction; that of the step is good enough for all.
         let slope = orbit.heading.slope;
-        orbit.heading.follow(chord);
+        orbit.heading.follow(chord, point.r_scale);
         orbit.heading.slope = slope;
         orbit
     }

@@ -57,7 +57,7 @@ impl OrbitBranch {
             let z = OrbitProblem::unknowns(&whole.starts, period);
             let mut direction = DVector::zeros(order + 2);
             direction.rows_mut(0, order).copy_from(&axis);
-            match Branch::set_out(problem, (z, r), &direction, settings) {
+            match Branch::set_out(problem, (z, r), (&direction, 1.0), settings) {
                 Ok(started) => return Ok(Self::begin(started, search.accuracy)),
                 Err(failure) => last = failure.into(),
             }

@@ -55,13 +55,16 @@ pub struct Heading {
     /// Unit tangent of the branch in scaled coordinates (start, period, r); `None` off any branch, or
     /// where shooting has several segments.
     pub tangent: Option<DVector<f64>>,
+    /// The magnitude of r in these coordinates.
+    pub r_scale: f64,
     /// r-component of the unit tangent; 1 off any branch.
     pub slope: f64,
 }
 
 impl Heading {
-    /// Takes the tangent of the branch.
-    pub(crate) fn follow(&mut self, tangent: &DVector<f64>) {
+    /// Takes the tangent of the branch, r in this magnitude.
+    pub(crate) fn follow(&mut self, tangent: &DVector<f64>, r_scale: f64) {
+        self.r_scale = r_scale;
         self.slope = tangent[tangent.len() - 1];
         self.tangent = (tangent.len() == self.start.state.len() + 2).then(|| tangent.clone());
     }
@@ -141,6 +144,7 @@ impl Orbit {
             heading: Heading {
                 start: solution.start(),
                 tangent: None,
+                r_scale: 1.0,
                 slope: 1.0,
             },
             work,

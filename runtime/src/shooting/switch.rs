@@ -80,7 +80,7 @@ impl OrbitBranch {
                 continue;
             };
             let once = Turn { times: 1, ..turn };
-            let Ok(along) = heading(family, (orbit, &start), once, search, settings) else {
+            let Ok(along) = heading(family, (orbit, &start), once, search) else {
                 continue;
             };
             match Self::leave(family, (crossing, &start), &along, turn, search, settings) {
@@ -105,13 +105,13 @@ impl OrbitBranch {
         let z = OrbitProblem::unknowns(std::slice::from_ref(start), period);
         let linearisation = problem.clone().evaluate(&z, orbit.r);
         let linearisation = linearisation.map_err(Failure::Evaluation)?;
-        let (scale, r_scale) = (problem.scale(), (settings.to - settings.from).abs());
+        let (scale, r_scale) = (problem.scale(), orbit.heading.r_scale);
         let side = if turn.forwards { 1.0 } else { -1.0 };
         let direction = across(&linearisation, &scale, r_scale, along);
         let direction = direction.ok_or(SwitchError::NotFound)? * side;
         let set_out = |distance: f64| {
             let moved = step((&z, orbit.r), &direction, distance, &scale, r_scale);
-            let started = Branch::set_out(problem.clone(), moved, &direction, settings)?;
+            let started = Branch::set_out(problem.clone(), moved, (&direction, r_scale), settings)?;
             let branch = Self::begin(started, search.accuracy);
             let first = branch.first();
             let leaves = first.is_some_and(|first| leaves(first, orbit, turn, distance, r_scale));
@@ -156,12 +156,11 @@ fn heading(
     at: (&Orbit, &Place),
     once: Turn,
     search: &Search,
-    settings: Settings,
 ) -> Result<DVector<f64>, SwitchError> {
     let mut problem = gone_around(family, at, once, search)?;
     let z = OrbitProblem::unknowns(std::slice::from_ref(at.1), at.0.period);
     let linearisation = problem.evaluate(&z, at.0.r).map_err(Failure::Evaluation)?;
-    let r_scale = (settings.to - settings.from).abs();
+    let r_scale = at.0.heading.r_scale;
     let mut upwards = DVector::zeros(z.len() + 1);
     upwards[z.len()] = 1.0;
     let found = tangent(&linearisation, &problem.scale(), r_scale, &upwards);

@@ -1,7 +1,7 @@
 //! What is watched of an orbit along its branch.
 
 use super::orbit::Orbit;
-use crate::bifurcation::{Floquet, PeriodicPoint};
+use crate::bifurcation::{Floquet, Kind, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
 use crate::motion::{Modes, Segment};
@@ -23,6 +23,10 @@ impl Watched for Orbit {
         Some(self.floquet.growths.marginal())
     }
 
+    fn growing_beside(&self, kind: Kind) -> Option<usize> {
+        self.floquet.growing_beside(kind)
+    }
+
     fn inherit(&mut self, before: &Self) {
         self.floquet.growths.inherit(&before.floquet.growths);
     }
@@ -34,6 +38,20 @@ impl Watched for Orbit {
     /// Whether both orbits run through the same modes in the same cyclic order.
     fn same_regime(&self, other: &Self) -> bool {
         self.has_word_of(other, 1)
+    }
+
+    fn exchanged(&self, other: &Self) -> Option<f64> {
+        let (a, b) = (stretches(self), stretches(other));
+        if a.len() + 1 == b.len() {
+            return at_once(&a, &b).then_some(0.0);
+        }
+        let alone = |by: usize| {
+            let mut unlike = (0..a.len()).filter(|i| !a[*i].is_like(&b[(i + by) % b.len()]));
+            let first = unlike.next().filter(|_| unlike.next().is_none())?;
+            Some(a[first].duration)
+        };
+        let same = a.len() == b.len();
+        same.then(|| (0..b.len()).find_map(alone)).flatten()
     }
 }
 
@@ -77,8 +95,7 @@ impl Orbit {
         } else {
             b.len()
         };
-        let same = |a: &Stretch<'_>, b: &Stretch<'_>| (a.modes, a.impact) == (b.modes, b.impact);
-        let turned = |by: usize| (0..a.len()).all(|i| same(&a[i], &b[(i + by) % b.len()]));
+        let turned = |by: usize| (0..a.len()).all(|i| a[i].is_like(&b[(i + by) % b.len()]));
         a.len() == length && (0..b.len().max(1)).any(turned)
     }
 }
@@ -89,6 +106,21 @@ struct Stretch<'a> {
     /// The contact whose impact began it, if one did.
     impact: Option<usize>,
     duration: f64,
+}
+
+impl Stretch<'_> {
+    /// Whether it begins alike and passes in the same modes.
+    fn is_like(&self, other: &Self) -> bool {
+        (self.modes, self.impact) == (other.modes, other.impact)
+    }
+}
+
+/// Whether the events of `a` are those of `b`, but for one stretch between two of them.
+fn at_once(a: &[Stretch<'_>], b: &[Stretch<'_>]) -> bool {
+    let without = |gap: usize, by: usize| {
+        (1..b.len()).all(|i| b[(gap + i) % b.len()].is_like(&a[(by + i) % a.len()]))
+    };
+    (0..b.len()).any(|gap| (0..a.len()).any(|by| without(gap, by)))
 }
 
 /// The stretches once around; what the start divides is one.

@@ -93,7 +93,7 @@ impl Question {
             ..self.case.clone()
         };
         let mut points = 0;
-        let found = self.system.branch(&case, &mut |_| {
+        let found = self.system.branch_watched(&case, &mut |_| {
             points += 1;
             if points < MOST {
                 ControlFlow::Continue(())

@@ -1,7 +1,5 @@
 //! Where motions appear and vanish: by their shares, and by branches.
 
-use std::ops::ControlFlow;
-
 use stickslip::bifurcation::Kind;
 use stickslip::field::Design;
 use stickslip::study::{Along, Case, Class, Dynamics, System};
@@ -34,9 +32,7 @@ fn the_cycle_ends_where_its_share_becomes_zero() {
         }),
         ..Case::declared(system.info(), Dynamics::Exact).at(1.5)
     };
-    let branch = system
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
-        .unwrap();
+    let branch = system.branch(&case).unwrap();
     let end = branch
         .special
         .iter()
@@ -62,9 +58,7 @@ fn steady_sliding_draws_motions_in_from_its_hopf_point_on() {
         along: Some(along),
         ..Case::declared(system.info(), Dynamics::Exact).at(1.0)
     };
-    let branch = system
-        .equilibria_along(&case, &mut |_| ControlFlow::Continue(()))
-        .unwrap();
+    let branch = system.equilibria_along(&case).unwrap();
     let found = branch
         .special
         .iter()

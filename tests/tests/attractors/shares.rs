@@ -1,11 +1,9 @@
 //! Shares of basins against published ones, each within three of their standard errors.
 
-use std::ops::ControlFlow;
-
 use stickslip::bifurcation::Stability;
 use stickslip::model::ModelInfo;
 use stickslip::study::{
-    Case, Class, Dynamics, Fate, Found, Item, List, Region, Sampling, Side, Survey, System, choose,
+    Case, Class, Dynamics, Found, Region, Sampling, Side, Survey, System, choose,
 };
 
 use crate::models::{Duffing, FrictionOscillator, Pendulum};
@@ -42,15 +40,12 @@ fn survey(
             .unwrap();
         case.parameters[index] = *value;
     }
-    let go_on = |_: Item<'_, Fate>| ControlFlow::Continue(());
     let sampling = Sampling {
         areas: whole,
         edges: whole,
         ..Sampling::of(region(info, sides), starts)
     };
-    let record = system
-        .attractors(&case, &sampling, &List::whole(starts), &go_on)
-        .unwrap();
+    let record = system.attractors(&case, &sampling).unwrap();
     assert_eq!(record.missing, 0);
     record.surveys.into_iter().next().unwrap()
 }

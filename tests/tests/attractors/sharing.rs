@@ -35,7 +35,9 @@ fn found(list: &List<Fate>) -> (AttractorsRecord, BTreeMap<usize, Fate>) {
         seen.lock().unwrap().insert(item.number, item.found.clone());
         ControlFlow::Continue(())
     };
-    let record = system.attractors(&case, &sampling, list, &watch).unwrap();
+    let record = system
+        .attractors_watched(&case, &sampling, list, &watch)
+        .unwrap();
     (record, seen.into_inner().unwrap())
 }
 

@@ -1,7 +1,5 @@
 //! Branches of two masses on a belt with exact friction, and what leaves them.
 
-use std::ops::ControlFlow;
-
 use stickslip::field::Design;
 use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch, System};
 use stickslip_models::BeltPair;
@@ -40,8 +38,7 @@ fn follow_to(
         branch_points: false,
         depth,
     };
-    pair.branch(&case.at(v_dr), &mut |_| ControlFlow::Continue(()))
-        .expect("a branch")
+    pair.branch(&case.at(v_dr)).expect("a branch")
 }
 
 fn of_kind<'a>(branch: &'a BranchRecord, kind: &str) -> Vec<&'a Special> {

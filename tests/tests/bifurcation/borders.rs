@@ -1,7 +1,5 @@
 //! Where events begin or cease to happen, what continues a branch there, and what hides between its points.
 
-use std::ops::ControlFlow;
-
 use stickslip::bifurcation::Kind;
 use stickslip::continuation::Ending;
 use stickslip::field::Design;
@@ -53,7 +51,7 @@ fn branch<M: Model<N>, const N: usize>(
     case.parameters[along.index] = from;
     case.along = Some(Along { design, from, to });
     adapt(&mut case);
-    let found = system.branch(&case, &mut |_| ControlFlow::Continue(()));
+    let found = system.branch(&case);
     found.expect("a branch")
 }
 

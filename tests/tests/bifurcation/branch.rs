@@ -13,6 +13,7 @@ use stickslip_tests::subject::{self, Subject};
 on_every_reference_system! {
     a_branch_there_and_back_closes,
     a_branch_ends_on_the_orbit_that_is_found_there,
+    a_longer_range_only_adds_points,
 }
 
 const ACCURACY: f64 = 1e-9;
@@ -95,6 +96,19 @@ fn a_branch_ends_on_the_orbit_that_is_found_there<M: Model<N>, const N: usize>(
         &closest(&family, to, &search(subject)).expect("an orbit"),
         last,
     );
+}
+
+fn a_longer_range_only_adds_points<M: Model<N>, const N: usize>(subject: &Subject<M, N>) {
+    let (design, from, to) = span(subject);
+    let far = from + 3.7 * (to - from);
+    let (near, _) = follow(subject, design, (from, to), None);
+    let (long, _) = follow(subject, design, (from, far), None);
+    let inside = &near[..near.len() - 1];
+    assert!(inside.len() > 1 && long.len() > inside.len());
+    for (a, b) in inside.iter().zip(&long) {
+        assert_eq!((a.r, a.period), (b.r, b.period));
+        assert_eq!(a.place.state, b.place.state);
+    }
 }
 
 /// The drill string's cycle is lost in a fold, and the branch comes back unstable.

@@ -2,7 +2,6 @@
 //! in one parameter at fixed values of the other.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use stickslip::model;
 use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, StudyError, System};
@@ -103,7 +102,7 @@ fn circle(
     }
     let start = model.info().states.iter().map(|state| state.start);
     (case.start, case.period) = (Some(start.collect()), Some(TAU));
-    let curved = model.curve(&case, &scope, &mut |_| ControlFlow::Continue(()))?;
+    let curved = model.curve(&case, &scope)?;
     Ok(curved.followed().expect("nobody interrupts it"))
 }
 
@@ -241,11 +240,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
         let (mut case, scope) =
             question(&model, dynamics, ("v_dr", 0.12, 0.2), ("gamma", 3.0, 2.7));
         case.start = Some(vec![-0.5976, 0.0, -0.4604, -0.1607]);
-        let curve = model
-            .curve(&case, &scope, &mut |_| ControlFlow::Continue(()))
-            .unwrap()
-            .followed()
-            .unwrap();
+        let curve = model.curve(&case, &scope).unwrap().followed().unwrap();
         assert_eq!(
             (curve.kind.name(), curve.ended.word()),
             ("flip", "reached-end"),
@@ -264,9 +259,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
                 ..case.along.unwrap()
             });
             alone = alone.at(point.p - 5e-3);
-            let branch = model
-                .branch(&alone, &mut |_| ControlFlow::Continue(()))
-                .unwrap();
+            let branch = model.branch(&alone).unwrap();
             let flip = branch
                 .special
                 .iter()
@@ -307,11 +300,7 @@ fn the_drill_strings_graze_follows_its_closed_form() {
         } else {
             wide
         };
-        let curve = model
-            .curve(&question, &scope, &mut |_| ControlFlow::Continue(()))
-            .unwrap()
-            .followed()
-            .unwrap();
+        let curve = model.curve(&question, &scope).unwrap().followed().unwrap();
         assert_eq!(
             (curve.kind.name(), curve.of.as_str()),
             ("grazing-sliding", "GS1")

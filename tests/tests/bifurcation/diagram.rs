@@ -1,10 +1,8 @@
 //! Poincaré diagrams against single orbits, known flips and each other.
 
-use std::ops::ControlFlow;
-
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
-    Along, Case, Diagram, DiagramRecord, Dynamics, Known, Motion, Slice, Span, Sweep, System,
+    Along, Case, Diagram, DiagramRecord, Dynamics, Motion, Slice, Span, Sweep, System,
 };
 use stickslip_models::{BeltOscillator, BeltPair};
 use stickslip_tests::range::range;
@@ -33,11 +31,7 @@ const USUAL: Diagram = Diagram {
 };
 
 fn draw(model: &System, case: &Case, diagram: Diagram) -> DiagramRecord {
-    model
-        .diagram(case, &diagram, &Known::default(), &|_| {
-            ControlFlow::Continue(())
-        })
-        .expect("a diagram")
+    model.diagram(case, &diagram).expect("a diagram")
 }
 
 fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {

@@ -1,7 +1,6 @@
 //! Bifurcations of orbits, where they are known in closed form or from an independent method.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use stickslip::field::Design;
 use stickslip::model;
@@ -202,9 +201,7 @@ macro_rules! branch {
             from: $from,
             to: $to,
         });
-        model
-            .branch(&case, &mut |_| ControlFlow::Continue(()))
-            .expect("a branch")
+        model.branch(&case).expect("a branch")
     }};
 }
 
@@ -263,7 +260,7 @@ fn damped_modes_beside_an_orbit_lose_it_by_a_torus() {
         from: 0.3,
         to: 1.2,
     });
-    let branch = model.branch(&case, &mut |_| ControlFlow::Continue(()));
+    let branch = model.branch(&case);
     shows(
         &branch.expect("a branch"),
         &[("NS1", 0.75 * (1.0 + 2.0 * 0.01 * 0.01))],
@@ -324,9 +321,7 @@ fn accuracy_loses_no_point() {
     });
     for accuracy in [1e-6, 1e-8, 1e-10] {
         case.accuracy = accuracy;
-        let branch = model
-            .branch(&case, &mut |_| ControlFlow::Continue(()))
-            .expect("a branch");
+        let branch = model.branch(&case).expect("a branch");
         assert_eq!(branch.special.len(), 1, "at {accuracy:e}");
         assert!(branch.special[0].r.abs() <= accuracy);
     }
@@ -403,9 +398,7 @@ fn orbits_begin_at_the_brusselators_hopf_point() {
         to: 2.5,
     });
     case.beginning = Beginning::Hopf;
-    let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
-        .expect("a branch");
+    let branch = model.branch(&case).expect("a branch");
     assert_eq!(branch.ended.word(), "reached-end");
     let extent = |i: usize| branch.points[i].max[0] - branch.points[i].min[0];
     let above = |i: usize| branch.points[i].r.expect("r") - 2.0;

@@ -1,11 +1,10 @@
 //! Sections and diagrams of motions that are fast, slow, or both, and of those that never come.
 
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use stickslip::model;
 use stickslip::poincare::{Direction, Reason, Section, Surface};
-use stickslip::study::{Case, Diagram, Dynamics, Known, Motion, Slice, Span, Sweep, System};
+use stickslip::study::{Case, Diagram, Dynamics, Motion, Slice, Span, Sweep, System};
 use stickslip_models::friction::Tustin;
 use stickslip_tests::range::{place, range};
 
@@ -77,9 +76,7 @@ fn slices(model: &System, name: &str, (from, to): (f64, f64), diagram: Diagram) 
     let mut case = Case::declared(model.info(), dynamics);
     case.along = Some(range(model, name, from, to));
     let case = case.at(from);
-    let record = model.diagram(&case, &diagram, &Known::default(), &|_| {
-        ControlFlow::Continue(())
-    });
+    let record = model.diagram(&case, &diagram);
     record.expect("a diagram").sweeps[0].slices.clone()
 }
 

@@ -3,7 +3,9 @@
 mod audit;
 mod bilinear;
 mod derivatives;
+mod graze;
 mod hopf;
 mod impact;
 mod models;
+mod rest;
 mod squeal;

@@ -166,6 +166,76 @@ model! {
 }
 
 model! {
+    /// Two balls tied to each other on a table that moves up and down.
+    pub(crate) struct Shelf {
+        state y1 = 1.0;
+        state v1 = 0.0;
+        state y2 = 1.2;
+        state v2 = 0.0;
+        param shake = 0.5;
+        param omega = 1.3 where omega > 0.0;
+        param e1 = 0.5 where 0.0 <= e1 <= 1.0;
+        param e2 = 0.4 where 0.0 <= e2 <= 1.0;
+        param mass = 1.5 where mass > 0.0;
+        param tie = 0.3;
+        param drag = 0.1;
+        param g = 1.0;
+        drive phi at omega;
+        press A = Rigid { restitution: e1 } closing y1 - shake * sin(phi);
+        press B = Rigid { restitution: e2 } closing y2 + 0.1 * y2 * y2 - shake * cos(phi);
+        let spring = tie * (y2 - y1) + drag * (v2 - v1);
+        der(y1) = v1;
+        der(v1) = A + spring - g;
+        der(y2) = v2;
+        der(v2) = (B * (1.0 + 0.2 * y2) - spring) / mass - g;
+    }
+}
+
+model! {
+    /// A mass on another one on the ground.
+    pub(crate) struct Tower {
+        state y1 = 0.0;
+        state v1 = 0.0;
+        state y2 = 1.0;
+        state v2 = 0.0;
+        param e = 0.5 where 0.0 <= e <= 1.0;
+        param mass = 2.0 where mass > 0.0;
+        press A = Rigid { restitution: e } closing y1;
+        press B = Rigid { restitution: e } closing y2 - y1 - 1.0;
+        der(y1) = v1;
+        der(v1) = A - B - 1.0;
+        der(y2) = v2;
+        der(v2) = B / mass - 1.0;
+    }
+}
+
+model! {
+    /// A block on a shaken ramp, on whose surface a belt runs.
+    pub(crate) struct Ramp {
+        state x = 0.0;
+        state u = 0.0;
+        state y = 0.5;
+        state v = 0.0;
+        param shake = 0.5;
+        param omega = 1.3 where omega > 0.0;
+        param e = 0.3 where 0.0 <= e <= 1.0;
+        param mu = 0.4 where mu >= 0.0;
+        param slope = 0.2;
+        param wide = 0.8 where wide > 0.0;
+        param belt = 0.2;
+        param k = 1.0;
+        param g = 1.0;
+        drive phi at omega;
+        press R = Rigid { restitution: e } closing y - slope * x - shake * sin(phi);
+        friction F = Coulomb { level: mu * R } opposing u + slope * v - belt;
+        der(x) = u;
+        der(u) = (F - slope * R - k * x) / wide;
+        der(y) = v;
+        der(v) = R + slope * F - g;
+    }
+}
+
+model! {
     /// The pressure relief valve of Hos and Champneys.
     pub(crate) struct Valve {
         state y = 2.4;

@@ -1,7 +1,5 @@
 //! The limit cycle of squeal, bounded by stick or by lift-off, against a small event-driven run of its own.
 
-use std::ops::ControlFlow;
-
 use stickslip::continuation::Kind;
 use stickslip::field::Design;
 use stickslip::model::Model;
@@ -273,9 +271,7 @@ fn a_branch_of_squeal_passes_from_stick_to_lift_off() {
         to: 1.5,
     });
     let system = System::of::<Squeal, 4>();
-    let branch = system
-        .branch(&along, &mut |_| ControlFlow::Continue(()))
-        .unwrap();
+    let branch = system.branch(&along).unwrap();
     let kinds: Vec<Kind> = branch.special.iter().map(|special| special.kind).collect();
     assert_eq!(kinds[0], Kind::Grazing);
     let graze = branch.special[0].r;

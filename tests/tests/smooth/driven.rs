@@ -1,7 +1,6 @@
 //! Harmonically forced models: closed forms, an independent event-driven integration, and every command.
 
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::study::trade::Scope;
@@ -75,9 +74,7 @@ fn the_response_is_followed_through_resonance() {
         along: Some(range(&model, "omega", 0.5, 2.0)),
         ..case(&model, Dynamics::Smooth, &[("omega", 0.5)])
     };
-    let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
-        .expect("a branch");
+    let branch = model.branch(&case).expect("a branch");
     assert_eq!(branch.ended.word(), "reached-end");
     assert!(branch.points.len() > 5);
     for point in &branch.points {
@@ -193,9 +190,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
         along: Some(range(&model, "omega", 0.6, 0.66)),
         ..case(&model, Dynamics::Exact, &[("omega", 0.6)])
     };
-    let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
-        .expect("a branch");
+    let branch = model.branch(&case).expect("a branch");
     assert_eq!(branch.ended.word(), "reached-end");
     for point in &branch.points {
         let omega = point.r.expect("a followed parameter");
@@ -212,9 +207,7 @@ fn trade_measures_the_copies_of_a_forced_orbit() {
         tolerances: Vec::new(),
         ..Scope::default()
     };
-    let trade = model.trade(&case(&model, Dynamics::Exact, &[]), &scope, &mut |_, _| {
-        ControlFlow::Continue(())
-    });
+    let trade = model.trade(&case(&model, Dynamics::Exact, &[]), &scope);
     let trade = trade.expect("a trade");
     let curve = &trade.ends[0].trade.curves[0];
     assert_eq!(curve.points.len(), 3, "{:?}", curve.lost);

@@ -1,7 +1,6 @@
 //! Frequency responses: amplitude and phase against closed forms and against what the equations demand of them.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use nalgebra::Complex;
 use stickslip::field::Design;
@@ -68,7 +67,7 @@ fn a_linear_response_is_its_closed_form_through_resonance() {
     case.along = Some(range(&model, "omega", 0.5, 2.0));
     case.harmonics = vec![1, 3];
     let case = case.at(0.5);
-    let branch = model.branch(&case, &mut |_| ControlFlow::Continue(()));
+    let branch = model.branch(&case);
     let branch = branch.expect("a branch");
     assert_eq!(branch.ended.word(), "reached-end");
     for point in &branch.points {

@@ -2,7 +2,6 @@
 //! derivatives through slips.
 
 use std::f64::consts::{PI, TAU};
-use std::ops::ControlFlow;
 
 use nalgebra::DVector;
 use stickslip::continuation::correct;
@@ -517,9 +516,7 @@ fn the_response_is_followed_through_resonance() {
     };
     case.parameters[Damped::c.index] = 0.1;
     case.parameters[Damped::omega.index] = 0.7;
-    let branch = model
-        .branch(&case, &mut |_| ControlFlow::Continue(()))
-        .expect("a branch");
+    let branch = model.branch(&case).expect("a branch");
     assert_eq!(branch.ended.word(), "reached-end");
     let last = branch.points.last().expect("points");
     case.along = None;

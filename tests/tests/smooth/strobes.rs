@@ -1,10 +1,8 @@
 //! Driven motions on their stroboscope, and the motion on which a start settles.
 
-use std::ops::ControlFlow;
-
 use stickslip::model;
 use stickslip::poincare::{Direction, Section, Surface};
-use stickslip::study::{Case, Diagram, Dynamics, Known, Motion, Slice, Sweep, System};
+use stickslip::study::{Case, Diagram, Dynamics, Motion, Slice, Sweep, System};
 use stickslip_models::ForcedBelt;
 use stickslip_models::friction::PoppStelter as Law;
 use stickslip_tests::range::{place, range};
@@ -64,9 +62,7 @@ fn slice(model: &System, set: &[(&str, f64)], section: Section) -> Slice {
         lyapunov: None,
         threads: None,
     };
-    let record = model.diagram(&case, &diagram, &Known::default(), &|_| {
-        ControlFlow::Continue(())
-    });
+    let record = model.diagram(&case, &diagram);
     record.expect("a diagram").sweeps[0].slices[0].clone()
 }
 

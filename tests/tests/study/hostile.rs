@@ -1,8 +1,6 @@
 //! Models with random equations at random, hostile values, asked for everything: answers are finite, failures are typed,
 //! and all of it comes to an end.
 
-use std::ops::ControlFlow;
-
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::study::{Along, Case, Dynamics, System};
 use stickslip_models::friction::{CoulombStatic, Stribeck};
@@ -142,9 +140,7 @@ fn ask(dice: &mut Random, entry: &System) -> bool {
                 from,
                 to,
             });
-            entry
-                .equilibria_along(&case, &mut |_| ControlFlow::Continue(()))
-                .is_ok()
+            entry.equilibria_along(&case).is_ok()
         }
         _ => entry.orbit(&case).is_ok_and(|orbit| {
             finite(

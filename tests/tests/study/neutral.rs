@@ -95,9 +95,7 @@ fn a_stuck_damper_keeps_its_preload_through_resonance() {
         along: Some(along),
         ..case
     };
-    let branch = system
-        .branch(&case, &mut |_| std::ops::ControlFlow::Continue(()))
-        .expect("a branch");
+    let branch = system.branch(&case).expect("a branch");
     assert!(branch.special.is_empty() && branch.points.len() > 20);
     for point in &branch.points {
         swings_as_it_should(point, point.r.expect("along a parameter"));

@@ -1,20 +1,22 @@
 //! Figures 3.15, 3.17 and 3.18 of the thesis as they are printed: stable and unstable orbits.
 
-use std::collections::HashSet;
-
 use stickslip::bifurcation::Stability;
-use stickslip::report::{Axis, Curve, Marker, Panel};
-use stickslip::study::OrbitRecord;
+use stickslip::report::chart::{Chart, Drawn};
+use stickslip::report::{Axis, Curve, Panel};
+use stickslip::study::{BranchRecord, OrbitRecord, Special};
 
 use super::super::pieces::pieces;
 use super::{Atlas, RANGE};
 
-/// Of points that print as one, one is drawn.
-const CELL: [f64; 2] = [1e-3, 1e-2];
+/// Points of neighbouring orbits further apart than this are no curve.
+const APART: f64 = 0.1;
+
+/// A quantity of orbits, and of special points.
+pub(super) type Quantity = (fn(&OrbitRecord) -> f64, fn(&Special) -> f64);
 
 /// Two panels in which each branch is a curve of this quantity.
-pub(super) fn panels(atlases: [&Atlas; 2], label: &str, of: fn(&OrbitRecord) -> f64) -> [Panel; 2] {
-    atlases.map(|atlas| panel(atlas, label).curves(curves(atlas, of)))
+pub(super) fn panels(atlases: [&Atlas; 2], label: &str, quantity: Quantity) -> [Panel; 2] {
+    atlases.map(|atlas| curves(atlas, label, quantity))
 }
 
 fn panel(atlas: &Atlas, label: &str) -> Panel {
@@ -22,45 +24,56 @@ fn panel(atlas: &Atlas, label: &str) -> Panel {
     Panel::new(speed, Axis::new(label)).titled(atlas.title())
 }
 
-/// The Poincaré points are no curves: one marker each.
-pub(super) fn points(atlas: &Atlas) -> Panel {
-    let mut all = [Vec::new(), Vec::new()];
-    let mut taken = HashSet::new();
-    for point in atlas.branches().flat_map(|(_, branch)| &branch.points) {
-        let (Some(r), kind) = (point.r, usize::from(!stable(point))) else {
-            continue;
-        };
-        let values = point.section.iter().map(|state| [r, state[0]]);
-        all[kind].extend(values.filter(|[x, y]| {
-            taken.insert(((x / CELL[0]).round() as i64, (y / CELL[1]).round() as i64))
-        }));
+/// All branches, each of one stability up to the next, and from where it leaves another; the table names the special
+/// points.
+fn curves(atlas: &Atlas, label: &str, (of, special): Quantity) -> Panel {
+    let mut chart = Chart::new(panel(atlas, label));
+    for (_, branch) in atlas.branches() {
+        let mut drawn = Drawn::of((0, branch), |orbit| Some(of(orbit)), special);
+        // So many markers would hide the branches.
+        drawn.marks.iter_mut().for_each(|mark| mark.shown = false);
+        chart.add(drawn);
     }
-    let [stable, unstable] = all;
-    panel(atlas, "*X*_{1} where *X*_{1}′ = 0").curves([
-        Curve::points("unstable ", 1, Marker::Cross, unstable),
-        Curve::points("stable ", 0, Marker::Circle, stable),
-    ])
+    chart.panel()
 }
 
-fn stable(point: &OrbitRecord) -> bool {
-    point.floquet.stability == Stability::Stable
+/// The Poincaré points: as many curves for each branch as its orbits have points.
+pub(super) fn points(atlas: &Atlas) -> Panel {
+    let strands = atlas.branches().flat_map(|(_, branch)| strands(branch));
+    let pieces = strands.flat_map(|strand| pieces(&strand));
+    let curve = |(stable, points): (bool, Vec<[f64; 2]>)| match stable {
+        true => Curve::smooth("stable", 0, points),
+        false => Curve::smooth("unstable", 1, points),
+    };
+    panel(atlas, "*X*_{1} where *X*_{1}′ = 0").curves(pieces.map(curve))
 }
 
-/// Pieces of all branches, each of one stability and up to the next one.
-fn curves(atlas: &Atlas, of: fn(&OrbitRecord) -> f64) -> Vec<Curve> {
-    let pieces = atlas.branches().flat_map(|(_, branch)| {
-        let orbits = branch.points.iter();
-        let curve = orbits.filter_map(|orbit| Some((stable(orbit), [orbit.r?, of(orbit)])));
-        pieces(&curve.collect::<Vec<_>>())
-    });
-    pieces
-        .map(|(stable, points)| {
-            let (label, series) = if stable {
-                ("stable", 0)
-            } else {
-                ("unstable", 1)
-            };
-            Curve::line(label, series, points)
-        })
-        .collect()
+type Strand = Vec<(bool, [f64; 2])>;
+
+/// The points of the orbits of a branch, joined to those next to them of the next orbit.
+fn strands(branch: &BranchRecord) -> Vec<Strand> {
+    let (mut done, mut open): (Vec<Strand>, Vec<Strand>) = (Vec::new(), Vec::new());
+    for orbit in &branch.points {
+        let stable = orbit.floquet.stability == Stability::Stable;
+        let r = orbit.r.unwrap_or(f64::NAN);
+        let mut values: Vec<f64> = orbit.section.iter().map(|state| state[0]).collect();
+        let mut next = Vec::new();
+        for mut strand in std::mem::take(&mut open) {
+            let last = strand.last().map_or(f64::NAN, |(_, at)| at[1]);
+            let off = |value: &f64| (value - last).abs();
+            let found =
+                (0..values.len()).min_by(|&i, &j| off(&values[i]).total_cmp(&off(&values[j])));
+            match found.filter(|&i| off(&values[i]) < APART) {
+                Some(i) => {
+                    strand.push((stable, [r, values.swap_remove(i)]));
+                    next.push(strand);
+                }
+                None => done.push(strand),
+            }
+        }
+        next.extend(values.into_iter().map(|value| vec![(stable, [r, value])]));
+        open = next;
+    }
+    done.extend(open);
+    done
 }

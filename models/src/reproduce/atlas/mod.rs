@@ -77,11 +77,22 @@ pub(super) fn section() -> Result<(Section, usize), ReproduceError> {
         .rows("atlas-cost", both.map(costs))
         .panels(
             "3.15",
-            drawn::panels(both, "*f*", |orbit| 1.0 / orbit.period),
+            drawn::panels(
+                both,
+                "*f*",
+                (
+                    |orbit| 1.0 / orbit.period,
+                    |special| 1.0 / (special.turns as f64 * special.period),
+                ),
+            ),
         )
         .panels(
             "3.17",
-            drawn::panels(both, "max |*X*_{1}|", |orbit| orbit.max_abs[0]),
+            drawn::panels(
+                both,
+                "max |*X*_{1}|",
+                (|orbit| orbit.max_abs[0], |special| special.max_abs[0]),
+            ),
         )
         .panels("3.18", both.map(drawn::points));
     Ok((manuscript.section()?, branches))

@@ -6,8 +6,8 @@ use stickslip::report::Page;
 use stickslip::study::{BranchRecord, Dynamics, OrbitRecord, Special, parallel};
 
 use super::super::ask::Subject;
+use super::Atlas;
 use super::named::matches;
-use super::{Atlas, FAMILIES};
 
 const TEMPLATE: &str = include_str!("page.html");
 /// Accuracy of the motions that are drawn.
@@ -40,16 +40,21 @@ pub(super) fn page(pair: &Subject, smoothed: &Atlas, exact: &Atlas) -> Page {
     }
 }
 
-const HEAD: [&str; 10] = [
+const HEAD: [&str; 15] = [
     "system",
     "branch",
     "family",
     "n",
     "V_dr",
     "period",
-    "max|X1|",
+    "max_abs_X1",
     "stability",
-    "multipliers",
+    "multiplier_1_re",
+    "multiplier_1_im",
+    "multiplier_2_re",
+    "multiplier_2_im",
+    "multiplier_3_re",
+    "multiplier_3_im",
     "word",
 ];
 
@@ -57,9 +62,12 @@ fn rows(atlas: &Atlas) -> Vec<Vec<String>> {
     let all = atlas.branches().enumerate();
     all.flat_map(|(number, (family, branch))| {
         branch.points.iter().map(move |point| {
-            let multipliers = point.floquet.multipliers.iter();
-            let multipliers: Vec<String> = multipliers.map(ToString::to_string).collect();
-            vec![
+            let multipliers = |i: usize| point.floquet.multipliers.get(i);
+            let parts = (0..3).flat_map(|i| match multipliers(i) {
+                Some(one) => [one.re, one.im].map(|part| part.to_string()),
+                None => [String::new(), String::new()],
+            });
+            let mut row = vec![
                 atlas.dynamics.to_string(),
                 number.to_string(),
                 family.to_owned(),
@@ -68,34 +76,17 @@ fn rows(atlas: &Atlas) -> Vec<Vec<String>> {
                 point.period.to_string(),
                 point.max_abs[0].to_string(),
                 point.floquet.stability.name().to_owned(),
-                multipliers.join(" "),
-                point.word.clone().unwrap_or_default(),
-            ]
+            ];
+            row.extend(parts);
+            row.push(point.word.clone().unwrap_or_default());
+            row
         })
     })
     .collect()
 }
 
-/// A branch, its family, and the special point that it leaves.
-type Leaf<'a> = (&'static str, &'a BranchRecord, Option<&'a Special>);
-
-/// A branch and all that leave it.
-fn leaves<'a>((family, branch, origin): Leaf<'a>, all: &mut Vec<Leaf<'a>>) {
-    all.push((family, branch, origin));
-    for below in &branch.branches {
-        let origin = branch
-            .special
-            .iter()
-            .find(|special| Some(&special.label) == below.from.as_ref());
-        leaves((family, below, origin), all);
-    }
-}
-
 fn system(pair: &Subject, atlas: &Atlas, marked: &[&Special]) -> Value {
-    let mut all = Vec::new();
-    for (family, first) in FAMILIES.iter().zip(&atlas.families) {
-        leaves((family.name, first, None), &mut all);
-    }
+    let all: Vec<(&str, &BranchRecord)> = atlas.branches().collect();
     let name = match atlas.dynamics {
         Dynamics::Exact => "exact".to_owned(),
         other => format!("smoothed, {other}"),
@@ -103,7 +94,7 @@ fn system(pair: &Subject, atlas: &Atlas, marked: &[&Special]) -> Value {
     json!({ "name": name, "branches": parallel(&all, |leaf| branch(pair, leaf, marked)) })
 }
 
-fn branch(pair: &Subject, (family, branch, origin): &Leaf<'_>, marked: &[&Special]) -> Value {
+fn branch(pair: &Subject, (family, branch): &(&str, &BranchRecord), marked: &[&Special]) -> Value {
     let kept = thinned(&branch.points);
     let points = kept.iter().map(|(_, orbit)| point(pair, orbit));
     let after = |one: &Special| kept.iter().filter(|(i, _)| *i < one.after).count();
@@ -113,7 +104,7 @@ fn branch(pair: &Subject, (family, branch, origin): &Leaf<'_>, marked: &[&Specia
     });
     json!({
         "family": family, "from": branch.from, "ended": branch.ended.word(),
-        "origin": origin.map(|origin| self::special(origin, false, 0)),
+        "origin": branch.root.as_ref().map(|root| self::special(root, false, 0)),
         "points": points.collect::<Vec<_>>(), "special": special.collect::<Vec<_>>(),
     })
 }
@@ -174,7 +165,7 @@ fn path(pair: &Subject, orbit: &OrbitRecord) -> Option<Vec<f64>> {
 fn special(special: &Special, named: bool, after: usize) -> Value {
     json!({
         "named": named, "a": after, "k": special.kind.name(), "l": special.label,
-        "r": digits(special.r, 9), "T": digits(special.period, 8),
+        "r": digits(special.r, 9), "T": digits(special.turns as f64 * special.period, 8),
         "m": digits(special.max_abs[0], 5), "c": special.criticality,
     })
 }

@@ -5,6 +5,7 @@ use nalgebra::DVector;
 use super::ZeroProblem;
 use super::corrector::{Corrected, Failure, correct};
 use super::link::Link;
+use super::measure;
 use super::point::{Base, Point, rescaled, unit};
 use super::predictor::tangent;
 use super::range::{Settings, Stop};
@@ -18,14 +19,16 @@ pub struct Branch<P: ZeroProblem> {
     pub(super) r_scale: f64,
     pub(super) point: Option<Base>,
     pub(super) link: Option<Link<P>>,
-    /// Problem, point and step before the last step.
-    pub(super) before: Option<(P, Base, f64)>,
+    pub(super) before: Option<Before<P>>,
     pub(super) step: f64,
     pub(super) count: usize,
     /// Steps in a row that were tiny.
     pub(super) tiny: usize,
     pub(super) stop: Option<Stop<P::Error>>,
 }
+
+/// Problem, point, magnitude of r and step before the last step.
+pub(super) type Before<P> = (P, Base, f64, f64);
 
 /// Share of a step that was taken back with which the next one begins.
 const RETRACTED: f64 = 0.25;
@@ -67,22 +70,21 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         if settings.to < settings.from {
             direction.neg_mut();
         }
-        Self::set_out(problem, (z, settings.from), &direction, settings)
+        let r = settings.from;
+        Self::set_out(problem, (z, r), (&direction, measure::first(r)), settings)
     }
 
-    /// Converges across `direction` (scaled, r last) from (z, r) and gives the first point; the branch
-    /// goes on to the side of `direction`, between the ends of the settings.
+    /// Converges across `direction` (scaled, r last, in this magnitude) from (z, r) and gives the first point; the
+    /// branch goes on to the side of `direction`, between the ends of the settings.
     ///
     /// # Errors
     /// The first point could not be found.
     pub fn set_out(
         mut problem: P,
         (z, r): (DVector<f64>, f64),
-        direction: &DVector<f64>,
+        (direction, r_scale): (&DVector<f64>, f64),
         settings: Settings,
     ) -> Result<Started<P>, Failure<P::Error>> {
-        let span = settings.to - settings.from;
-        let r_scale = if span == 0.0 { 1.0 } else { span.abs() };
         let corrected = correct(&mut problem, z, r, direction, r_scale, settings.accuracy)?;
         let mut branch = Self {
             problem,
@@ -93,7 +95,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             before: None,
             tiny: 0,
             step: settings.first_step,
-            stop: (span == 0.0).then_some(Stop::ReachedEnd),
+            stop: (settings.to == settings.from).then_some(Stop::ReachedEnd),
             count: 0,
         };
         let tangent = branch.tangent(&corrected, direction)?;
@@ -133,7 +135,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     /// Takes the last step back, so that the next one is made from the point before it and is much
     /// shorter; `false` if it was as short as may be, or if it has been taken back already.
     pub fn retract(&mut self) -> bool {
-        let Some((problem, point, step)) = self.before.take() else {
+        let Some((problem, point, r_scale, step)) = self.before.take() else {
             return false;
         };
         let step = RETRACTED * step;
@@ -141,6 +143,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             return false;
         }
         self.problem = problem;
+        self.r_scale = r_scale;
         self.point = Some(point);
         self.step = step;
         self.count -= 1;
@@ -163,7 +166,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             .map_err(Refusal::Refused)?;
         let mut tangent = match moved {
             Some(_) => tangent,
-            None => rescaled(tangent, &before.component_div(&self.problem.scale())),
+            None => rescaled(tangent, &before.component_div(&self.problem.scale()), 1.0),
         };
         if let Some(z) = moved {
             let (r, n) = (corrected.r, z.len());
@@ -185,6 +188,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             residual,
             ..
         } = corrected;
+        let r_scale = measure::at(r, &tangent, self.r_scale, self.settings.from);
+        let same = DVector::from_element(z.len(), 1.0);
+        tangent = rescaled(tangent, &same, self.r_scale / r_scale);
+        self.r_scale = r_scale;
         self.point = Some(Base {
             z: z.clone(),
             r,
@@ -197,6 +204,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             extra: linearisation.extra,
             residual,
             tangent,
+            r_scale,
             newton: newton as u64,
         })
     }

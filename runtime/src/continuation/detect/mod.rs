@@ -1,5 +1,9 @@
 //! What happens between two neighbouring points of a branch, with bookkeeping.
 
+mod account;
+
+use account::explains;
+
 use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
@@ -80,7 +84,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         }
         match self.events([from, to]) {
             Ok(events)
-                if explains(&events, &from.point, &to.point) && !self.hides(from, to, halvings) =>
+                if explains(&events.located, &from.point, &to.point)
+                    && !self.hides(from, to, halvings) =>
             {
                 self.located.extend(events.located);
                 self.bound = self.bound.take().or(events.bound);
@@ -162,10 +167,16 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         } else if found.is_sharp() {
             // What is no border is an exchange of two events: none lies between them where they meet.
             let kind = Kind::VanishingSegment;
+            let middle = 0.5 * (before.point.r() + after.point.r());
+            let (at, r, error) = match &found.meeting {
+                Some((at, error)) => (at, at.point.r(), *error),
+                None => (before, middle, f64::NAN),
+            };
             self.located.push(Located {
-                r: 0.5 * (before.point.r() + after.point.r()),
+                r,
+                error,
                 abrupt: true,
-                ..Located::between(kind, [before, after], before.clone())
+                ..Located::between(kind, [before, after], at.clone())
             });
         } else {
             let reason = "the events change, and no orbit was found between";
@@ -232,27 +243,6 @@ fn dips([a, m, b]: [f64; 3]) -> bool {
         m
     };
     least < 0.0
-}
-
-/// Whether the special points account for the change in the number of unstable directions. Where it may be a marginal one
-/// that has only got a sign, they do, and where the branch ends: beyond, it is none or only runs back. Marginal ones that
-/// part into as many stable as unstable ones have met.
-fn explains<P: Watched>(events: &Events<P>, from: &P, to: &P) -> bool {
-    let change = to.unstable() as i64 - from.unstable() as i64;
-    let lost = match (from.marginal(), to.marginal()) {
-        (Some(from), Some(to)) => from as i64 - to as i64,
-        _ => return true,
-    };
-    let known = lost == 0 || lost == 2 * change;
-    if !known || events.located.iter().any(|event| event.last) {
-        return true;
-    }
-    let jumps = events.located.iter().filter_map(|event| event.kind.jump());
-    let sums = jumps.fold(vec![0], |sums, jump| {
-        let both = |sum: &i64| [sum - jump, sum + jump];
-        sums.iter().flat_map(both).collect()
-    });
-    sums.contains(&change)
 }
 
 #[cfg(test)]

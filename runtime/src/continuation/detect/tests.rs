@@ -4,7 +4,7 @@ use super::*;
 #[derive(Debug, Clone)]
 struct Point {
     r: f64,
-    multipliers: [f64; 2],
+    multipliers: [f64; 3],
 }
 
 impl Watched for Point {
@@ -20,20 +20,31 @@ impl Watched for Point {
         self.multipliers.iter().filter(|mu| mu.abs() > 1.0).count()
     }
 
+    fn growing_beside(&self, kind: Kind) -> Option<usize> {
+        let at = if kind == Kind::Flip { -1.0 } else { 1.0 };
+        let outside = |mu: &&f64| mu.abs() > 1.0 && (*mu - at).abs() > 1e-6;
+        Some(self.multipliers.iter().filter(outside).count())
+    }
+
     fn marginal(&self) -> Option<usize> {
         let near = |mu: &&f64| (mu.abs() - 1.0).abs() < 1e-9;
         Some(self.multipliers.iter().filter(near).count())
     }
 }
 
-/// (1 + μ₁) (1 + μ₂).
+/// (1 + μ₁) (1 + μ₂) (1 + μ₃).
 fn flip(point: &Point) -> f64 {
     point.multipliers.iter().map(|mu| 1.0 + mu).product()
 }
 
+/// (1 − μ₁) (1 − μ₂) (1 − μ₃).
+fn one(point: &Point) -> f64 {
+    point.multipliers.iter().map(|mu| 1.0 - mu).product()
+}
+
 /// A branch along r from 0 to 1 with these multipliers; between its ends it can be looked at as far as `known`.
 struct Along {
-    multipliers: fn(f64) -> [f64; 2],
+    multipliers: fn(f64) -> [f64; 3],
     known: bool,
 }
 
@@ -47,7 +58,10 @@ impl Along {
 
     fn findings(mut self) -> Findings<Point> {
         let ends = [0.0, 1.0].map(|r| self.point(r));
-        let monitors = vec![Monitor::new(Kind::Flip, flip)];
+        let monitors = vec![
+            Monitor::new(Kind::Flip, flip),
+            Monitor::new(Kind::BranchPoint, one),
+        ];
         detect(&mut self, &monitors, [&ends[0], &ends[1]], 1e-9)
     }
 }
@@ -64,8 +78,8 @@ impl Path for Along {
 }
 
 /// Two flips on one step leave the sign of the test function as it was: only the count tells. Halving meets both exactly.
-fn twice(r: f64) -> [f64; 2] {
-    [-0.9 - 0.2 * r, -0.85 - 0.2 * r]
+fn twice(r: f64) -> [f64; 3] {
+    [-0.9 - 0.2 * r, -0.85 - 0.2 * r, 0.0]
 }
 
 #[test]
@@ -82,6 +96,19 @@ fn two_flips_on_one_step_are_found_by_their_count() {
         assert_eq!(kind, Kind::Flip);
         assert!((r - expected).abs() < 1e-8, "{r}, not {expected}");
     }
+}
+
+/// One direction that is lost and two that are won look like one that is won at the point where it passes 1.
+#[test]
+fn one_direction_does_not_stand_for_three() {
+    let found = Along {
+        multipliers: |r| [-0.9 - 0.2 * r, -0.85 - 0.2 * r, 1.03 - 0.1 * r],
+        known: true,
+    };
+    let found = found.findings();
+    assert!(found.unexplained.is_empty(), "{:?}", found.unexplained);
+    let kinds: Vec<Kind> = found.located.iter().map(|at| at.kind).collect();
+    assert_eq!(kinds, [Kind::BranchPoint, Kind::Flip, Kind::Flip]);
 }
 
 #[test]

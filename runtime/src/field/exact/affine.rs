@@ -3,7 +3,7 @@
 use num_dual::Dual;
 
 use super::constants::Constants;
-use super::mode::{Mode, Modes};
+use super::mode::Modes;
 use super::rule::Branches;
 use super::solve::solve;
 use crate::model::Model;
@@ -72,10 +72,10 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
     }
 
     fn lift(&mut self, constants: &Constants<M, N>, modes: &Modes<M, N>) {
-        for row in modes.sticking() {
+        for row in modes.bound() {
             self.rate.as_mut()[row] = constants.gradient.as_ref()[row].dot(&self.field);
             self.input.as_mut()[row] = constants.input.as_ref()[row].entries().map(D::from);
-            for column in modes.sticking() {
+            for column in modes.bound() {
                 let entry = constants.compliance.as_ref()[row].as_ref()[column];
                 self.compliance.as_mut()[row].as_mut()[column] = D::from(entry);
             }
@@ -84,26 +84,27 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
 
     /// Probes the right-hand side with dual numbers: B by seeding the forces, b and G by moving along f₀ and B.
     fn probe(&mut self, params: &M::Params<D>, state: &[D; N], modes: &Modes<M, N>) {
-        if modes.sticking().next().is_none() {
+        if modes.bound().next().is_none() {
             return;
         }
         let drift = speed_rates::<M, D, N>(params, state, modes, &self.field);
-        for row in modes.sticking() {
+        for row in modes.bound() {
             self.rate.as_mut()[row] = drift.as_ref()[row];
         }
-        for column in modes.sticking() {
+        for column in modes.bound() {
             let push = input(params, state, modes, column);
             let response = speed_rates::<M, D, N>(params, state, modes, &push);
             self.input.as_mut()[column] = push;
-            for row in modes.sticking() {
+            for row in modes.bound() {
                 self.compliance.as_mut()[row].as_mut()[column] = response.as_ref()[row];
             }
         }
     }
 
-    /// The forces that keep ẇ = 0 where contacts stick; `None` if they are not unique.
+    /// The forces that keep ẇ = 0 where contacts stick, and gaps closed where presses are at rest; `None` if they are not
+    /// unique.
     pub(super) fn sticking_forces(&self, modes: &Modes<M, N>) -> Option<M::PerContact<D>> {
-        let stuck = |i: usize| modes.as_slice()[i] == Mode::Stick;
+        let stuck = |i: usize| modes.as_slice()[i].binds();
         let (rate, force) = (self.rate.as_ref(), self.force.as_ref());
         let rhs = Inline::from_fn(|i| if stuck(i) { -rate[i] } else { force[i] });
         solve::<M, D, N>(self.compliance, rhs, stuck)
@@ -115,15 +116,30 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
         modes: &Modes<M, N>,
         rates: &M::PerContact<D>,
     ) -> Option<M::PerContact<D>> {
-        let stuck = |i: usize| modes.as_slice()[i] == Mode::Stick;
+        let stuck = |i: usize| modes.as_slice()[i].binds();
         solve::<M, D, N>(self.compliance, *rates, stuck)
     }
 
     /// The field with the sticking forces in place; `None` if they are not unique.
-    pub(super) fn resolve(&self, modes: &Modes<M, N>) -> Option<Snapshot<M, D, N>> {
+    pub(super) fn resolve(
+        &self,
+        params: &M::Params<D>,
+        state: &[D; N],
+        modes: &Modes<M, N>,
+    ) -> Option<Snapshot<M, D, N>> {
         let force = self.sticking_forces(modes)?;
+        if modes.rests() {
+            // Friction reads reactions: what it was without them says nothing.
+            let mut rule = Branches::<M, D, N>::with(modes.as_slice(), force);
+            return Some(Snapshot {
+                field: M::rhs(params, *state, &mut rule),
+                speed: rule.speed,
+                force: rule.force,
+                stick: rule.stick,
+            });
+        }
         let mut field = self.field;
-        for contact in modes.sticking() {
+        for contact in modes.bound() {
             let (push, input) = (force.as_ref()[contact], &self.input.as_ref()[contact]);
             for (f, b) in field.iter_mut().zip(input) {
                 *f += *b * push;

@@ -1,122 +1,205 @@
-//! Impacts: a contact that does not give way turns the speed of its approach by an impulse along its reaction.
+//! Impacts: a contact that does not give way turns the speed of its approach by an impulse along its reaction, and by those
+//! of the friction that this causes.
 
-use num_dual::Dual;
+use num_dual::Dual64;
 
+use super::affine::{Affine, input, speed_rates};
+use super::error::{ContactError, opposing, singular};
+use super::load::grips;
+use super::mode::{Mode, Modes};
+use super::rule::Branches;
 use super::system::ExactSystem;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::PressLaw;
 use crate::scalar::{Inline, Lanes, Scalar};
 
+/// Which impulses an impact has: the press that is hit is in the mode of rest, friction that this causes sticks or slides,
+/// and nothing else acts.
+pub(crate) struct Impulses<M: Model<N>, const N: usize> {
+    /// The press that is hit.
+    pub(crate) press: usize,
+    /// Who takes part.
+    pub(crate) modes: Modes<M, N>,
+    /// Whether the press stays closed, instead of parting as its law says.
+    pub(crate) lasts: bool,
+}
+
 /// An impact over any scalar.
-pub(crate) struct Impact<D, const N: usize> {
+pub(crate) struct Impact<M: Model<N>, D: Scalar, const N: usize> {
     /// The state after it.
     pub(crate) state: [D; N],
     /// Speed at which the gap closed.
     pub(crate) approach: D,
     /// Speed at which it opens.
     pub(crate) departure: D,
-    /// What a unit impulse adds to the rate of the gap: positive if a reaction parts the bodies.
-    pub(crate) compliance: D,
+    /// Impulse of each contact.
+    pub(crate) impulse: M::PerContact<D>,
+    /// Relative speed of each contact before, of the press the rate of its gap.
+    pub(crate) before: M::PerContact<D>,
+    /// The same after.
+    pub(crate) after: M::PerContact<D>,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
-    /// The impact of a press at a state.
-    pub(crate) fn impact(&self, state: &[f64; N], press: usize) -> Impact<f64, N> {
-        impact::<M, f64, N>(&self.plain, state, press)
+    /// An impact at a state.
+    ///
+    /// # Errors
+    /// The impulses are not unique, or push the wrong way.
+    pub(crate) fn impact(
+        &self,
+        state: &[f64; N],
+        impulses: &Impulses<M, N>,
+    ) -> Result<Impact<M, f64, N>, ContactError> {
+        let affine = Affine::new(None, &self.plain, state, &impulses.modes);
+        opposing::<M, N>(&affine.compliance, &impulses.modes)?;
+        impact(&self.plain, state, impulses, &affine).ok_or_else(|| singular(&impulses.modes))
     }
 
     /// The same with derivatives by the states and the design variable.
-    pub(crate) fn linear_impact(&self, state: &[f64; N], press: usize) -> Impact<M::Lanes, N> {
+    ///
+    /// # Errors
+    /// As [`ExactSystem::impact`].
+    pub(crate) fn linear_impact(
+        &self,
+        state: &[f64; N],
+        impulses: &Impulses<M, N>,
+    ) -> Result<Impact<M, M::Lanes, N>, ContactError> {
         let lanes = std::array::from_fn(|i| M::Lanes::state(state[i], i));
-        impact::<M, M::Lanes, N>(&self.lanes, &lanes, press)
+        let affine = Affine::new(None, &self.lanes, &lanes, &impulses.modes);
+        impact(&self.lanes, &lanes, impulses, &affine).ok_or_else(|| singular(&impulses.modes))
     }
 
-    /// What a unit impulse of one press adds to the rate of the gap of another.
+    /// How fast the gap of a press closes, and how fast it would open after an impact.
+    pub(crate) fn approach(&self, state: &[f64; N], press: usize) -> (f64, f64) {
+        let (rate, rebound) = rebound::<M, f64, N>(&self.plain, state, press);
+        (-rate, rebound)
+    }
+
+    /// What an impact adds to the state for each unit of its speed of approach, as that vanishes: B (1 + e)/G with the slope
+    /// e of the rebound.
+    ///
+    /// # Errors
+    /// The impulses are not unique, or push the wrong way.
+    pub(crate) fn kick(
+        &self,
+        state: &[f64; N],
+        press: usize,
+        modes: &Modes<M, N>,
+    ) -> Result<[f64; N], ContactError> {
+        let affine = Affine::new(None, &self.plain, state, modes);
+        opposing::<M, N>(&affine.compliance, modes)?;
+        let push = affine.input.as_ref()[press];
+        let moving = std::array::from_fn(|i| Dual64::new(state[i], push[i]));
+        let (rate, rebound) = rebound::<M, Dual64, N>(&self.directional, &moving, press);
+        let restitution = -rebound.eps / rate.eps;
+        let unit = Inline::from_fn(|i| if i == press { 1.0 + restitution } else { 0.0 });
+        let impulse = affine
+            .respond(modes, &unit)
+            .ok_or_else(|| singular(modes))?;
+        let impulse = impulse.as_ref()[press];
+        Ok(push.map(|b| b * impulse))
+    }
+
+    /// How the friction of each contact grows with the reaction of a press: at speed 0, and at the speed that it has.
+    pub(crate) fn grips(&self, state: &[f64; N], press: usize) -> M::PerContact<[f64; 2]> {
+        grips::<M, N>(&self.directional, state, press)
+    }
+
+    /// Whether an impulse of one press, or of the friction that it causes, acts on the gap of another, or on what rubs
+    /// under that.
     pub(crate) fn acts_on(&self, state: &[f64; N], press: usize, other: usize) -> bool {
-        let push = push::<M, f64, N>(&self.plain, state, press);
-        response::<M, f64, N>(&self.plain, state, &push, other) != 0.0
+        let part = |of: usize| {
+            Modes::<M, N>::from_fn(|i| match i {
+                i if i == press || i == other => Mode::Rest,
+                i if M::INFO.rubs_under(of).any(|j| j == i) => Mode::Stick,
+                i if i < M::INFO.contacts.len() => Mode::Loose,
+                _ => Mode::Open,
+            })
+        };
+        let (pushing, pushed) = (part(press), part(other));
+        let sources = M::INFO.rubs_under(press).chain([press]);
+        let mut responses = sources.map(|source| {
+            let push = input::<M, f64, N>(&self.plain, state, &pushing, source);
+            speed_rates::<M, f64, N>(&self.plain, state, &pushed, &push)
+        });
+        responses.any(|rates| {
+            let mut targets = M::INFO.rubs_under(other).chain([other]);
+            targets.any(|target| rates.as_ref()[target] != 0.0)
+        })
     }
 }
 
-/// y⁺ = y + B p with p = (v⁺ + v⁻)/G: B is the column of the reaction in the equations, G what it does to the rate of the
-/// gap.
+/// y⁺ = y + Σ B Λ, with the impulses Λ that turn the approach into the departure and hold what sticks.
 fn impact<M: Model<N>, D: Scalar, const N: usize>(
     params: &M::Params<D>,
     state: &[D; N],
-    press: usize,
-) -> Impact<D, N> {
-    let mut rule = Reaction::of(press, D::from(0.0));
-    let _ = M::rhs(params, *state, &mut rule);
-    let (approach, departure) = (-rule.rate, rule.rebound);
-    let push = push::<M, D, N>(params, state, press);
-    let compliance = response::<M, D, N>(params, state, &push, press);
-    let impulse = (approach + departure) / compliance;
-    Impact {
-        state: std::array::from_fn(|i| state[i] + push[i] * impulse),
-        approach,
-        departure,
-        compliance,
+    impulses: &Impulses<M, N>,
+    affine: &Affine<M, D, N>,
+) -> Option<Impact<M, D, N>> {
+    let (press, modes) = (impulses.press, &impulses.modes);
+    let (rate, rebound) = rebound::<M, D, N>(params, state, press);
+    let departure = if impulses.lasts {
+        D::from(0.0)
+    } else {
+        rebound
+    };
+    let change = Inline::from_fn(|i| match i == press {
+        true => departure - rate,
+        false => -affine.speed.as_ref()[i],
+    });
+    let impulse = affine.respond(modes, &change)?;
+    let mut after = *state;
+    for contact in modes.bound() {
+        let (push, input) = (impulse.as_ref()[contact], &affine.input.as_ref()[contact]);
+        for (y, b) in after.iter_mut().zip(input) {
+            *y += *b * push;
+        }
     }
+    let mut rule = Branches::<M, D, N>::free(modes.as_slice());
+    let _ = M::rhs(params, after, &mut rule);
+    Some(Impact {
+        state: after,
+        approach: -rate,
+        departure,
+        impulse,
+        before: affine.speed,
+        after: rule.speed,
+    })
 }
 
-/// B: what a unit reaction adds to the field.
-fn push<M: Model<N>, D: Scalar, const N: usize>(
+/// How fast a gap opens, and how fast it would after an impact.
+fn rebound<M: Model<N>, D: Scalar, const N: usize>(
     params: &M::Params<D>,
     state: &[D; N],
     press: usize,
-) -> [D; N] {
-    let still = |x: D| Dual::new(x, D::from(0.0));
-    let lifted = Inline::from_fn(|i| still(params.as_ref()[i]));
-    let unit = Dual::new(D::from(0.0), D::from(1.0));
-    let field = M::rhs(&lifted, state.map(still), &mut Reaction::of(press, unit));
-    field.map(|f| f.eps)
+) -> (D, D) {
+    let mut rule = Rebound {
+        press,
+        rate: D::from(0.0),
+        rebound: D::from(0.0),
+    };
+    let _ = M::rhs(params, *state, &mut rule);
+    (rule.rate, rule.rebound)
 }
 
-/// How fast the rate of a gap changes as the state moves along `direction`.
-fn response<M: Model<N>, D: Scalar, const N: usize>(
-    params: &M::Params<D>,
-    state: &[D; N],
-    direction: &[D; N],
+/// Notes what the gap of one press does. No force matters: none acts on the rate of a gap.
+struct Rebound<D> {
     press: usize,
-) -> D {
-    let lifted = Inline::from_fn(|i| Dual::new(params.as_ref()[i], D::from(0.0)));
-    let moving = std::array::from_fn(|i| Dual::new(state[i], direction[i]));
-    let mut rule = Reaction::of(press, Dual::new(D::from(0.0), D::from(0.0)));
-    let _ = M::rhs(&lifted, moving, &mut rule);
-    rule.rate.eps
-}
-
-/// One reaction is given; what its gap does is noted. No other force matters: none depends on it.
-struct Reaction<D> {
-    press: usize,
-    given: D,
     rate: D,
     rebound: D,
 }
 
-impl<D: Scalar> Reaction<D> {
-    fn of(press: usize, given: D) -> Self {
-        Self {
-            press,
-            given,
-            rate: D::from(0.0),
-            rebound: D::from(0.0),
-        }
-    }
-}
-
-impl<D: Scalar> ContactRule<D> for Reaction<D> {
+impl<D: Scalar> ContactRule<D> for Rebound<D> {
     fn force<L: FrictionLaw<D>>(&mut self, _: usize, _: &L, _: D) -> D {
         D::from(0.0)
     }
 
     fn press<L: PressLaw<D>>(&mut self, contact: usize, law: &L, _: D, rate: D) -> D {
-        if contact != self.press {
-            return D::from(0.0);
+        if contact == self.press {
+            self.rate = rate;
+            self.rebound = law.rebound(-rate);
         }
-        self.rate = rate;
-        self.rebound = law.rebound(-rate);
-        self.given
+        D::from(0.0)
     }
 }

@@ -1,9 +1,12 @@
 //! The exact field: every contact slides one way or sticks, and a sticking force is what keeps its speed at zero.
 
 mod affine;
+mod closed;
 mod columns;
 mod constants;
+mod error;
 mod impact;
+mod load;
 mod loose;
 mod mode;
 mod pressed;
@@ -20,12 +23,15 @@ use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
 pub(crate) use affine::{Affine, Snapshot, Square};
+pub(crate) use closed::Closed;
+pub use error::ContactError;
+use error::singular;
+pub(crate) use impact::{Impact, Impulses};
 pub use mode::{Mode, Modes};
 use rule::Branches;
 pub(crate) use solve::solve;
 pub(crate) use strip::Strip;
-use system::singular;
-pub use system::{ContactError, ContactState, ExactSystem};
+pub use system::{ContactState, ExactSystem};
 
 /// Share of a contact's usual speed within which a law changes so fast that the tolerance of states is too coarse.
 const THIN: f64 = 0.02;
@@ -34,7 +40,7 @@ const THIN: f64 = 0.02;
 pub struct ExactField<'s, M: Model<N>, const N: usize> {
     system: &'s ExactSystem<M, N>,
     modes: Modes<M, N>,
-    /// Numbers of the contacts that stick, in front.
+    /// Numbers of the contacts whose forces are solved for, in front.
     stuck: M::PerContact<usize>,
     sticking: usize,
     /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
@@ -55,10 +61,10 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     ) -> Result<Self, ContactError> {
         system.snapshot(state, &modes)?;
         let mut stuck: M::PerContact<usize> = Inline::from_fn(|_| 0);
-        for (place, contact) in stuck.as_mut().iter_mut().zip(modes.sticking()) {
+        for (place, contact) in stuck.as_mut().iter_mut().zip(modes.bound()) {
             *place = contact;
         }
-        let levers = match &system.constants {
+        let levers = match system.constants_in(&modes) {
             Some(constants) => Some(constants.levers(&modes).ok_or_else(|| singular(&modes))?),
             None => None,
         };
@@ -68,7 +74,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         Ok(Self {
             layers: thin.then_some(layers),
             system,
-            sticking: modes.sticking().count(),
+            sticking: modes.bound().count(),
             modes,
             stuck,
             levers,
@@ -81,14 +87,15 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         &self.modes
     }
 
-    /// Whether any contact sticks.
+    /// Whether any contact sticks, or any press is at rest.
     #[must_use]
     pub fn sticks(&self) -> bool {
         self.sticking > 0
     }
 
     /// The smallest change of the state by sticking forces that changes the speeds of the sticking
-    /// contacts by `speeds`: B_S G_SS⁻¹ w_S; zero where the forces are not unique.
+    /// contacts, and the rates of the gaps of presses at rest, by `speeds`: B_S G_SS⁻¹ w_S; zero where the forces are not
+    /// unique.
     pub(crate) fn correction(&self, state: &[f64; N], speeds: &M::PerContact<f64>) -> [f64; N] {
         let mut change = [0.0; N];
         if let Some(levers) = &self.levers {
@@ -109,6 +116,25 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         change
     }
 
+    /// What takes a state back to where contacts stick and gaps are closed.
+    pub(crate) fn drift(&self, state: &[f64; N]) -> [f64; N] {
+        if !self.modes.rests() {
+            return self.correction(state, &self.system.speeds(state));
+        }
+        let Some(closed) = Closed::new(self.system, state, &self.modes) else {
+            return [0.0; N];
+        };
+        let gaps = self.system.speeds(state);
+        let mut change = closed.correction(&gaps);
+        let moved = std::array::from_fn(|i| state[i] - change[i]);
+        let rates = self.system.rates(&moved, &self.modes);
+        let back = self.correction(&moved, &rates);
+        for (c, b) in change.iter_mut().zip(back) {
+            *c += b;
+        }
+        change
+    }
+
     fn stuck(&self) -> impl Iterator<Item = usize> {
         self.stuck.as_ref().iter().copied().take(self.sticking)
     }
@@ -123,7 +149,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     /// The field by probing, over any scalar; NaN where the sticking forces are not unique.
     fn probe<D: Scalar>(&self, params: &M::Params<D>, state: &[D; N]) -> [D; N] {
         Affine::new(None, params, state, &self.modes)
-            .resolve(&self.modes)
+            .resolve(params, state, &self.modes)
             .map_or([D::from(f64::NAN); N], |snapshot| snapshot.field)
     }
 

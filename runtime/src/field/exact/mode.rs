@@ -24,6 +24,8 @@ pub enum Mode {
     Closed,
     /// A press whose force has fallen to zero before its gap opened: its law would pull.
     Parted,
+    /// A press that does not give way, its gap kept closed by its reaction.
+    Rest,
 }
 
 impl Mode {
@@ -43,7 +45,7 @@ impl Mode {
         match self {
             Self::SlideForward | Self::Open => 1.0,
             Self::SlideBackward | Self::Closed | Self::Parted => -1.0,
-            Self::Stick | Self::Loose => 0.0,
+            Self::Stick | Self::Loose | Self::Rest => 0.0,
         }
     }
 
@@ -56,7 +58,23 @@ impl Mode {
     /// Whether it is the mode of a press.
     #[must_use]
     pub fn is_of_press(self) -> bool {
-        matches!(self, Self::Open | Self::Closed | Self::Parted)
+        matches!(self, Self::Open | Self::Closed | Self::Parted | Self::Rest)
+    }
+
+    /// Whether its force is what keeps a speed, or the rate of a gap, at zero.
+    #[must_use]
+    pub fn binds(self) -> bool {
+        matches!(self, Self::Stick | Self::Rest)
+    }
+
+    /// How many directions of motion it takes away: a gap that stays closed has neither depth nor rate.
+    #[must_use]
+    pub fn lost(self) -> usize {
+        match self {
+            Self::Stick => 1,
+            Self::Rest => 2,
+            _ => 0,
+        }
     }
 
     /// Whether it is that of a contact that sticks or slides.
@@ -76,6 +94,7 @@ impl fmt::Display for Mode {
             Self::Open => "open",
             Self::Closed => "closed",
             Self::Parted => "parted",
+            Self::Rest => "rest",
         })
     }
 }
@@ -116,6 +135,25 @@ impl<M: Model<N>, const N: usize> Modes<M, N> {
     pub fn sticking(&self) -> impl Iterator<Item = usize> {
         let stick = |(i, mode): (usize, &Mode)| (*mode == Mode::Stick).then_some(i);
         self.as_slice().iter().enumerate().filter_map(stick)
+    }
+
+    /// The numbers of the contacts whose forces are solved for: of those that stick, and of presses at rest.
+    pub fn bound(&self) -> impl Iterator<Item = usize> {
+        let binds = |(i, mode): (usize, &Mode)| mode.binds().then_some(i);
+        self.as_slice().iter().enumerate().filter_map(binds)
+    }
+
+    /// The numbers of the presses at rest.
+    pub fn resting(&self) -> impl Iterator<Item = usize> {
+        let first = M::INFO.contacts.len();
+        let presses = self.as_slice().iter().enumerate().skip(first);
+        presses.filter_map(|(i, mode)| (*mode == Mode::Rest).then_some(i))
+    }
+
+    /// Whether any press is at rest.
+    #[must_use]
+    pub fn rests(&self) -> bool {
+        self.resting().next().is_some()
     }
 }
 

@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::press::{PressLaw, Pressed};
 use crate::scalar::{Inline, Scalar};
 
-/// Forces of the sliding contacts by their laws, of the sticking ones as given.
+/// Forces of the sliding contacts by their laws, of those that stick or are at rest as given.
 pub(super) struct Branches<'a, M: Model<N>, D: Scalar, const N: usize> {
     modes: &'a [Mode],
     given: M::PerContact<D>,
@@ -55,10 +55,17 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
         force
     }
 
-    /// A press is a contact whose gap stands where others have their speed.
+    /// A press is a contact whose gap stands where others have their speed; where it is at rest, the rate of that.
     #[inline]
     fn press<L: PressLaw<D>>(&mut self, contact: usize, law: &L, gap: D, rate: D) -> D {
         let mode = self.modes.get(contact).copied().unwrap_or(Mode::Open);
+        if mode == Mode::Rest {
+            let reaction = self.given.as_ref()[contact];
+            self.speed.as_mut()[contact] = rate;
+            self.force.as_mut()[contact] = reaction;
+            self.stick.as_mut()[contact] = reaction;
+            return reaction;
+        }
         self.speed.as_mut()[contact] = gap;
         if L::INFO.is_rigid() {
             return D::from(0.0);

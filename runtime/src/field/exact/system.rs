@@ -2,41 +2,19 @@
 
 use num_dual::Dual64;
 
-use super::affine::{Affine, Snapshot, Square, speed_rates};
+use super::affine::{Affine, Snapshot, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
+use super::error::{ContactError, opposing, singular};
+use super::load::bent;
 use super::mode::Modes;
 use super::pressed::rough;
 use super::rest::{idle, layers, limits};
 use super::rule::Branches;
 use super::strip::Strip;
 use crate::field::memory;
-use crate::model::{Model, listed};
+use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
-
-/// Why the forces at rest are not determined.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ContactError {
-    /// Several contacts resist the same motion, or a force does not act on any speed.
-    #[error(
-        "the sticking forces of contacts {} are not unique: their compliance matrix is singular",
-        listed(.contacts)
-    )]
-    Singular {
-        /// Numbers of the contacts that would stick together.
-        contacts: Vec<usize>,
-    },
-    /// G_ii ≤ 0: a sign error in the model.
-    #[error(
-        "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {compliance:e}"
-    )]
-    NotOpposing {
-        /// Number of the contact.
-        contact: usize,
-        /// G_ii, which should be positive.
-        compliance: f64,
-    },
-}
 
 /// What one contact does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,8 +86,11 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// A force that never opposes its speed.
     pub fn check(&self) -> Result<(), ContactError> {
         let all = Modes::held();
-        match &self.constants {
-            Some(constants) => opposing::<M, N>(&constants.compliance, &all),
+        if let Some(constants) = &self.constants {
+            opposing::<M, N>(&constants.compliance, &all)?;
+        }
+        match bent::<M, N>(&self.directional) {
+            Some((contact, press)) => Err(ContactError::Bent { contact, press }),
             None => Ok(()),
         }
     }
@@ -117,6 +98,11 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// w_y of each contact, if none depends on the state.
     pub(crate) fn gradients(&self) -> Option<&[Strip<N>]> {
         self.constants.as_ref().map(|c| c.gradient.as_ref())
+    }
+
+    /// What is constant, where that is all that is asked for: not while presses are at rest.
+    pub(super) fn constants_in(&self, modes: &Modes<M, N>) -> Option<&Constants<M, N>> {
+        self.constants.as_ref().filter(|_| !modes.rests())
     }
 
     /// Whether the speed or gap of a contact is known to be affine.
@@ -141,9 +127,20 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         layers::<M, N>(&self.directional, state)
     }
 
-    /// stick and slip(0⁺) of every contact.
+    /// stick and slip(0⁺) of every contact, each that a reaction presses as if that were a unit force.
     pub(crate) fn limits_at_rest(&self, state: &[f64; N]) -> M::PerContact<(f64, f64)> {
-        limits::<M, f64, N>(&self.plain, state, &|_| None)
+        let reaction = |press| M::INFO.is_rigid(press).then_some(1.0);
+        limits::<M, f64, N>(&self.plain, state, &reaction)
+    }
+
+    /// The same under these reactions.
+    pub(crate) fn limits_under(
+        &self,
+        state: &[f64; N],
+        reactions: &M::PerContact<f64>,
+    ) -> M::PerContact<(f64, f64)> {
+        let reaction = |press| M::INFO.is_rigid(press).then(|| reactions.as_ref()[press]);
+        limits::<M, f64, N>(&self.plain, state, &reaction)
     }
 
     /// Whether no force ever holds this contact: where w = 0 nothing happens to it.
@@ -158,7 +155,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
 
     /// The equations with the sticking forces left open.
     pub(crate) fn affine(&self, state: &[f64; N], modes: &Modes<M, N>) -> Affine<M, f64, N> {
-        Affine::new(self.constants.as_ref(), &self.plain, state, modes)
+        Affine::new(self.constants_in(modes), &self.plain, state, modes)
     }
 
     /// All that is known at a state.
@@ -170,7 +167,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         state: &[f64; N],
         modes: &Modes<M, N>,
     ) -> Result<Snapshot<M, f64, N>, ContactError> {
-        if let Some(constants) = &self.constants {
+        if let Some(constants) = self.constants_in(modes) {
             opposing::<M, N>(&constants.compliance, modes)?;
             return constants
                 .snapshot(&self.plain, state, modes)
@@ -178,7 +175,9 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         }
         let affine = self.affine(state, modes);
         opposing::<M, N>(&affine.compliance, modes)?;
-        affine.resolve(modes).ok_or_else(|| singular(modes))
+        affine
+            .resolve(&self.plain, state, modes)
+            .ok_or_else(|| singular(modes))
     }
 
     /// The same over any scalar, where nothing is known to push the wrong way.
@@ -188,9 +187,9 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         state: &[D; N],
         modes: &Modes<M, N>,
     ) -> Result<Snapshot<M, D, N>, ContactError> {
-        let known = match &self.constants {
+        let known = match self.constants_in(modes) {
             Some(constants) => constants.snapshot(params, state, modes),
-            None => Affine::new(None, params, state, modes).resolve(modes),
+            None => Affine::new(None, params, state, modes).resolve(params, state, modes),
         };
         known.ok_or_else(|| singular(modes))
     }
@@ -259,35 +258,27 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         rule.speed
     }
 
+    /// The relative speed of every contact, without its friction, and of presses at rest the rates of their gaps.
+    pub(crate) fn rates(&self, state: &[f64; N], modes: &Modes<M, N>) -> M::PerContact<f64> {
+        let mut rule = Branches::<M, f64, N>::free(modes.as_slice());
+        let _ = M::rhs(&self.plain, *state, &mut rule);
+        rule.speed
+    }
+
     /// The relative speed of every contact, with its derivatives.
     pub(crate) fn linear_speeds(&self, state: &[f64; N]) -> M::PerContact<M::Lanes> {
-        let modes = Modes::<M, N>::held();
+        self.linear_rates(state, &Modes::held())
+    }
+
+    /// The same, and of presses at rest the rates of their gaps.
+    pub(crate) fn linear_rates(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+    ) -> M::PerContact<M::Lanes> {
         let lanes = std::array::from_fn(|i| M::Lanes::state(state[i], i));
         let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
         let _ = M::rhs(&self.lanes, lanes, &mut rule);
         rule.speed
-    }
-}
-
-/// The forces of the sticking contacts must oppose their speeds: G_ii > 0.
-fn opposing<M: Model<N>, const N: usize>(
-    compliance: &Square<M, f64, N>,
-    modes: &Modes<M, N>,
-) -> Result<(), ContactError> {
-    for contact in modes.sticking() {
-        let compliance = compliance.as_ref()[contact].as_ref()[contact];
-        if compliance <= 0.0 {
-            return Err(ContactError::NotOpposing {
-                contact,
-                compliance,
-            });
-        }
-    }
-    Ok(())
-}
-
-pub(super) fn singular<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> ContactError {
-    ContactError::Singular {
-        contacts: modes.sticking().collect(),
     }
 }

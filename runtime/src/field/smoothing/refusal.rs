@@ -16,10 +16,7 @@ pub enum SmoothingError {
         word: String,
     },
     /// The size is not a number, not finite, or not positive.
-    #[error(
-        "the size of a smoothing must be a finite number above 0, and `{word}` is not: write for instance `{kernel}:{}`",
-        kernel.example()
-    )]
+    #[error("{}: write for instance `{kernel}:{}`", bad_size(*.kernel, word), kernel.example())]
     BadSize {
         /// The kernel.
         kernel: Kernel,
@@ -48,6 +45,13 @@ pub enum SmoothingError {
         /// slip(0⁺).
         slip: f64,
     },
+}
+
+fn bad_size(kernel: Kernel, word: &str) -> String {
+    if word.trim().is_empty() {
+        return format!("the smoothing `{kernel}` has no size yet, which stands after a colon");
+    }
+    format!("the size of a smoothing must be a finite number above 0, and `{word}` is not")
 }
 
 fn unsuited(kernel: Kernel, law: &str, contact: &Option<&str>, stick: f64, slip: f64) -> String {

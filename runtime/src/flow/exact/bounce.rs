@@ -1,14 +1,23 @@
 //! Impacts on a motion under way: the state jumps, and its derivatives with it.
 
+use super::collide::Collision;
 use super::press::Vanishing;
 use super::run::Run;
-use super::settle::Rest;
+use super::settle::{Rest, Verdict};
 use super::switch::{ROUNDING, Strike};
-use crate::field::exact::{ContactError, Mode, Modes};
+use crate::field::exact::{Mode, Modes};
 use crate::flow::saltation::{Reset, Saltation, Tracked};
 use crate::flow::{Event, EventKind, FlowError, SensitivityUndefined};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
+
+/// How an impact goes on.
+pub(super) struct Rebound<M: Model<N>, const N: usize> {
+    pub(super) collision: Collision<M, N>,
+    pub(super) verdict: Verdict<M, N>,
+    /// For how long others would follow that are taken at once, if it ends a chatter.
+    pub(super) settles: Option<f64>,
+}
 
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// The press that is hit at this instant, if one that does not give way is.
@@ -16,7 +25,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// # Errors
     /// Several are, and act on each other.
     pub(super) fn hit(&self, strike: &Strike<M, N>) -> Result<Option<usize>, FlowError> {
-        let closes = |i: &usize| M::INFO.is_rigid(*i) && strike.fallen.as_ref()[*i].is_some();
+        let flies = |i: usize| M::INFO.is_rigid(i) && self.modes.as_slice()[i] == Mode::Open;
+        let closes = |i: &usize| flies(*i) && strike.fallen.as_ref()[*i].is_some();
         let hit: Vec<usize> = (0..strike.fallen.as_ref().len()).filter(closes).collect();
         let state = self.carried.state();
         let acts = |a: usize, b: usize| a != b && self.flow.system.acts_on(state, a, b);
@@ -31,102 +41,150 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
 
     /// Passes an impact; whatever else falls at this instant falls again after it.
     pub(super) fn bounce(&mut self, press: usize, strike: &Strike<M, N>) -> Result<(), FlowError> {
-        let (system, time) = (&self.flow.system, self.time);
-        let (before, state) = (self.modes, *self.carried.state());
-        let impact = system.impact(&state, press);
-        if impact.compliance.is_nan() || impact.compliance <= 0.0 {
-            return Err(ContactError::NotOpposing {
-                contact: press,
-                compliance: impact.compliance,
-            }
-            .into());
-        }
-        let verdict = self.rebounding(press, &impact.state)?;
-        let field = system.snapshot(&state, &before)?.field;
-        let after = system.snapshot(&impact.state, &verdict.modes)?.field;
-        if let Some(motion) = self.carried.motion() {
-            let (gradient, design) = system.linear_speeds(&state).as_ref()[press].slopes();
-            let slopes: [([f64; N], f64); N] = {
-                let linear = system.linear_impact(&state, press).state;
-                std::array::from_fn(|i| linear[i].slopes())
-            };
-            let reset = Reset {
-                slopes: slopes.map(|(state, _)| state),
-                design: slopes.map(|(_, design)| design),
-            };
-            let saltation = Saltation {
-                before: field,
-                after,
-                gradient,
-                design,
-            };
-            saltation
-                .reset(motion, &reset, strike.grazes)
-                .map_err(|rate| SensitivityUndefined::Grazing {
-                    contact: press,
-                    time,
-                    rate,
-                })?;
-        }
+        let state = *self.carried.state();
+        let rebound = match self.settling(press, &state)? {
+            Some(settling) => settling,
+            None => self.parting(press, &state)?,
+        };
+        let (impulses, impact) = &rebound.collision;
+        self.jump(press, strike, &rebound)?;
         self.close_segment();
-        self.extrema.jump(time, &state, &impact.state);
-        *self.carried.state_mut() = impact.state;
-        self.sample(time, impact.state);
         self.impact = Some(press);
+        let (approach, departure) = (impact.approach, impact.departure);
+        let kind = match rebound.settles {
+            Some(lasts) => {
+                self.merge_chatter(press);
+                EventKind::Settled { approach, lasts }
+            }
+            None => EventKind::Impact {
+                approach,
+                departure,
+            },
+        };
+        self.extrema.jump(self.time, &state, &impact.state);
+        *self.carried.state_mut() = impact.state;
+        self.sample(self.time, impact.state);
         self.work.events += 1;
         self.events.push(Event {
-            kind: EventKind::Impact {
-                approach: impact.approach,
-                departure: impact.departure,
-            },
+            kind,
             contact: press,
-            mode: Mode::Open,
-            time,
+            mode: rebound.verdict.modes.as_slice()[impulses.press],
+            time: self.time,
             state: impact.state,
-            rate: -impact.approach,
+            rate: -approach,
         });
-        self.take(&verdict, &Inline::from_fn(|_| 0.0))?;
+        self.take(&rebound.verdict, &Inline::from_fn(|_| 0.0))?;
         self.count_chatter(press)
     }
 
-    /// The modes after an impact: other contacts as their speeds are then, which it may have changed.
-    fn rebounding(
-        &self,
+    /// An impact after which the gap opens, or could if the law makes nothing of its speed.
+    fn parting(&self, press: usize, state: &[f64; N]) -> Result<Rebound<M, N>, FlowError> {
+        let collision = self.flow.collide(state, press, false, self.time)?;
+        let vanishing = if collision.1.departure > 0.0 {
+            Vanishing::Gap
+        } else {
+            Vanishing::Both
+        };
+        Ok(Rebound {
+            verdict: self.rebounding(&collision, vanishing)?,
+            collision,
+            settles: None,
+        })
+    }
+
+    /// Takes Φ and p through the jump.
+    fn jump(
+        &mut self,
         press: usize,
-        state: &[f64; N],
-    ) -> Result<super::settle::Verdict<M, N>, FlowError> {
-        let flow = self.flow;
+        strike: &Strike<M, N>,
+        rebound: &Rebound<M, N>,
+    ) -> Result<(), FlowError> {
+        let (system, time, before) = (&self.flow.system, self.time, self.modes);
+        let state = *self.carried.state();
+        let (impulses, impact) = &rebound.collision;
+        let Some(motion) = self.carried.motion() else {
+            return Ok(());
+        };
+        let (gradient, design) = system.linear_speeds(&state).as_ref()[press].slopes();
+        let linear = system.linear_impact(&state, impulses)?.state;
+        let slopes: [([f64; N], f64); N] = std::array::from_fn(|i| linear[i].slopes());
+        let reset = Reset {
+            slopes: slopes.map(|(state, _)| state),
+            design: slopes.map(|(_, design)| design),
+        };
+        let saltation = Saltation {
+            before: system.snapshot(&state, &before)?.field,
+            after: system
+                .snapshot(&impact.state, &rebound.verdict.modes)?
+                .field,
+            gradient,
+            design,
+        };
+        let passed = saltation.reset(motion, &reset, strike.grazes);
+        passed.map_err(|rate| {
+            let contact = press;
+            SensitivityUndefined::Grazing {
+                contact,
+                time,
+                rate,
+            }
+            .into()
+        })
+    }
+
+    /// The modes after an impact: other contacts as their speeds are then, which it may have changed.
+    pub(super) fn rebounding(
+        &self,
+        (impulses, impact): &Collision<M, N>,
+        vanishing: Vanishing,
+    ) -> Result<Verdict<M, N>, FlowError> {
+        let (flow, press, state) = (self.flow, impulses.press, &impact.state);
         let known = |i: usize| {
             Some(if i == press {
-                Vanishing::Gap
+                vanishing
             } else {
                 Vanishing::Rounded
             })
         };
-        let presses = flow.with_presses(state, self.modes, known)?;
+        let presses = flow.with_presses(state, self.modes, known);
+        let presses = presses.map_err(|error| self.together(error, press))?;
         let (speeds, scales) = (flow.system.speeds(state), flow.speed_scales(state));
         let speed = |i: usize| speeds.as_ref()[i];
-        let modes = presses.modes.as_slice();
-        let resting = Inline::from_fn(|i| {
-            let still = speed(i).abs() <= ROUNDING * scales.as_ref()[i];
-            modes[i].rubs() && !flow.system.is_idle(i) && still
-        });
-        let before = Modes::from_fn(|i| match modes[i] {
-            mode if !mode.rubs() => mode,
-            _ if M::PerContact::<bool>::as_ref(&resting)[i] => Mode::Stick,
-            _ => Mode::sliding(speed(i)),
-        });
-        let mut verdict = Rest {
-            system: &flow.system,
-            arrival: flow.arrival,
-            state: *state,
-            time: self.time,
-            before,
-            resting,
-            let_go: Inline::from_fn(|_| 0.0),
+        let held = |i: usize| impulses.modes.as_slice()[i] == Mode::Stick;
+        let rest = |modes: Modes<M, N>| {
+            let modes = modes.as_slice();
+            let still = |i: usize| held(i) || speed(i).abs() <= ROUNDING * scales.as_ref()[i];
+            let resting: M::PerContact<bool> =
+                Inline::from_fn(|i| modes[i].rubs() && !flow.system.is_idle(i) && still(i));
+            Rest {
+                system: &flow.system,
+                arrival: flow.arrival,
+                state: *state,
+                time: self.time,
+                before: Modes::from_fn(|i| match modes[i] {
+                    mode if !mode.rubs() => mode,
+                    _ if resting.as_ref()[i] => Mode::Stick,
+                    _ => Mode::sliding(speed(i)),
+                }),
+                resting,
+                let_go: Inline::from_fn(|_| 0.0),
+            }
+        };
+        flow.borne(state, self.time, &presses, rest)
+    }
+
+    /// What is hit while others are closed that it presses on is hit with them.
+    fn together(&self, error: FlowError, press: usize) -> FlowError {
+        match error {
+            FlowError::HitTogether { mut contacts, .. } => {
+                contacts.push(press);
+                contacts.sort_unstable();
+                FlowError::HitTogether {
+                    contacts,
+                    time: self.time,
+                }
+            }
+            other => other,
         }
-        .settle()?;
-        presses.note(&mut verdict);
-        Ok(verdict)
     }
 }

@@ -1,13 +1,18 @@
-//! When an exact motion is given up, and what is said of it.
+//! Events that follow each other ever faster: how they come to their end, and when an exact motion is given up.
 
+use super::bounce::Rebound;
+use super::press::Vanishing;
 use super::run::{NO_TIME, Run};
-use crate::flow::FlowError;
-use crate::flow::saltation::Tracked;
+use crate::field::exact::{Mode, Modes};
+use crate::flow::saltation::{Tracked, product};
+use crate::flow::{FlowError, Segment};
 use crate::integrate::IntegrationError;
 use crate::model::Model;
 
 /// Events that may follow each other within [`NO_TIME`] of the passage.
 const CHATTER: u64 = 100;
+/// Height of a bounce, in units of the terms of its gap, from which on a chatter is taken to its end at once.
+const LOW: f64 = 1e-10;
 
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Counts events that follow each other in no time.
@@ -25,6 +30,81 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             });
         }
         Ok(())
+    }
+
+    /// The end of a chatter, where an impact is so slow that all that follow are as good as one that leaves the gap closed:
+    /// they take the motion elsewhere by the third power of its speed only.
+    ///
+    /// Departures fall by the same ratio each time, so that flights of the duration 2v/a add up to 2v/(a (1 − ratio)); the
+    /// reaction must not end before. Until then the motion is that of the closed gap, to which each bounce comes back.
+    pub(super) fn settling(
+        &self,
+        press: usize,
+        state: &[f64; N],
+    ) -> Result<Option<Rebound<M, N>>, FlowError> {
+        let flow = self.flow;
+        let (approach, departure) = flow.system.approach(state, press);
+        let ratio = departure / approach;
+        let falls = approach <= 0.0 || (ratio > 0.0 && ratio < 1.0);
+        let scale = flow.speed_scales(state).as_ref()[press].max(flow.system.usual_speed(press));
+        let slow = |pull: f64| pull > 0.0 && departure * departure <= 2.0 * LOW * scale * pull;
+        if !falls || !slow(-self.bend(press, state)?) {
+            return Ok(None);
+        }
+        let collision = flow.collide(state, press, true, self.time)?;
+        let pull = -self.bend(press, &collision.1.state)?;
+        let lasts = if approach > 0.0 {
+            2.0 * departure / (pull * (1.0 - ratio))
+        } else {
+            0.0
+        };
+        if !slow(pull) {
+            return Ok(None);
+        }
+        let verdict = self.rebounding(&collision, Vanishing::Both)?;
+        if verdict.modes.as_slice()[press] != Mode::Rest {
+            return Ok(None);
+        }
+        let moving = flow.system.moving(&collision.1.state, &verdict.modes)?;
+        let reaction = moving.stick.as_ref()[press];
+        Ok(
+            (reaction.re + lasts * reaction.eps > 0.0).then_some(Rebound {
+                collision,
+                verdict,
+                settles: Some(lasts),
+            }),
+        )
+    }
+
+    /// g̈ in flight.
+    fn bend(&self, press: usize, state: &[f64; N]) -> Result<f64, FlowError> {
+        let system = &self.flow.system;
+        let field = system.moving(state, &self.modes)?.field;
+        Ok(system.second_rates(state, &self.modes, &field).as_ref()[press])
+    }
+
+    /// Makes one stretch of those between the impacts of a chatter: how many they are says nothing.
+    pub(super) fn merge_chatter(&mut self, press: usize) {
+        let bounced = |segments: &[Segment<Modes<M, N>>]| {
+            let last = segments.last();
+            last.is_some_and(|last| last.impact == Some(press))
+        };
+        if !bounced(&self.segments) {
+            return;
+        }
+        self.impact = None;
+        while let [.., first, last] = self.segments.as_mut_slice()
+            && first.impact == Some(press)
+            && first.mode == last.mode
+            && bounced(std::slice::from_ref(last))
+        {
+            first.duration += last.duration;
+            self.segments.pop();
+            if let [.., first, last] = self.factors.as_mut_slice() {
+                *first = product(last, first);
+                self.factors.pop();
+            }
+        }
     }
 
     /// A failure of the integrator, or what caused it.

@@ -21,11 +21,10 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         self.flow.check_gaps(&state, &self.modes, self.time)?;
         let rounded = |_| Some(Vanishing::Rounded);
         let presses = self.flow.with_presses(&state, self.modes, rounded)?;
-        let before = presses.modes;
         let speeds = self.flow.system.speeds(&state);
         let scales = self.flow.speed_scales(&state);
         let mut resting: M::PerContact<bool> = Inline::from_fn(|_| false);
-        let modes = before.as_slice().iter().enumerate();
+        let modes = presses.modes.as_slice().iter().enumerate();
         for (i, mode) in modes.filter(|(i, mode)| mode.rubs() && !self.flow.system.is_idle(*i)) {
             let speed = speeds.as_ref()[i];
             // Against fixed ground a speed is its own only term: what is usual then tells rounding errors.
@@ -42,27 +41,25 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             }
             resting.as_mut()[i] = mode.sign() * speed <= ROUNDING * scale;
         }
-        let let_go = Inline::from_fn(|i| {
-            if resting.as_ref()[i] {
-                before.as_slice()[i].sign()
-            } else {
-                0.0
+        let rest = |before: Modes<M, N>| {
+            let still = |i: usize| resting.as_ref()[i] && before.as_slice()[i].rubs();
+            Rest {
+                system: &self.flow.system,
+                arrival: self.flow.arrival,
+                state,
+                time: self.time,
+                before: Modes::from_fn(|i| match before.as_slice()[i] {
+                    _ if still(i) => Mode::Stick,
+                    mode => mode,
+                }),
+                resting: Inline::from_fn(still),
+                let_go: Inline::from_fn(|i| match still(i) {
+                    true => before.as_slice()[i].sign(),
+                    false => 0.0,
+                }),
             }
-        });
-        let mut verdict = Rest {
-            system: &self.flow.system,
-            arrival: self.flow.arrival,
-            state,
-            time: self.time,
-            before: Modes::from_fn(|i| match before.as_slice()[i] {
-                _ if resting.as_ref()[i] => Mode::Stick,
-                mode => mode,
-            }),
-            resting,
-            let_go,
-        }
-        .settle()?;
-        presses.note(&mut verdict);
+        };
+        let verdict = self.flow.borne(&state, self.time, &presses, rest)?;
         self.take(&verdict, &Inline::from_fn(|_| 0.0))
     }
 }

@@ -26,12 +26,17 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
         let second = self
             .system
             .second_rates(&self.state, &verdict.modes, &moving.field);
-        let able = self.system.affine(&self.state, &self.all_stick());
+        let able_under = self.all_stick();
+        let able = self.system.affine(&self.state, &able_under);
         for contact in leaving {
             let mode = verdict.modes.as_slice()[contact];
             let compliance = able.compliance.as_ref()[contact].as_ref()[contact];
-            let scale = compliance
-                * (able.stick.as_ref()[contact] + verdict.notes.as_ref()[contact].margin.abs());
+            let stick = if able_under.rests() {
+                moving.stick.as_ref()[contact].re
+            } else {
+                able.stick.as_ref()[contact]
+            };
+            let scale = compliance * (stick + verdict.notes.as_ref()[contact].margin.abs());
             let rate = moving.speed.as_ref()[contact].eps;
             let second_rate = second.as_ref()[contact];
             let threshold = if tangential.as_ref()[contact] {

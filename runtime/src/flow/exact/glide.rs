@@ -55,6 +55,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let moving = self.system.moving(&at.state, &at.mode)?;
         let force = moving.force.as_ref()[contact];
         let guard = match mode {
+            Mode::Rest => moving.stick.as_ref()[contact],
             Mode::Stick => moving.stick.as_ref()[contact] - force * force.re.signum(),
             _ => moving.speed.as_ref()[contact] * mode.sign(),
         };

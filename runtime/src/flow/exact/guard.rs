@@ -33,6 +33,7 @@ impl Guard {
             Mode::Stick => &[1.0, -1.0],
             Mode::SlideForward | Mode::SlideBackward | Mode::Open => &[0.0],
             Mode::Closed | Mode::Parted => &[0.0, 1.0],
+            Mode::Rest => &[1.0],
             Mode::Loose => &[],
         };
         sides.iter().map(move |&side| Self { contact, side })
@@ -47,7 +48,7 @@ impl Guard {
         let i = self.contact;
         match modes.as_slice()[i] {
             mode if self.side == 0.0 => at.speed.as_ref()[i] * mode.sign(),
-            Mode::Closed => at.stick.as_ref()[i],
+            Mode::Closed | Mode::Rest => at.stick.as_ref()[i],
             Mode::Parted => -at.stick.as_ref()[i],
             _ => at.stick.as_ref()[i] - at.force.as_ref()[i] * self.side,
         }

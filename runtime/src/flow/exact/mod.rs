@@ -1,9 +1,11 @@
 //! The exact flow: friction is set-valued, switching instants are located, derivatives jump through them.
 
 mod approach;
+mod bearing;
 mod bounce;
 mod box_qp;
 mod chatter;
+mod collide;
 mod depart;
 mod departure;
 mod extrema;
@@ -119,29 +121,30 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             None => Mode::Open,
         });
         let rounded = |_| Some(Vanishing::Rounded);
-        let slides = self.with_presses(&state, slides, rounded)?.modes;
-        let resting: M::PerContact<bool> = Inline::from_fn(|i| {
-            slides.as_slice()[i].rubs()
-                && !self.system.is_idle(i)
-                && speed(i).abs() <= NO_SPEED * scales.as_ref()[i]
-        });
-        let before = Modes::from_fn(|i| {
-            if resting.as_ref()[i] {
-                Mode::Stick
-            } else {
-                slides.as_slice()[i]
+        let presses = self.with_presses(&state, slides, rounded)?;
+        let rest = |slides: Modes<M, N>| {
+            let resting: M::PerContact<bool> = Inline::from_fn(|i| {
+                slides.as_slice()[i].rubs()
+                    && !self.system.is_idle(i)
+                    && speed(i).abs() <= NO_SPEED * scales.as_ref()[i]
+            });
+            Rest {
+                system: &self.system,
+                arrival: self.arrival,
+                state,
+                time: 0.0,
+                before: Modes::from_fn(|i| {
+                    if resting.as_ref()[i] {
+                        Mode::Stick
+                    } else {
+                        slides.as_slice()[i]
+                    }
+                }),
+                resting,
+                let_go: Inline::from_fn(|_| 0.0),
             }
-        });
-        let verdict = Rest {
-            system: &self.system,
-            arrival: self.arrival,
-            state,
-            time: 0.0,
-            before,
-            resting,
-            let_go: Inline::from_fn(|_| 0.0),
-        }
-        .settle()?;
+        };
+        let verdict = self.borne(&state, 0.0, &presses, rest)?;
         Ok(Place {
             state,
             mode: verdict.modes,
@@ -184,7 +187,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
     }
 
     fn sticking(mode: &Self::Mode) -> usize {
-        mode.sticking().count()
+        mode.as_slice().iter().map(|mode| mode.lost()).sum()
     }
 
     fn advance(

@@ -4,7 +4,7 @@ use super::ExactFlow;
 use super::guard::Guard;
 use super::run::Run;
 use super::switch::Strike;
-use crate::field::exact::{ExactField, Modes};
+use crate::field::exact::{Closed, ExactField, Modes};
 use crate::flow::saltation::{Saltation, Tracked};
 use crate::flow::{FlowError, SensitivityUndefined};
 use crate::integrate::{Carried, Motion};
@@ -17,17 +17,23 @@ const SAME_DERIVATIVE: f64 = 1e-8;
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
     pub(super) fn put_on_surface(&mut self) -> Result<(), FlowError> {
-        if self.modes.sticking().next().is_none() {
+        if self.modes.bound().next().is_none() {
             return Ok(());
         }
         let system = &self.flow.system;
         let state = *self.carried.state();
         let field = ExactField::new(system, self.modes, &state)?;
-        let drift = field.correction(&state, &system.speeds(&state));
+        let drift = field.drift(&state);
         self.carried.state_mut().add(-1.0, &drift);
         if let Some(motion) = self.carried.motion() {
-            let lanes = system.linear_speeds(&state);
-            project(motion, &field, &state, lanes.as_ref());
+            if let Some(closed) =
+                Closed::new(system, &state, &self.modes).filter(|_| self.modes.rests())
+            {
+                let gaps = system.linear_speeds(&state);
+                project::<M, N>(motion, |off| closed.correction(off), gaps.as_ref());
+            }
+            let lanes = system.linear_rates(&state, &self.modes);
+            project::<M, N>(motion, |off| field.correction(&state, off), lanes.as_ref());
         }
         Ok(())
     }
@@ -57,8 +63,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
 /// Removes from Φ and p what leaves the surfaces on which contacts stick.
 fn project<M: Model<N>, const N: usize>(
     motion: &mut Motion<N>,
-    field: &ExactField<'_, M, N>,
-    state: &[f64; N],
+    correction: impl Fn(&M::PerContact<f64>) -> [f64; N],
     speeds: &[M::Lanes],
 ) {
     let rates = |along: &[f64; N], design: f64| {
@@ -68,11 +73,11 @@ fn project<M: Model<N>, const N: usize>(
             sum + own * design
         })
     };
-    let off = field.correction(state, &rates(&motion.design, 1.0));
+    let off = correction(&rates(&motion.design, 1.0));
     motion.design.add(-1.0, &off);
     for column in 0..N {
         let along = std::array::from_fn(|row| motion.tangent[row][column]);
-        let off = field.correction(state, &rates(&along, 0.0));
+        let off = correction(&rates(&along, 0.0));
         for (row, change) in motion.tangent.iter_mut().zip(off) {
             row[column] -= change;
         }

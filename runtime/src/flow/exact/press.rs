@@ -3,15 +3,17 @@
 use super::ExactFlow;
 use super::guard::Departure;
 use super::settle::Verdict;
-use crate::field::exact::{Mode, Modes};
+use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::flow::FlowError;
 use crate::model::Model;
 use crate::scalar::Lanes;
 
 /// Rounding error of a gap or of what holds a press closed, in units of its terms.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Speed at a closed gap, in units of its terms, below which a contact that does not give way would stay closed.
+/// Speed at a closed gap, in units of its terms, below which a contact that does not give way may stay closed.
 const RESTS: f64 = 1e-13;
+/// The same where it was closed before.
+const STAYS: f64 = 1e-11;
 /// Distance on the wrong side of its gap, relative to its scale, from which a motion may still depart.
 const WRONG_SIDE: f64 = 1e-6;
 
@@ -24,11 +26,15 @@ pub(super) enum Vanishing {
     Gap,
     /// What holds it closed.
     Hold,
+    /// The gap and its rate.
+    Both,
 }
 
 /// The modes of all presses, and which of their guards vanish where the motion goes on.
 pub(super) struct Presses<M: Model<N>, const N: usize> {
     pub(super) modes: Modes<M, N>,
+    /// Those that do not give way and whose gaps neither open nor close: whether they bear, their reactions say.
+    pub(super) closed: Vec<usize>,
     departures: Vec<(usize, Departure)>,
 }
 
@@ -61,13 +67,30 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     ) -> Result<Presses<M, N>, FlowError> {
         let mut presses = Presses {
             modes,
+            closed: Vec::new(),
             departures: Vec::new(),
         };
         if M::INFO.presses.is_empty() {
             return Ok(presses);
         }
         for press in Self::presses() {
-            if let Some(vanishing) = vanishing(press) {
+            let rests = modes.as_slice()[press] == Mode::Rest;
+            let Some(vanishing) = vanishing(press) else {
+                presses.closed.extend(rests.then_some(press));
+                continue;
+            };
+            if M::INFO.is_rigid(press) {
+                match self.flies(state, press, vanishing, rests)? {
+                    Some(departure) => {
+                        presses.modes.set(press, Mode::Open);
+                        presses.departures.push((press, departure));
+                    }
+                    None => {
+                        presses.modes.set(press, Mode::Rest);
+                        presses.closed.push(press);
+                    }
+                }
+            } else {
                 let (mode, departure) = self.judged(state, &modes, press, vanishing)?;
                 presses.modes.set(press, mode);
                 presses.departures.push((press, departure));
@@ -88,7 +111,12 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let at = self.system.linear(state, modes)?;
         let (slopes, _): ([f64; N], f64) = at.stick.as_ref()[press].slopes();
         let terms = slopes.iter().zip(state).map(|(slope, y)| (slope * y).abs());
-        Ok(terms.sum::<f64>() + self.system.terms_of_hold(state, press))
+        let own = if modes.as_slice()[press] == Mode::Rest {
+            self.system.terms_of_reaction(state, modes, press)
+        } else {
+            self.system.terms_of_hold(state, press)
+        };
+        Ok(terms.sum::<f64>() + own)
     }
 
     /// The mode of one press, and which of its guards vanishes.
@@ -111,16 +139,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             Vanishing::Rounded if gap.re < 0.0 && is_small(hold.re, terms) => Vanishing::Hold,
             known => known,
         };
-        if M::INFO.is_rigid(press) {
-            return self.flies(state, press, gap.re, scale, vanishing);
-        }
         let side = f64::from(u8::from(vanishing == Vanishing::Hold));
         let pressing = |pushes: bool| if pushes { Mode::Closed } else { Mode::Parted };
         let first = Departure { side, order: 1 };
         Ok(match vanishing {
-            Vanishing::Gap if gap.eps < 0.0 => (pressing(hold.re >= 0.0), first),
-            Vanishing::Gap if gap.eps > 0.0 => (Mode::Open, first),
-            Vanishing::Gap => {
+            Vanishing::Gap | Vanishing::Both if gap.eps < 0.0 => (pressing(hold.re >= 0.0), first),
+            Vanishing::Gap | Vanishing::Both if gap.eps > 0.0 => (Mode::Open, first),
+            Vanishing::Gap | Vanishing::Both => {
                 let mut open = *modes;
                 open.set(press, Mode::Open);
                 let field = self.system.moving(state, &open)?.field;
@@ -135,29 +160,48 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         })
     }
 
-    /// The mode of a press that does not give way: it is in flight, from its surface or off it.
+    /// How a press that does not give way leaves its surface, or is off it; `None` where its gap is closed and neither opens
+    /// nor closes.
+    ///
+    /// # Errors
+    /// The gap is below zero, or is to close further although it `rests`.
     fn flies(
         &self,
         state: &[f64; N],
         press: usize,
-        gap: f64,
-        scale: f64,
         vanishing: Vanishing,
-    ) -> Result<(Mode, Departure), FlowError> {
-        let touches = vanishing == Vanishing::Gap;
+        rests: bool,
+    ) -> Result<Option<Departure>, FlowError> {
+        let order = |order: usize| Ok(Some(Departure { side: 0.0, order }));
+        let gap = self.system.speeds(state).as_ref()[press];
+        let scale = self.speed_scales(state).as_ref()[press];
+        let touches = match vanishing {
+            Vanishing::Both => return Ok(None),
+            Vanishing::Hold => return order(3),
+            Vanishing::Gap => true,
+            Vanishing::Rounded => {
+                let usual = scale.max(self.system.usual_speed(press));
+                rests || (gap <= ROUNDING * scale && gap >= -WRONG_SIDE * usual)
+            }
+        };
         if !touches && gap < 0.0 {
             return Err(FlowError::Inside {
                 contact: press,
                 gap,
             });
         }
-        let approach = self.system.impact(state, press).approach;
-        let rests = touches && approach.abs() <= RESTS * scale;
-        if rests {
-            return Err(FlowError::Resting { contact: press });
+        let (approach, _) = self.system.approach(state, press);
+        let still = if rests { STAYS } else { RESTS } * self.system.rate_terms(state, press);
+        if touches && approach.abs() <= still {
+            return Ok(None);
         }
-        let order = usize::from(touches && approach < 0.0);
-        Ok((Mode::Open, Departure { side: 0.0, order }))
+        if rests && approach > 0.0 {
+            return Err(FlowError::HitTogether {
+                contacts: vec![press],
+                time: 0.0,
+            });
+        }
+        order(usize::from(touches && approach < 0.0))
     }
 
     /// Whether each press is as it should be, within what rounding may have done.
@@ -189,5 +233,41 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             }
         }
         Ok(())
+    }
+}
+
+impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
+    /// The magnitude of the terms of the rate of a gap.
+    pub(super) fn rate_terms(&self, state: &[f64; N], press: usize) -> f64 {
+        let alone = self.at_rest(press);
+        let rate = self.linear_rates(state, &alone).as_ref()[press];
+        let (slopes, _): ([f64; N], f64) = rate.slopes();
+        let terms = || slopes.iter().zip(state).map(|(slope, y)| slope * y);
+        let value = self.rates(state, &alone).as_ref()[press];
+        let rest = value - terms().sum::<f64>();
+        terms().map(f64::abs).sum::<f64>() + rest.abs()
+    }
+
+    /// The magnitude of the terms of a reaction: of what it keeps from happening to the rate of its gap.
+    pub(super) fn terms_of_reaction(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+        press: usize,
+    ) -> f64 {
+        let affine = self.affine(state, modes);
+        let (slopes, _): ([f64; N], f64) = self.linear_rates(state, modes).as_ref()[press].slopes();
+        let terms = slopes.iter().zip(&affine.field);
+        let sum: f64 = terms.map(|(slope, f)| (slope * f).abs()).sum();
+        sum / affine.compliance.as_ref()[press].as_ref()[press].abs()
+    }
+
+    /// One press at rest, and nothing else.
+    fn at_rest(&self, press: usize) -> Modes<M, N> {
+        Modes::from_fn(|i| match i {
+            i if i == press => Mode::Rest,
+            i if i < M::INFO.contacts.len() => Mode::Loose,
+            _ => Mode::Open,
+        })
     }
 }

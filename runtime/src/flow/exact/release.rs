@@ -2,7 +2,7 @@
 
 use super::box_qp::BoxProblem;
 use super::settle::{EDGE, Rest, Verdict};
-use crate::field::exact::Mode;
+use crate::field::exact::{Mode, Snapshot};
 use crate::flow::FlowError;
 use crate::model::Model;
 
@@ -27,7 +27,11 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
             .sticking()
             .any(|i| force(i).abs() > stick(i) * (1.0 + EDGE))
         {
-            self.release_overloaded(verdict, &snapshot.force);
+            if verdict.modes.rests() {
+                self.release_weakest(verdict, &snapshot);
+            } else {
+                self.release_overloaded(verdict, &snapshot.force);
+            }
             return Ok(true);
         }
         let edge = |i: &usize| force(*i).abs() >= stick(*i) * (1.0 - EDGE);
@@ -46,6 +50,18 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
             }
         }
         Ok(false)
+    }
+
+    /// Where reactions press, limits move with the forces, and it is no box problem: the most overloaded lets go.
+    fn release_weakest(&self, verdict: &mut Verdict<M, N>, held: &Snapshot<M, f64, N>) {
+        let (force, stick) = (held.force.as_ref(), held.stick.as_ref());
+        let excess = |i: usize| force[i].abs() - stick[i] * (1.0 + EDGE);
+        let over = verdict.modes.sticking().filter(|i| excess(*i) > 0.0);
+        let share = |i: usize| force[i].abs() / stick[i];
+        let weakest = over.reduce(|a, b| if share(b) > share(a) { b } else { a });
+        if let Some(i) = weakest {
+            verdict.modes.set(i, Mode::sliding(-force[i]));
+        }
     }
 
     fn release_overloaded(&self, verdict: &mut Verdict<M, N>, held: &M::PerContact<f64>) {

@@ -233,7 +233,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             f64::NAN
         };
         let mut end = *stepper.end();
-        let drift = field.correction(end.state(), &self.flow.system.speeds(end.state()));
+        let drift = field.drift(end.state());
         end.state_mut().add(-1.0, &drift);
         let length = stepper.length();
         self.longest = self.longest.max(length);

@@ -142,7 +142,7 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
             return Ok(());
         }
         let snapshot = self.system.snapshot(&self.state, &verdict.modes)?;
-        let limits = self.system.limits_at_rest(&self.state);
+        let limits = self.system.limits_under(&self.state, &snapshot.force);
         for i in self.contacts() {
             let came = self.before.as_slice()[i].sign();
             let (force, stick) = (snapshot.force.as_ref()[i], snapshot.stick.as_ref()[i]);

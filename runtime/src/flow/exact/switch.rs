@@ -88,22 +88,20 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         }
         let fallen = strike.fallen.as_ref();
         let presses = self.switched_presses(strike)?;
-        let before = presses.modes;
-        let lands = |i: usize| self.lands(i, &before);
-        let mut verdict = Rest {
+        let state = *self.carried.state();
+        let rest = |before: Modes<M, N>| Rest {
             system: &self.flow.system,
             arrival: self.flow.arrival,
-            state: *self.carried.state(),
+            state,
             time: self.time,
             before,
             resting: Inline::from_fn(|i| {
-                let mode = before.as_slice()[i];
-                mode == Mode::Stick || (mode.rubs() && (fallen[i].is_some() || lands(i)))
+                let (mode, lands) = (before.as_slice()[i], self.lands(i, &before));
+                mode == Mode::Stick || (mode.rubs() && (fallen[i].is_some() || lands))
             }),
             let_go: Inline::from_fn(|i| fallen[i].map_or(0.0, |guard| -guard.side)),
-        }
-        .settle()?;
-        presses.note(&mut verdict);
+        };
+        let verdict = self.flow.borne(&state, self.time, &presses, rest)?;
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
         self.take(&verdict, &strike.rates)?;
@@ -140,6 +138,14 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         rates: &M::PerContact<f64>,
     ) -> Result<(), FlowError> {
         let before = self.modes;
+        let hit = self.events.last().filter(|last| {
+            let impact = matches!(
+                last.kind,
+                EventKind::Impact { .. } | EventKind::Settled { .. }
+            );
+            impact && last.time == self.time
+        });
+        let hit = hit.map(|last| last.contact);
         let pairs = before.as_slice().iter().zip(verdict.modes.as_slice());
         for (contact, (old, new)) in pairs.enumerate().filter(|(_, (old, new))| old != new) {
             let note = verdict.notes.as_ref()[contact];
@@ -147,7 +153,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             let kind = match (old, new) {
                 (Mode::Parted, Mode::Open) | (_, Mode::Loose) => continue,
                 (Mode::Loose, Mode::SlideForward | Mode::SlideBackward) => continue,
-                (_, Mode::Closed) => EventKind::Closing,
+                (_, Mode::Rest) if hit == Some(contact) => continue,
+                (_, Mode::Closed | Mode::Rest) => EventKind::Closing,
                 (_, Mode::Open | Mode::Parted) => EventKind::Opening,
                 (_, Mode::Stick) => EventKind::Landing { margin, ambiguous },
                 (Mode::Stick, _) => EventKind::Release { tied: note.tied },

@@ -1,6 +1,8 @@
 //! Curves as they are drawn, in panels and in the legend.
 
 use super::element::{filled, path};
+use super::frame::Frame;
+use super::smooth::{Knot, smooth};
 use crate::report::figure::{Curve, Marker, SHADES, Shape};
 use crate::report::text::number;
 
@@ -25,7 +27,7 @@ const DASHES: [&str; 7] = [
     "4 2 1 2",
 ];
 /// Half the size of a marker, px.
-const MARKER: f64 = 4.2;
+pub(super) const MARKER: f64 = 4.2;
 /// By how much neighbouring tiles overlap, so that no gap shows between them, px.
 const OVERLAP: f64 = 0.3;
 /// Height of a tile in the legend, px.
@@ -33,25 +35,20 @@ const SWATCH: f64 = 11.0;
 /// The size of a dot, px.
 const DOT: f64 = 2.2;
 
-/// A curve at the places of its points, cut off by `clip`; markers are drawn whole, where the frame `holds` their places.
-pub(super) fn draw(
-    curve: &Curve,
-    (place, size): (impl Fn([f64; 2]) -> [f64; 2], [f64; 2]),
-    holds: impl Fn([f64; 2]) -> bool,
-    clip: &str,
-) -> String {
-    let places = curve.points.iter().map(|point| place(*point));
+/// A curve in a frame, cut off by `clip`; markers are drawn whole, where the frame holds their places.
+pub(super) fn draw(curve: &Curve, frame: &Frame<'_>, clip: &str) -> String {
+    let places = curve.points.iter().map(|point| frame.place(*point));
+    let clipped = || format!(r#"{} clip-path="url(#{clip})""#, style(curve));
     match curve.shape {
-        Shape::Line => {
-            let clip = format!(r#"{} clip-path="url(#{clip})""#, style(curve));
-            path(&line(places), &clip)
-        }
+        Shape::Line => path(&line(places), &clipped()),
+        Shape::Smooth => path(&smooth(&knots(curve, frame)), &clipped()),
         Shape::Points(marker) => {
-            let seen = places.filter(|place| holds(*place));
+            let seen = places.filter(|place| frame.holds(*place));
             let outlines: String = seen.map(|place| outline(marker, place)).collect();
             path(&outlines, &style(curve))
         }
         Shape::Tiles { fill, shade } => {
+            let size = frame.size();
             let size = [0, 1].map(|k| size[k] / fill[k].max(1) as f64 + OVERLAP);
             let tiles: String = places.map(|place| tile(place, size)).collect();
             filled(
@@ -63,6 +60,21 @@ pub(super) fn draw(
             )
         }
     }
+}
+
+fn knots(curve: &Curve, frame: &Frame<'_>) -> Vec<Knot> {
+    let known = |i: usize, point: &[f64; 2]| {
+        let direction = frame.direction(*point, *curve.directions.get(i)?);
+        let size = direction[0].hypot(direction[1]);
+        (size.is_finite() && size > 0.0).then_some(direction)
+    };
+    let points = curve.points.iter().enumerate();
+    points
+        .map(|(i, point)| Knot {
+            place: frame.place(*point),
+            direction: known(i, point),
+        })
+        .collect()
 }
 
 /// The colour of tiles.
@@ -87,7 +99,7 @@ pub(super) fn sample(curve: &Curve, [x, y]: [f64; 2], length: f64) -> String {
             let swatch = tile([x + 0.5 * length, y], [0.6 * length, SWATCH]);
             return filled(&swatch, &format!(r#"fill="{}""#, fill_of(curve, shade)));
         }
-        Shape::Line => line([[x, y], [x + length, y]].into_iter()),
+        Shape::Line | Shape::Smooth => line([[x, y], [x + length, y]].into_iter()),
         Shape::Points(marker) => outline(marker, [x + 0.5 * length, y]),
     };
     path(&outline, &style(curve))
@@ -96,7 +108,7 @@ pub(super) fn sample(curve: &Curve, [x, y]: [f64; 2], length: f64) -> String {
 fn style(curve: &Curve) -> String {
     let (colour, dashes) = look(curve.series);
     match curve.shape {
-        Shape::Line => format!(
+        Shape::Line | Shape::Smooth => format!(
             r#"stroke="{colour}" stroke-width="1.5" stroke-linejoin="round" stroke-dasharray="{dashes}""#
         ),
         Shape::Points(Marker::Dot) => {
@@ -141,6 +153,9 @@ fn outline(marker: Marker, [x, y]: [f64; 2]) -> String {
             format!("M{left} {y}a{half} {half} 0 1 0 {whole} 0a{half} {half} 0 1 0 -{whole} 0z")
         }
         Marker::Cross => format!("M{left} {top}l{whole} {whole}m0 -{whole}l-{whole} {whole}"),
+        Marker::Plus => format!("M{left} {y}h{whole}M{x} {top}v{whole}"),
+        Marker::Square => format!("M{left} {top}h{whole}v{whole}h-{whole}z"),
+        Marker::Triangle => format!("M{x} {top}l{half} {whole}h-{whole}z"),
         Marker::Diamond => format!("M{left} {y}l{half} -{half}l{half} {half}l-{half} {half}z"),
         Marker::Dot => format!("M{x} {y}h0"),
     }

@@ -1,11 +1,11 @@
 //! A pair of axes: its frame, ticks and labels, and the curves in it.
 
-use super::curve;
 use super::element::{path, words};
 use super::scale::Scale;
 use super::ticks::Tick;
+use super::{beside, curve};
 use crate::report::figure::Panel;
-use crate::report::text::{number, width};
+use crate::report::text::{self, number, width};
 
 /// Sizes of the labels of ticks and of axes, px.
 const TICK: f64 = 12.0;
@@ -72,6 +72,11 @@ const fn near(at: f64) -> f64 {
     }
 }
 
+fn rectangle([left, top, right, bottom]: [f64; 4], attributes: &str) -> String {
+    let [x, y, width, height] = [left, top, right - left, bottom - top].map(number);
+    format!(r#"<rect x="{x}" y="{y}" width="{width}" height="{height}" {attributes}/>"#)
+}
+
 impl<'a> Frame<'a> {
     /// The frame of a panel in a cell of the figure; `margin` is left of it.
     pub(super) fn new(
@@ -93,8 +98,17 @@ impl<'a> Frame<'a> {
     }
 
     /// Where a point is drawn, px; not finite if nowhere.
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.across(x), self.up(y)]
+    }
+
+    /// A direction at a point as it is drawn.
+    pub(super) fn direction(&self, [x, y]: [f64; 2], [along, up]: [f64; 2]) -> [f64; 2] {
+        let [width, height] = [self.right - self.left, self.bottom - self.top];
+        [
+            along * self.x.rate(x) * width,
+            -up * self.y.rate(y) * height,
+        ]
     }
 
     fn across(&self, x: f64) -> f64 {
@@ -105,8 +119,13 @@ impl<'a> Frame<'a> {
         near(self.bottom - self.y.share(y) * (self.bottom - self.top))
     }
 
+    /// Its width and height.
+    pub(super) fn size(&self) -> [f64; 2] {
+        [self.right - self.left, self.bottom - self.top]
+    }
+
     /// Whether a place is inside, or less than a pixel outside.
-    fn holds(&self, [x, y]: [f64; 2]) -> bool {
+    pub(super) fn holds(&self, [x, y]: [f64; 2]) -> bool {
         (self.left - 1.0..self.right + 1.0).contains(&x)
             && (self.top - 1.0..self.bottom + 1.0).contains(&y)
     }
@@ -115,19 +134,46 @@ impl<'a> Frame<'a> {
     pub(super) fn draw(&self, name: &str) -> String {
         let clip = format!("{name}-clip");
         let curves = self.panel.curves.iter();
-        let place = |point| self.place(point);
-        let size = [self.right - self.left, self.bottom - self.top];
-        let holds = |place| self.holds(place);
-        let curves: String = curves
-            .map(|one| curve::draw(one, (place, size), holds, &clip))
-            .collect();
+        let curves: String = curves.map(|one| curve::draw(one, self, &clip)).collect();
         let [left, top] = [self.left, self.top].map(number);
         let [width, height] = [self.right - self.left, self.bottom - self.top].map(number);
+        let [x_label, y_label] = [&self.panel.x, &self.panel.y];
+        let what = [y_label, x_label].map(|axis| text::escape(&text::plain(&axis.label)));
         format!(
-            r#"<clipPath id="{clip}"><rect x="{left}" y="{top}" width="{width}" height="{height}"/></clipPath>{}{curves}{}"#,
+            r#"<g role="group" aria-label="{}"><clipPath id="{clip}"><rect x="{left}" y="{top}" width="{width}" height="{height}"/></clipPath>{}{curves}{}{}</g>"#,
+            what.join(" against "),
             self.axes(),
+            beside::draw(self.panel, self),
             self.labels(),
-        )
+        ) + &self.inset(name)
+    }
+
+    /// The part that is enlarged, and where it is from.
+    fn inset(&self, name: &str) -> String {
+        let Some(inset) = &self.panel.inset else {
+            return String::new();
+        };
+        let panel = self.panel.enlarged(inset);
+        let [width, height] = [self.right - self.left, self.bottom - self.top];
+        let [left, top, right, bottom] = inset.place;
+        let [left, right] = [left, right].map(|share| self.left + share * width);
+        let [top, bottom] = [top, bottom].map(|share| self.top + share * height);
+        let ticks = margin(&panel, bottom - top) - EDGE;
+        let frame = Frame {
+            panel: &panel,
+            x: scale(&panel, 0),
+            y: scale(&panel, 1),
+            edge: left,
+            left: left + ticks,
+            right: right - GAP,
+            top: top + MARK,
+            bottom: bottom - 1.8 * TICK,
+        };
+        let [x0, x1] = inset.x.map(|x| self.across(x));
+        let [y0, y1] = inset.y.map(|y| self.up(y));
+        rectangle([left, top, right, bottom], r#"fill="white""#)
+            + &rectangle([x0, y1, x1, y0], r##"fill="none" stroke="#808080""##)
+            + &frame.draw(&format!("{name}-inset"))
     }
 
     /// Grid, frame, ticks and what they say.

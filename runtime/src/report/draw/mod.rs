@@ -1,10 +1,12 @@
 //! Figures as SVG: real text, colours that colour-blind readers can tell apart, dashes that survive a printer.
 
+mod beside;
 mod curve;
 mod element;
 mod frame;
 mod legend;
 mod scale;
+mod smooth;
 mod ticks;
 
 use super::figure::Figure;

@@ -59,6 +59,17 @@ impl Scale {
         (at - low) / (high - low)
     }
 
+    /// How fast the share grows with the value.
+    pub(super) fn rate(&self, value: f64) -> f64 {
+        let [low, high] = self.ends;
+        let stretch = if self.logarithmic {
+            value * std::f64::consts::LN_10
+        } else {
+            1.0
+        };
+        1.0 / (stretch * (high - low))
+    }
+
     /// Whether a value lies on the axis.
     pub(super) fn holds(&self, value: f64) -> bool {
         (-END..=1.0 + END).contains(&self.share(value))

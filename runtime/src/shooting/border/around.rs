@@ -100,7 +100,7 @@ impl<'a> Around<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
-        if let [first, last] = change.own[..] {
+        if let [first, .., last] = change.own[..] {
             border.brief = Some([first, last].map(|i| self.orbit.events[i].time));
         }
         border.modes = change.modes;
@@ -180,12 +180,33 @@ impl<'a> Around<'a> {
                 own: vec![index],
             });
         }
+        if own == Some(&Mode::Rest) {
+            return self.lifted(index, before);
+        }
         let next = self.next(index)?;
         let back = self.around(&self.orbit.events[next])?[1];
         (back == &before).then(|| Change {
             modes: [before.clone(), before],
             own: vec![index, next],
         })
+    }
+
+    /// What belongs to a reaction that vanishes: the flight, and the impacts after it, until the gap is closed again.
+    fn lifted(&self, index: usize, before: Modes) -> Option<Change> {
+        let mut own = vec![index];
+        let mut last = index;
+        while own.len() <= self.switches.len() {
+            last = self.next(last)?;
+            own.push(last);
+            let after = self
+                .around(&self.orbit.events[last])
+                .map(|[_, after]| after);
+            if after == Some(&before) {
+                let modes = [before.clone(), before];
+                return (last != index).then_some(Change { modes, own });
+            }
+        }
+        None
     }
 
     /// What belongs to an arrival at the edge of where a contact can stick: on its way out, a stick before it goes on is

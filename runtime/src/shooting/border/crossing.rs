@@ -152,7 +152,7 @@ fn set_out(
     let (n, scale, r_scale) = (z.len(), problem.scale(), branch.r_scale());
     let moved = &z + direction.rows(0, n).component_mul(&scale) * distance;
     let r = orbit.r + direction[n] * r_scale * distance;
-    Branch::set_out(problem, (moved, r), direction, branch.settings())
+    Branch::set_out(problem, (moved, r), (direction, r_scale), branch.settings())
 }
 
 /// The border between two neighbouring orbits of different words.

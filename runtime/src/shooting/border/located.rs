@@ -158,8 +158,8 @@ impl Edge {
         let velocity = &self.sides.velocity;
         let judged = || floquet(&map.state, velocity, None, zeros, &[], 0, accuracy);
         let mut orbit = self.orbit.clone();
-        // Where force drops the map has no limit.
-        orbit.floquet = if self.border.drops {
+        // Where force drops, or an impact begins, the map has no limit.
+        orbit.floquet = if self.border.drops || self.sides.is_unbounded(happens) {
             near.floquet.clone()
         } else {
             judged()

@@ -6,11 +6,16 @@
 //! its force acts (grazing-sliding). At the other borders both sides have the same derivative (8.2). Orbits lie where the
 //! number that decides between the sides, g = g_y δy + g_r δr, has the sign of their side; since both maps differ in rank
 //! one, det(I − A) det(I − B) > 0 has one of them on each side of r, and < 0 both on one: a non-smooth fold.
+//!
+//! Where a contact that does not give way is grazed, the return map of the orbits that are hit has no derivative: its
+//! multiplier grows without bound. But these orbits, and r, are smooth functions of the speed v of the impact (Nordmark):
+//! they leave the border along (I − A) δy = k v, g = 0, with the kick k of a unit speed.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::candidate::{Border, Condition};
 use super::problem::{BorderProblem, Round};
+use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::linear::svd;
 use crate::motion::{Derivatives, Family, Flow, Place};
@@ -30,6 +35,8 @@ pub(super) struct Sides {
     number: (DVector<f64>, f64),
     /// Its sign on both sides.
     signs: [f64; 2],
+    /// What a unit speed of approach adds to the state once around, where the contact that is grazed does not give way.
+    kick: Option<DVector<f64>>,
 }
 
 impl Sides {
@@ -71,7 +78,14 @@ impl Sides {
             Condition::Edge => 1.0,
         };
         let start = round.out.0.clone();
+        let kick = match border.condition {
+            Condition::Touch if border.before() == Mode::Open => {
+                flow.kick(state, border.contact)?
+            }
+            _ => None,
+        };
         Ok(Self {
+            kick: kick.map(|kick| &round.out.1.state * DVector::from_vec(kick)),
             velocity: flow.velocity(&start)?.f,
             maps: leaps.map(|leap| arrival.through(&leap, &round)),
             start,
@@ -85,6 +99,11 @@ impl Sides {
         &self.maps[usize::from(happens)]
     }
 
+    /// Whether the return map on this side has no derivative.
+    pub(super) fn is_unbounded(&self, happens: bool) -> bool {
+        happens && self.kick.is_some()
+    }
+
     /// The direction (start, period, r), in these units with r last, in which orbits leave the border on this side.
     pub(super) fn direction(
         &self,
@@ -94,8 +113,10 @@ impl Sides {
         r_scale: f64,
     ) -> Option<DVector<f64>> {
         let (map, order) = (self.map(happens), self.velocity.len());
+        let kick = self.kick.as_ref().filter(|_| happens);
         let n = order + 1;
-        let mut matrix = DMatrix::zeros(n + 1, n + 1);
+        let hit = usize::from(kick.is_some());
+        let mut matrix = DMatrix::zeros(n + 1 + hit, n + 1 + hit);
         for i in 0..order {
             for j in 0..order {
                 let own = f64::from(i == j);
@@ -105,11 +126,22 @@ impl Sides {
             matrix[(i, n)] = map.design[i] * r_scale / scale[i];
             matrix[(order, i)] = phase[i] * scale[i];
         }
+        if let Some(kick) = kick {
+            self.grazing(&mut matrix, kick, scale, r_scale);
+        }
         let size = matrix.row(order).norm();
         matrix.row_mut(order).unscale_mut(size);
         let svd = svd(matrix)?;
         let rows = svd.v_t?;
         let direction = rows.row(svd.singular_values.imin()).transpose();
+        if kick.is_some() {
+            // An impact has a speed of approach, and not one of departure.
+            let whole = direction[n + 1].signum();
+            let direction = direction.rows(0, n + 1) * whole;
+            let length = direction.norm();
+            let regular = length > 0.0 && direction.iter().all(|x| x.is_finite());
+            return regular.then(|| direction / length);
+        }
         let (along, by_r) = &self.number;
         let moved = direction
             .rows(0, order)
@@ -120,6 +152,30 @@ impl Sides {
             .iter()
             .all(|x| x.is_finite())
             .then(|| direction * sign)
+    }
+}
+
+impl Sides {
+    /// The speed of the impact as one more unknown, and that the border is grazed, to first order.
+    fn grazing(
+        &self,
+        matrix: &mut DMatrix<f64>,
+        kick: &DVector<f64>,
+        scale: &DVector<f64>,
+        r_scale: f64,
+    ) {
+        let order = self.velocity.len();
+        let n = order + 1;
+        let (along, by_r) = &self.number;
+        let most = (0..order).map(|i| (kick[i] / scale[i]).abs());
+        let unit = most.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+        for i in 0..order {
+            matrix[(i, n + 1)] = kick[i] / scale[i] / unit;
+            matrix[(n, i)] = along[i] * scale[i];
+        }
+        matrix[(n, n)] = by_r * r_scale;
+        let size = matrix.row(n).norm().max(f64::MIN_POSITIVE);
+        matrix.row_mut(n).unscale_mut(size);
     }
 }
 

@@ -22,7 +22,7 @@ impl System {
     ///
     /// # Errors
     /// The case cannot be asked.
-    pub fn attractors(
+    pub fn attractors_watched(
         &self,
         case: &Case,
         sampling: &Sampling,

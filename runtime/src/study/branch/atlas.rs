@@ -1,14 +1,11 @@
 //! A branch of orbits with those that leave it, and those that leave them.
 
-use std::ops::ControlFlow;
-
 use super::follow::{Stretch, follow};
 use super::record::{BranchRecord, Watch};
-use super::special::numbered;
+use super::special::{Special, numbered};
 use crate::continuation::{Kind, Located, Settings};
 use crate::field::Work;
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
-use crate::study::equilibria::EquilibriumRecord;
 use crate::study::error::StudyError;
 use crate::study::orbit::Sought;
 use crate::study::question::{Along, Beginning, Case};
@@ -37,7 +34,11 @@ impl System {
     ///
     /// # Errors
     /// There is no orbit to begin with.
-    pub fn branch(&self, case: &Case, watch: Watch<'_>) -> Result<BranchRecord, StudyError> {
+    pub fn branch_watched(
+        &self,
+        case: &Case,
+        watch: Watch<'_>,
+    ) -> Result<BranchRecord, StudyError> {
         self.check(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let hopf = self.hopf(case, along)?;
@@ -49,8 +50,7 @@ impl System {
         if case.beginning != Beginning::Hopf {
             return Ok(None);
         }
-        let watch = &mut |_: &EquilibriumRecord| ControlFlow::Continue(());
-        let branch = self.equilibria_along(case, watch)?;
+        let branch = self.equilibria_along(case)?;
         let point = branch.special.iter().find_map(|point| {
             let from = point.r;
             Some(Hopf {
@@ -147,7 +147,7 @@ impl Atlas<'_> {
     }
 
     /// A branch with those that leave it, `depth` switches deep.
-    fn record(&mut self, stretch: Stretch, from: Option<String>, depth: usize) -> BranchRecord {
+    fn record(&mut self, stretch: Stretch, root: Option<Special>, depth: usize) -> BranchRecord {
         let mut special = numbered(&self.along, &stretch.located);
         let met = stretch.located.iter().filter(|event| event.last);
         self.known.extend(met.cloned());
@@ -169,9 +169,13 @@ impl Atlas<'_> {
             }
             self.known.push(event.clone());
             match self.leave(event) {
-                Ok(other) => {
-                    let label = Some(special.label.clone());
-                    let below = self.record(other, label, depth - 1);
+                Ok((other, after)) => {
+                    let root = Special {
+                        after,
+                        turns: 1 + usize::from(event.kind == Kind::Flip),
+                        ..special.clone()
+                    };
+                    let below = self.record(other, Some(root), depth - 1);
                     stopped = below.is_interrupted();
                     branches.push(below);
                 }
@@ -180,7 +184,8 @@ impl Atlas<'_> {
         }
         BranchRecord {
             along: self.along,
-            from,
+            from: root.as_ref().map(|root| root.label.clone()),
+            root,
             points: stretch.points,
             special,
             ended: stretch.ended,
@@ -189,17 +194,21 @@ impl Atlas<'_> {
         }
     }
 
-    /// The branch that leaves another at this point: at a branch point to both sides.
-    fn leave(&mut self, event: &Here) -> Result<Stretch, SwitchError> {
+    /// The branch that leaves another at this point, and how many of its points come before: at a branch point it goes to
+    /// both sides.
+    fn leave(&mut self, event: &Here) -> Result<(Stretch, usize), SwitchError> {
         let forth = self.one_way(event, true);
         let stopped = forth.as_ref().is_ok_and(Stretch::is_interrupted);
         if event.kind == Kind::Flip || stopped {
-            return forth;
+            return forth.map(|forth| (forth, 0));
         }
         let back = self.one_way(event, false);
         match (forth, back) {
-            (Ok(forth), Ok(back)) => Ok(forth.behind(back, false)),
-            (Ok(one), Err(_)) | (Err(_), Ok(one)) => Ok(one),
+            (Ok(forth), Ok(back)) => {
+                let before = back.points.len();
+                Ok((forth.behind(back, false), before))
+            }
+            (Ok(one), Err(_)) | (Err(_), Ok(one)) => Ok((one, 0)),
             (Err(error), Err(_)) => Err(error),
         }
     }

@@ -17,6 +17,8 @@ pub struct BranchRecord {
     pub along: Along,
     /// The label of the special point of the branch above from which it leaves; `None` for the first.
     pub from: Option<String>,
+    /// That point as one of this branch, which begins there, or passes it after so many of its points.
+    pub root: Option<Special>,
     /// Its orbits in their order along it.
     pub points: Vec<OrbitRecord>,
     /// Where its stability or its make-up changes, in the same order.

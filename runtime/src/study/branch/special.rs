@@ -35,6 +35,10 @@ pub struct Special {
     /// `supercritical` or `subcritical`, where that was looked at.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub criticality: Option<&'static str>,
+    /// How often the orbit there is gone around while one of the branch beside it is: 2 where a doubled branch begins or
+    /// ends.
+    #[serde(skip)]
+    pub turns: usize,
     /// What is to be said of the branch that leaves it, if it was not followed from here.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
@@ -57,6 +61,7 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         state: found.point.place.state.clone(),
         max_abs: found.point.max_abs(),
         criticality: None,
+        turns: 1 + usize::from(found.last && found.kind == Kind::Flip),
         note: None,
     };
     located.iter().zip(labels).map(special).collect()

@@ -32,7 +32,7 @@ impl System {
     ///
     /// # Errors
     /// There is no orbit to begin with, or no such point on its branch, or no such point can be followed.
-    pub fn curve(
+    pub fn curve_watched(
         &self,
         case: &Case,
         scope: &CurveScope,
@@ -72,6 +72,7 @@ impl Sought<'_> {
         let branch = BranchRecord {
             along,
             from: None,
+            root: None,
             points: stretch.points,
             special: numbered(&along, &located),
             ended: stretch.ended,

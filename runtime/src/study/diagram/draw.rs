@@ -20,7 +20,7 @@ impl System {
     ///
     /// # Errors
     /// Nothing is followed, or the case cannot be asked.
-    pub fn diagram(
+    pub fn diagram_watched(
         &self,
         case: &Case,
         diagram: &Diagram,

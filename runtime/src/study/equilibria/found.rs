@@ -55,7 +55,7 @@ impl System {
     ///
     /// # Errors
     /// There is no equilibrium to begin with.
-    pub fn equilibria_along(
+    pub fn equilibria_along_watched(
         &self,
         case: &Case,
         watch: Watch<'_>,

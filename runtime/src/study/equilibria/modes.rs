@@ -54,11 +54,12 @@ fn sliding(info: &ModelInfo, measures: &[f64], turned: usize) -> Modes {
     measures.iter().enumerate().map(mode).collect()
 }
 
-/// The modes of all contacts of which at least one sticks: in every combination, or all of them sticking and pressing.
+/// The modes of all contacts of which at least one sticks, or rests on what does not give way: in every combination, or all
+/// of them sticking and pressing.
 pub(in crate::study) fn sticking_modes(flow: &dyn Flow, info: &ModelInfo) -> Vec<Modes> {
     const RUBBING: [Mode; 3] = [Mode::Stick, Mode::SlideBackward, Mode::SlideForward];
     const PRESSING: [Mode; 2] = [Mode::Closed, Mode::Open];
-    const FLYING: [Mode; 1] = [Mode::Open];
+    const FLYING: [Mode; 2] = [Mode::Rest, Mode::Open];
     let rubs = info.contacts.iter().map(|_| RUBBING.as_slice());
     let presses = info.presses.iter().map(|press| match press.law.is_rigid() {
         true => FLYING.as_slice(),
@@ -81,7 +82,7 @@ pub(in crate::study) fn sticking_modes(flow: &dyn Flow, info: &ModelInfo) -> Vec
     let still = vec![0.0; choices.len()];
     (0..count)
         .map(combination)
-        .filter(|modes: &Modes| modes.contains(&Mode::Stick))
+        .filter(|modes: &Modes| modes.iter().any(|mode| mode.binds()))
         .filter(|modes| flow.loosened(modes.clone(), &still) == *modes)
         .collect()
 }

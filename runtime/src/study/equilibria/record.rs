@@ -16,6 +16,7 @@ pub struct EquilibriumRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub r: Option<f64>,
     /// Values of all parameters.
+    #[cfg_attr(feature = "app", serde(skip))]
     pub parameters: Vec<f64>,
     /// How friction acts.
     #[serde(skip)]

@@ -67,7 +67,7 @@ impl System {
     ///
     /// # Errors
     /// The case cannot be asked at a corner of the grid.
-    pub fn map(
+    pub fn map_watched(
         &self,
         case: &Case,
         (grid, asked): (&Grid, &Asked),

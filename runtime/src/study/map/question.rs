@@ -91,7 +91,7 @@ fn share(system: &System, case: &Case, class: Class, (region, starts): (&Region,
         ..List::whole(starts)
     };
     let sampling = Sampling::of(region.clone(), starts);
-    let found = system.attractors(case, &sampling, &list, &|_| ControlFlow::Continue(()));
+    let found = system.attractors_watched(case, &sampling, &list, &|_| ControlFlow::Continue(()));
     match found {
         Ok(record) => {
             let all = record.surveys.iter().flat_map(|survey| &survey.found);

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::PredictError;
-use super::doubt::doubts;
+use super::doubt::{cancelling, doubts};
 use super::history::History;
 use super::prediction::{Prediction, ReleaseLoss};
 use super::response::Response;
@@ -30,32 +30,53 @@ pub(in super::super) fn predict(
     let peaks = peaks(&history, orbit);
     let times = times(&history, &peaks);
     let leading = match history.lose(model, true) {
-        Ok(()) => {
-            let readings = model.response(&history, &times)?;
-            Some(-Shift::of(&history, &readings)?.period / history.period)
-        }
+        Ok(()) => Some(Errors::of(model, &history, (&peaks, &times), orbit)?),
         Err(_) => None,
     };
     history.lose(model, false)?;
-    let readings = model.response(&history, &times)?;
-    let shift = Shift::of(&history, &readings)?;
-    let frequency = -shift.period / history.period;
-    let max_abs = peaks
-        .iter()
-        .enumerate()
-        .map(|(j, &time)| shift.peak(&history, &readings, j, time, orbit))
-        .collect();
+    let refined = Errors::of(model, &history, (&peaks, &times), orbit)?;
+    let cancelling = match &leading {
+        Some(leading) => cancelling(smoothing.kernel, &leading.max_abs, &refined.max_abs),
+        None => vec![false; peaks.len()],
+    };
     let mut prediction = Prediction {
         smoothing,
-        frequency,
-        leading,
-        max_abs,
-        start: shift.start,
+        frequency: refined.frequency,
+        leading: leading.map(|leading| leading.frequency),
+        max_abs: refined.max_abs,
+        cancelling,
+        start: refined.start,
         releases: releases(&history),
         doubts: Vec::new(),
     };
     prediction.doubts = doubts(&history, &prediction);
     Ok(prediction)
+}
+
+/// What the losses of a history make of frequency, extrema and start.
+struct Errors {
+    frequency: f64,
+    max_abs: Vec<Option<f64>>,
+    start: Vec<f64>,
+}
+
+impl Errors {
+    fn of(
+        model: &dyn Rubbing,
+        history: &History,
+        (peaks, times): (&[f64], &[f64]),
+        orbit: &Orbit,
+    ) -> Result<Self, PredictError> {
+        let readings = model.response(history, times)?;
+        let shift = Shift::of(history, &readings)?;
+        let peaks = peaks.iter().enumerate();
+        let peak = |(j, time): (usize, &f64)| shift.peak(history, &readings, j, *time, orbit);
+        Ok(Self {
+            frequency: -shift.period / history.period,
+            max_abs: peaks.map(peak).collect(),
+            start: shift.start,
+        })
+    }
 }
 
 /// The time at which each state has its largest magnitude.

@@ -65,12 +65,30 @@ fn crossings(history: &History) -> Vec<String> {
 fn apart(prediction: &Prediction) -> Option<String> {
     let (kernel, frequency) = (prediction.smoothing.kernel, prediction.frequency);
     let leading = prediction.leading.filter(|_| leads(kernel))?;
-    let ratio = (leading / frequency).abs();
-    (!(1.0 / APART..=APART).contains(&ratio)).then(|| {
+    parts(leading, frequency).then(|| {
         format!(
             "the leading term alone gives {leading:.2e}, the refined prediction {frequency:.2e}"
         )
     })
+}
+
+/// Whether two predictions of one error differ in more than a small correction.
+fn parts(leading: f64, refined: f64) -> bool {
+    !(1.0 / APART..=APART).contains(&(leading / refined))
+}
+
+/// Per state, whether the leading terms alone say something else of its error, because contributions cancel.
+pub(super) fn cancelling(
+    kernel: Kernel,
+    leading: &[Option<f64>],
+    refined: &[Option<f64>],
+) -> Vec<bool> {
+    let both = leading.iter().zip(refined);
+    let differ = |(leading, refined): (&Option<f64>, &Option<f64>)| {
+        let known = leading.zip(*refined).filter(|_| leads(kernel));
+        known.is_some_and(|(leading, refined)| parts(leading, refined))
+    };
+    both.map(differ).collect()
 }
 
 fn large(prediction: &Prediction) -> Option<String> {

@@ -15,12 +15,23 @@ pub struct Prediction {
     pub leading: Option<f64>,
     /// Error of the largest magnitude of each state; `None` where that is reached at a corner, or while a contact sticks.
     pub max_abs: Vec<Option<f64>>,
+    /// Per state, whether the leading term of each release alone says something else of that: what is left of contributions
+    /// that cancel is no better known than they are.
+    pub cancelling: Vec<bool>,
     /// Shift of the start of the orbit, orthogonal to the field there.
     pub start: Vec<f64>,
     /// The releases of one period.
     pub releases: Vec<ReleaseLoss>,
     /// Why the prediction is not to be trusted; empty in the asymptotic range.
     pub doubts: Vec<String>,
+}
+
+impl Prediction {
+    /// Whether the error of the largest magnitude of this state is not to be trusted.
+    #[must_use]
+    pub fn doubts_peak(&self, state: usize) -> bool {
+        !self.doubts.is_empty() || self.cancelling.get(state).copied().unwrap_or(false)
+    }
 }
 
 /// What one release costs the copy (7.1).

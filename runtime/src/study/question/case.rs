@@ -1,10 +1,12 @@
 //! What is asked of a model: at which parameters, with which friction, from where, how accurately.
 
 use std::fmt;
+use std::ops::Range;
 
+use super::choice::choose;
 use crate::bifurcation::Kind;
 use crate::field::{Design, Smoothing};
-use crate::model::ModelInfo;
+use crate::model::{Model, ModelInfo, ParamId};
 
 /// A question to a model.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,6 +88,15 @@ pub struct Along {
 }
 
 impl Case {
+    /// The case of a model with these parameters: friction by its exact law, if it has any, at the relative accuracy 1e-9.
+    #[must_use]
+    pub fn of<M: Model<N>, const N: usize>(model: &M) -> Self {
+        Self {
+            parameters: model.values().as_ref().to_vec(),
+            ..Self::declared(M::INFO, choose(M::INFO, None, 1e-9).dynamics)
+        }
+    }
+
     /// The case of a model as declared, with `dynamics`, at the relative accuracy 1e-9.
     #[must_use]
     pub fn declared(info: &ModelInfo, dynamics: Dynamics) -> Self {
@@ -100,6 +111,26 @@ impl Case {
             switch: Switch::default(),
             harmonics: Vec::new(),
         }
+    }
+
+    /// The same case with this value of a parameter of its model: `case.with(Pad::disc, 0.3)`.
+    #[must_use]
+    pub fn with<M>(mut self, parameter: ParamId<M>, value: f64) -> Self {
+        if let Some(place) = self.parameters.get_mut(parameter.index) {
+            *place = value;
+        }
+        self
+    }
+
+    /// The same case, followed along a parameter of its model: `case.following(Pad::disc, 0.2..0.6)`, in either direction.
+    #[must_use]
+    pub fn following<M>(mut self, parameter: ParamId<M>, way: Range<f64>) -> Self {
+        self.along = Some(Along {
+            design: Design::Parameter(parameter.index),
+            from: way.start,
+            to: way.end,
+        });
+        self.with(parameter, way.start)
     }
 
     /// The same case where the followed variable has this value.

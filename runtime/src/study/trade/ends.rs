@@ -61,7 +61,7 @@ impl System {
     ///
     /// # Errors
     /// There is no friction, or no exact orbit.
-    pub fn trade(
+    pub fn trade_watched(
         &self,
         case: &Case,
         scope: &Scope,

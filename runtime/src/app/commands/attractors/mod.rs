@@ -88,7 +88,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         progress.reach(item.done, "starts followed".to_owned())
     };
     let (entry, case) = (asked.entry, &asked.case);
-    let record = entry.attractors(case, &sampling, &ledger.list, &watch);
+    let record = entry.attractors_watched(case, &sampling, &ledger.list, &watch);
     let record = asked.got(record)?;
     drop(progress);
     if !ledger.is_shared() {

@@ -4,16 +4,16 @@ use std::f64::consts::TAU;
 use std::rc::Rc;
 
 use crate::app::answer::Answer;
-use crate::app::chart::{Chart, Mark, along_axis, axis};
+use crate::app::chart::{along_axis, axis, headed_axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
 use crate::app::text::{digits, followed, heading, number, timed};
-use crate::bifurcation::Stability;
 use crate::field::Work;
 use crate::model::ModelInfo;
+use crate::report::chart::{Chart, Drawn};
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, Case, OrbitRecord, Special};
 
@@ -118,13 +118,9 @@ fn picture(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Figu
 fn period(info: &ModelInfo, branch: &BranchRecord) -> Panel {
     let period = Axis::new(&timed(info, "period", "s"));
     let mut periods = Chart::new(Panel::new(along_axis(info, &branch.along), period));
-    for one in branch.all() {
-        draw(
-            &mut periods,
-            one,
-            |orbit| Some(orbit.period),
-            |special| special.period,
-        );
+    for one in branch.all().into_iter().enumerate() {
+        let special = |special: &Special| special.turns as f64 * special.period;
+        periods.add(Drawn::of(one, |orbit| Some(orbit.period), special));
     }
     periods.panel()
 }
@@ -133,13 +129,13 @@ fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
     let (name, unit) = orbit::largest(info, j);
     let parameter = along_axis(info, &branch.along);
     let mut extents = Chart::new(Panel::new(parameter, axis(&name, unit)));
-    for one in branch.all() {
-        draw(
-            &mut extents,
+    for one in branch.all().into_iter().enumerate() {
+        let special = |special: &Special| special.max_abs.get(j).copied().unwrap_or(f64::NAN);
+        extents.add(Drawn::of(
             one,
             |orbit| orbit.max_abs.get(j).copied(),
-            |special| special.max_abs.get(j).copied().unwrap_or(0.0),
-        );
+            special,
+        ));
     }
     extents.panel()
 }
@@ -149,10 +145,10 @@ fn response(info: &ModelInfo, branch: &BranchRecord, order: usize, j: usize) -> 
     let [mut amplitudes, mut phases] = names(info, order, j).map(|name| {
         Chart::new(Panel::new(
             along_axis(info, &branch.along),
-            Axis::new(&name),
+            headed_axis(&name),
         ))
     });
-    for one in branch.all() {
+    for one in branch.all().into_iter().enumerate() {
         let amplitude = |orbit: &OrbitRecord| Some(harmonic(orbit, order)?.amplitude[j]);
         let mut before = None;
         let phase = |orbit: &OrbitRecord| {
@@ -162,8 +158,9 @@ fn response(info: &ModelInfo, branch: &BranchRecord, order: usize, j: usize) -> 
             before = Some(next);
             before
         };
-        amplitudes.add(points(one, amplitude), Vec::new());
-        phases.add(points(one, phase), Vec::new());
+        let nowhere = |_: &Special| f64::NAN;
+        amplitudes.add(Drawn::of(one, amplitude, nowhere));
+        phases.add(Drawn::of(one, phase, nowhere));
     }
     [amplitudes.panel(), phases.panel()]
 }
@@ -174,40 +171,19 @@ fn unwrapped(phase: f64, before: Option<f64>) -> f64 {
     phase + ((before - phase) / TAU).round() * TAU
 }
 
-/// Draws a quantity of the orbits of a branch, and of its special points.
-fn draw(
-    chart: &mut Chart,
-    branch: &BranchRecord,
-    of: impl FnMut(&OrbitRecord) -> Option<f64>,
-    special: impl Fn(&Special) -> f64,
-) {
-    let mark = |one: &Special| Mark {
-        kind: one.kind,
-        label: one.label.clone(),
-        after: one.after,
-        at: [one.r, special(one)],
-    };
-    let marks = branch.special.iter().map(mark).collect();
-    chart.add(points(branch, of), marks);
-}
-
-fn points(
-    branch: &BranchRecord,
-    mut of: impl FnMut(&OrbitRecord) -> Option<f64>,
-) -> Vec<([f64; 2], Stability)> {
-    let points = branch.points.iter();
-    points
-        .filter_map(|one| Some(([one.r?, of(one)?], one.floquet.stability)))
-        .collect()
-}
-
-/// A branch with those that leave it.
+/// A branch with those that leave it, under what holds for all of them.
 fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Document<'a> {
-    let orbit = |point: &OrbitRecord| orbit::document(info, point).put("work", point.work);
-    let mut work = Work::default();
-    branch.points.iter().for_each(|point| work += point.work);
     Document::case(info, case)
         .range("along", &branch.along)
+        .units()
+        .all(&found(info, branch))
+}
+
+fn found<'a>(info: &'a ModelInfo, branch: &BranchRecord) -> Document<'a> {
+    let orbit = |point: &OrbitRecord| orbit::point(info, point).put("work", point.work);
+    let mut work = Work::default();
+    branch.points.iter().for_each(|point| work += point.work);
+    Document::new(info)
         .maybe("from", branch.from.as_ref())
         .list("points", &branch.points, orbit)
         .list("special", &branch.special, |one| {
@@ -215,9 +191,6 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Docu
         })
         .ended(&branch.ended)
         .maybe("began", branch.began.as_ref().map(|ended| ended.word()))
-        .list("branches", &branch.branches, |below| {
-            document(info, case, below)
-        })
-        .units()
+        .list("branches", &branch.branches, |below| found(info, below))
         .put("work", work)
 }

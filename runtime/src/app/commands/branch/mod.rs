@@ -185,7 +185,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let branch = asked.got(
         passages
             .recorded(&asked.entry.telling(progress.news(FIRST)))
-            .branch(&asked.case, &mut watch),
+            .branch_watched(&asked.case, &mut watch),
     )?;
     drop(progress);
     deliver(&asked, &branch, &shown)?;

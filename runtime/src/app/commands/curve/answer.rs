@@ -1,11 +1,13 @@
 //! A curve in all forms.
 
 use crate::app::answer::Answer;
+use crate::app::chart::along_axis;
 use crate::app::document::{Document, named};
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, timed, work};
 use crate::model::ModelInfo;
-use crate::report::{Axis, Curve, Figure, Marker, Panel};
+use crate::report::chart::{Mark, special_points};
+use crate::report::{Axis, Curve, Figure, Panel};
 use crate::study::{Along, Case, CurvePointRecord, CurveRecord, SpecialCurvePoint};
 
 /// A curve without the branch from which it starts.
@@ -67,16 +69,19 @@ fn describe(info: &ModelInfo, case: &Case, curve: &CurveRecord) -> String {
 
 /// The curve with its special points, and the period along it.
 fn picture(info: &ModelInfo, curve: &CurveRecord) -> Figure {
-    let [p, q] = [&curve.along, &curve.and].map(|range| Axis::new(&followed(info, range)));
-    let places: Vec<[f64; 2]> = curve.points.iter().map(|one| [one.q, one.p]).collect();
+    let [p, q] = [&curve.along, &curve.and].map(|range| along_axis(info, range));
+    let name = curve.kind.name();
+    let places = curve.points.iter().map(|one| [one.q, one.p]);
     let periods = curve.points.iter().map(|one| [one.q, one.period]);
-    let period = Curve::line(curve.kind.name(), 0, periods.collect());
-    let mut plane = Panel::new(q.clone(), p).curve(Curve::line(curve.kind.name(), 0, places));
-    for (i, one) in curve.special.iter().enumerate() {
-        let label = format!("{} ({})", one.label, one.kind);
-        let at = vec![[one.point.q, one.point.p]];
-        plane = plane.curve(Curve::points(label, 2 + i, Marker::Diamond, at));
-    }
+    let period = Curve::smooth(name, 0, periods.collect());
+    let plane = Panel::new(q.clone(), p).curve(Curve::smooth(name, 0, places.collect()));
+    let plane = plane.curves(special_points(curve.special.iter().map(|one| Mark {
+        kind: one.kind,
+        label: one.label.clone(),
+        after: 0,
+        at: [one.point.q, one.point.p],
+        shown: true,
+    })));
     Figure::new("", info.name, String::new())
         .columns(2)
         .panel(plane)

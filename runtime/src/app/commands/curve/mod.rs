@@ -62,7 +62,7 @@ pub(in crate::app) fn perform(
     };
     let curve = passages
         .recorded(&asked.entry.telling(progress.news(branch::FIRST)))
-        .curve(&asked.case, &scope, &mut watch);
+        .curve_watched(&asked.case, &scope, &mut watch);
     drop(progress);
     let curve = match curve {
         Ok(Curved::Followed(curve)) => curve,

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::app::answer::Answer;
 use crate::app::chart::{along_axis, axis};
-use crate::app::document::{Document, columns, value_of};
+use crate::app::document::{Document, columns, logarithm};
 use crate::app::section::unmet;
 use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
 use crate::app::text::{followed, heading, number, states, table, timed, work};
@@ -178,10 +178,12 @@ fn value<'a>(info: &'a ModelInfo, section: &Section, slice: &Slice) -> Document<
         .maybe("reason", reason)
 }
 
-/// Null without a failure where the motion is superstable.
 fn lyapunov(found: &Result<Lyapunov, String>) -> Value {
     match found {
-        Ok(found) => value_of(found),
+        Ok(found) => json!({
+            "exponent": logarithm(Some(found.exponent.unwrap_or(f64::NEG_INFINITY))),
+            "error": found.exponent.map(|_| found.error), "time": found.time,
+        }),
         Err(reason) => {
             json!({ "exponent": null, "error": null, "time": null, "failed": reason })
         }
@@ -211,7 +213,9 @@ pub(super) fn values<'a>(info: &ModelInfo, along: &Along, sweep: &'a str) -> Col
         .column("sweep", move |_: &Slice| sweep.to_owned())
         .number(followed(info, along), |slice| slice.r)
         .column("motion", |slice| slice.motion.name())
-        .number(timed(info, "lyapunov", "1/s"), exponent)
+        .number(timed(info, "lyapunov", "1/s"), |slice| {
+            Some(found(slice)?.exponent.unwrap_or(f64::NEG_INFINITY))
+        })
         .number(timed(info, "lyapunov_error", "1/s"), error)
         .numbers(states(info, "min_"), |slice, j| slice.min.get(j).copied())
         .numbers(states(info, "max_"), |slice, j| slice.max.get(j).copied())

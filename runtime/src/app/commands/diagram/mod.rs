@@ -128,7 +128,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         let name = papers.along.name(info);
         progress.reach(seen.share, format!("{name} = {}", number(seen.slice.r, 6)))
     };
-    let record = asked.got(asked.entry.diagram(case, &diagram, &known, &watch))?;
+    let record = asked.got(asked.entry.diagram_watched(case, &diagram, &known, &watch))?;
     drop(progress);
     output.deliver(&answer::answer(info, case, &record, &shown))?;
     if record.missing > 0 {

@@ -4,12 +4,13 @@ use nalgebra::Complex;
 
 use super::proof;
 use crate::app::answer::Answer;
-use crate::app::chart::{Chart, Mark, along_axis, axis};
+use crate::app::chart::{along_axis, axis};
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, time_unit, timed};
 use crate::equilibrium::{Proof, Unproven};
 use crate::model::ModelInfo;
+use crate::report::chart::{Chart, Drawn, Mark};
 use crate::report::{Figure, Panel};
 use crate::study::{Along, Case, EquilibriaRecord, EquilibriumRecord, SpecialEquilibrium};
 
@@ -218,18 +219,22 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
         kind: one.kind,
         label: one.label.clone(),
         at: [one.r, value(&one.state)],
+        shown: true,
         after: one.after,
     };
     let points = branch.points.iter();
     let points = points.filter_map(|one| Some(([one.r?, value(&one.state)], one.stability)));
-    chart.add(points.collect(), branch.special.iter().map(mark).collect());
+    chart.add(Drawn {
+        points: points.collect(),
+        marks: branch.special.iter().map(mark).collect(),
+        root: None,
+        closed: branch.ended.is_closed(),
+    });
     Figure::new("", info.name, String::new()).panel(chart.panel())
 }
 
 fn equilibrium<'a>(info: &'a ModelInfo, one: &EquilibriumRecord) -> Document<'a> {
-    let document = Document::of(info, one)
-        .parameters(&one.parameters)
-        .by_state(&["state"]);
+    let document = Document::of(info, one).by_state(&["state"]);
     match &one.set {
         Some(set) => document.put("set", Document::of(info, set).by_state(&["min", "max"])),
         None => document,

@@ -57,7 +57,7 @@ fn follow(asked: &Request<'_>, along: Along) -> Result<(), Failure> {
     let columns = answer::columns(info, Some(&along));
     let mut trail = Trail::new(asked, along, "equilibria", columns, &progress);
     let mut watch = |point: &EquilibriumRecord| trail.reach(point.r, point);
-    let branch = asked.got(asked.entry.equilibria_along(case, &mut watch))?;
+    let branch = asked.got(asked.entry.equilibria_along_watched(case, &mut watch))?;
     drop(progress);
     output.deliver(&answer::branch(info, case, &branch))?;
     let found = format!("{} equilibria were found", branch.points.len());

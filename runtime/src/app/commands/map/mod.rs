@@ -81,7 +81,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     };
     let record = asked
         .entry
-        .map(&asked.case, (&grid, &wanted), &ledger.list, &watch);
+        .map_watched(&asked.case, (&grid, &wanted), &ledger.list, &watch);
     let record = asked.got(record)?;
     drop(progress);
     if !ledger.is_shared() {

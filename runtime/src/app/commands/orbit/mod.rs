@@ -23,7 +23,7 @@ use crate::shooting::{Certificate, Uncertified};
 use crate::study::{
     Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, Trajectory, choose,
 };
-pub(super) use record::{columns, document, largest, shown};
+pub(super) use record::{columns, document, largest, point, shown};
 
 /// What is done before anything is found.
 const SEARCH: &str = "looking for a periodic orbit";

@@ -1,6 +1,6 @@
 //! An orbit in all forms: as text, as JSON, and as a row of a table.
 
-use crate::app::document::Document;
+use crate::app::document::{Document, logarithm};
 use crate::app::harmonics;
 use crate::app::request::Request;
 use crate::app::spreadsheet::{Columns, part, parts};
@@ -15,14 +15,25 @@ pub(in crate::app::commands) fn document<'a>(
     info: &'a ModelInfo,
     orbit: &OrbitRecord,
 ) -> Document<'a> {
-    let floquet = &orbit.floquet;
-    // With a drive there is no trivial multiplier.
-    let trivial = info.drive.is_none().then_some(floquet.trivial_error);
     Document::new(info)
-        .maybe("r", orbit.r)
         .put("model", info.command)
         .put("dynamics", orbit.dynamics.to_string())
         .parameters(&orbit.parameters)
+        .all(&point(info, orbit))
+        .units()
+}
+
+/// What tells an orbit from others of the same model.
+pub(in crate::app::commands) fn point<'a>(
+    info: &'a ModelInfo,
+    orbit: &OrbitRecord,
+) -> Document<'a> {
+    let floquet = &orbit.floquet;
+    // With a drive there is no trivial multiplier.
+    let trivial = info.drive.is_none().then_some(floquet.trivial_error);
+    let logs = (0..floquet.multipliers.len()).map(|j| logarithm(log_modulus(orbit, j)));
+    Document::new(info)
+        .maybe("r", orbit.r)
         .put("period", orbit.period)
         .put("frequency", 1.0 / orbit.period)
         .states("state", &orbit.state)
@@ -31,15 +42,21 @@ pub(in crate::app::commands) fn document<'a>(
         .states("max_abs", &orbit.max_abs)
         .put("period_count", orbit.period_count)
         .put("multipliers", &floquet.multipliers)
-        .put("log_abs_multipliers", &floquet.log_moduli)
+        .put("log_abs_multipliers", logs.collect::<Vec<_>>())
         .put("trivial_multiplier_error", trivial)
         .put("stability", floquet.stability.name())
         .put("held", &orbit.held)
         .put("word", &orbit.word)
         .maybe("harmonics", harmonics::document(info, orbit))
-        .units()
         .put("residual", orbit.residual)
         .put("error_estimate", orbit.error_estimate)
+}
+
+/// The logarithm of the modulus of a multiplier: that of one that is exactly zero is negative infinity.
+fn log_modulus(orbit: &OrbitRecord, j: usize) -> Option<f64> {
+    let nothing = orbit.floquet.multipliers.get(j)?.norm() == 0.0;
+    let known = orbit.floquet.log_moduli.get(j).copied().flatten();
+    known.or_else(|| nothing.then_some(f64::NEG_INFINITY))
 }
 
 /// Its columns among orbits along a design variable, with those of these harmonics.
@@ -52,7 +69,7 @@ pub(in crate::app::commands) fn columns(
     let states = |prefix| named(info, prefix);
     // One place for each multiplier, even if the eigenvalues could not be found.
     let multiplier = |orbit: &OrbitRecord, j: usize| match j % 3 {
-        2 => orbit.floquet.log_moduli.get(j / 3).copied().flatten(),
+        2 => log_modulus(orbit, j / 3),
         side => part(&orbit.floquet.multipliers, j / 3 * 2 + side),
     };
     let columns = Columns::new()
@@ -162,9 +179,9 @@ fn states(info: &ModelInfo, orbit: &OrbitRecord) -> String {
 fn multipliers(orbit: &OrbitRecord) -> String {
     let mut lines = "multiplier\tln |multiplier|\n".to_owned();
     let floquet = &orbit.floquet;
-    for (multiplier, log) in floquet.multipliers.iter().zip(&floquet.log_moduli) {
+    for (j, multiplier) in floquet.multipliers.iter().enumerate() {
         let [re, im] = [multiplier.re, multiplier.im.abs()].map(|part| number(part, 8));
-        let log = log.map_or_else(|| "-".to_owned(), |log| number(log, 8));
+        let log = log_modulus(orbit, j).map_or_else(|| "-".to_owned(), |log| number(log, 8));
         lines += &match multiplier.im {
             0.0 => format!("{re}\t{log}\n"),
             below if below < 0.0 => format!("{re} - {im}i\t{log}\n"),

@@ -4,6 +4,7 @@ use crate::app::chart::axis;
 use crate::app::show::{Kind, Quantity, family};
 use crate::app::text::timed;
 use crate::model::ModelInfo;
+use crate::report::symbols::typeset;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
 use crate::study::{Envelope, Trajectory};
 
@@ -12,7 +13,7 @@ const CURVES: usize = 6;
 
 /// The quantities against time, and the first two states against each other.
 pub(super) fn picture(info: &ModelInfo, motion: &Trajectory, shown: &[Quantity]) -> Figure {
-    let panels = alike(shown);
+    let panels = alike(motion, shown);
     let panels = panels.iter().map(|group| against_time(info, motion, group));
     let figure = Figure::new("", info.name, String::new()).columns(2);
     let figure = panels.fold(figure, Figure::panel);
@@ -22,13 +23,20 @@ pub(super) fn picture(info: &ModelInfo, motion: &Trajectory, shown: &[Quantity])
     }
 }
 
-/// Groups of quantities of a kind with the same unit; without units, each by itself.
-fn alike(shown: &[Quantity]) -> Vec<Vec<&Quantity>> {
+/// How often a quantity moves farther than another one that can be read off the same axis.
+const READABLE: f64 = 20.0;
+
+/// Groups of quantities of a kind with the same unit, all of which can be read off one axis; without units, each by itself.
+fn alike<'a>(motion: &Trajectory, shown: &'a [Quantity]) -> Vec<Vec<&'a Quantity>> {
     let mut groups: Vec<Vec<&Quantity>> = Vec::new();
     for one in shown {
         let text = |one: &Quantity| (one.of, one.unit.map(|unit| unit.text));
         let fits = |group: &&mut Vec<&Quantity>| {
-            one.unit.is_some() && text(group[0]) == text(one) && group.len() < CURVES
+            let ratio = extent(motion, group[0]) / extent(motion, one);
+            one.unit.is_some()
+                && text(group[0]) == text(one)
+                && group.len() < CURVES
+                && !(ratio > READABLE || ratio < 1.0 / READABLE)
         };
         match groups.iter_mut().find(fits) {
             Some(group) => group.push(one),
@@ -38,12 +46,22 @@ fn alike(shown: &[Quantity]) -> Vec<Vec<&Quantity>> {
     groups
 }
 
+/// How far a quantity moves.
+fn extent(motion: &Trajectory, one: &Quantity) -> f64 {
+    let values = || thinned(motion, one).into_iter().map(|[_, value]| value);
+    values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+}
+
 fn against_time(info: &ModelInfo, motion: &Trajectory, group: &[&Quantity]) -> Panel {
     let names: Vec<&str> = group.iter().map(|one| one.name).collect();
     let y = axis(&names.join(", "), group.first().and_then(|one| one.unit));
     let panel = Panel::new(Axis::new(&timed(info, "time", "s")), y);
     let curves = group.iter().enumerate().map(|(series, one)| {
-        let label = if group.len() > 1 { one.name } else { "" };
+        let label = if group.len() > 1 {
+            typeset(one.name)
+        } else {
+            String::new()
+        };
         Curve::line(label, series, thinned(motion, one))
     });
     panel.curves(curves)

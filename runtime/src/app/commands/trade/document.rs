@@ -116,6 +116,7 @@ fn predicted<'a>(info: &'a ModelInfo, found: &Prediction) -> Document<'a> {
         .put("leading", found.leading)
         .put("asymptotic", found.doubts.is_empty())
         .put("doubts", &found.doubts)
+        .states("cancelling", &found.cancelling)
         .put("releases", &found.releases)
 }
 

@@ -77,7 +77,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         }
         interrupt::verdict()
     };
-    let record = asked.got(asked.entry.trade(case, &scope, &mut watch))?;
+    let record = asked.got(asked.entry.trade_watched(case, &scope, &mut watch))?;
     drop(progress);
     let answer = Answer::new(
         "trade",

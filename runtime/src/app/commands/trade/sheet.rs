@@ -9,10 +9,14 @@ use crate::study::predict::Prediction;
 use crate::study::trade::{Cost, Point, Precision, PrecisionPoint};
 
 /// The columns of the copies of a kernel at one end.
-pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'static, Point> {
+pub(super) fn copies(
+    info: &'static ModelInfo,
+    end: usize,
+    kernel: Kernel,
+) -> Columns<'static, Point> {
     let states = info.states.iter();
     let errors = states.flat_map(|state| {
-        ["", "predicted_"].map(|prefix| format!("{prefix}max_abs_{}", state.name))
+        ["", "predicted_"].map(|prefix| format!("{prefix}max_abs_{}_error", state.name))
     });
     let error = |point: &Point, j: usize| match j % 2 {
         0 => point.max_abs.get(j / 2).copied(),
@@ -26,17 +30,32 @@ pub(super) fn copies(info: &ModelInfo, end: usize, kernel: Kernel) -> Columns<'s
         .number(timed(info, "stiffness", "1/s"), |point| {
             Some(point.stiffness)
         })
-        .number("frequency", |point| point.frequency)
-        .number("predicted_frequency", |point| {
+        .number("frequency_error", |point| point.frequency)
+        .number("predicted_frequency_error", |point| {
             Some(predicted(point)?.frequency)
         })
         .number("leading", |point| predicted(point)?.leading)
         .numbers(errors, error)
         .column("asymptotic", move |point| asymptotic(point).to_string())
+        .column("cancelling", move |point| cancelling(info, point))
         .number("resolution", |point| point.resolution);
     counted(columns, &[STEPS, LINEARISATIONS, FACTORISATIONS], |point| {
         &point.cost
     })
+}
+
+/// The states of whose predicted error contributions cancel.
+fn cancelling(info: &ModelInfo, point: &Point) -> String {
+    let found = predicted(point).map_or(&[][..], |found| &found.cancelling);
+    let names = info
+        .states
+        .iter()
+        .zip(found)
+        .filter(|(_, cancels)| **cancels);
+    names
+        .map(|(state, _)| state.name)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 fn predicted(point: &Point) -> Option<&Prediction> {
@@ -70,7 +89,7 @@ pub(super) fn precision_head() -> Row {
 }
 
 /// All copies.
-pub(super) fn errors(info: &ModelInfo, record: &TradeRecord) -> Spreadsheet {
+pub(super) fn errors(info: &'static ModelInfo, record: &TradeRecord) -> Spreadsheet {
     let rows = record.ends.iter().enumerate().flat_map(|(end, at)| {
         let curves = at.trade.curves.iter();
         curves.flat_map(move |curve| {

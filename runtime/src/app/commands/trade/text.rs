@@ -5,6 +5,7 @@ use crate::app::text::{
 };
 use crate::field::Kernel;
 use crate::model::ModelInfo;
+use crate::study::predict::Prediction;
 use crate::study::trade::{Cost, Curve, Lost, Need, Point, Setting, Trade};
 use crate::study::{Case, End, TradeRecord};
 
@@ -79,20 +80,21 @@ fn errors(info: &ModelInfo, trade: &Trade) -> String {
 fn row(curve: &Curve, point: &Point) -> String {
     let small = |value: f64| number(value, 3);
     let predicted = point.predicted.as_ref().ok();
-    let doubt = |value: f64| match predicted {
-        Some(found) if !found.doubts.is_empty() => small(value) + "?",
-        _ => small(value),
+    let told = |value: Option<f64>, doubtful: bool| {
+        let mark = if doubtful { "?" } else { "" };
+        value.map_or_else(|| "-".to_owned(), |value| small(value) + mark)
     };
-    let told = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), doubt);
+    let doubts = predicted.is_some_and(|found| !found.doubts.is_empty());
     let mut row = vec![
         curve.at(point.size).to_string(),
         number(point.stiffness, 2),
         small(point.frequency),
-        told(predicted.map(|found| found.frequency)),
+        told(predicted.map(|found| found.frequency), doubts),
     ];
     for (j, &error) in point.max_abs.iter().enumerate() {
         let found = predicted.and_then(|found| found.max_abs.get(j).copied().flatten());
-        row.extend([small(error), told(found)]);
+        let doubtful = predicted.is_some_and(|found| found.doubts_peak(j));
+        row.extend([small(error), told(found, doubtful)]);
     }
     row.extend([point.cost.work.steps.to_string(), microseconds(&point.cost)]);
     line(row)
@@ -130,10 +132,12 @@ fn remarks(trade: &Trade) -> Vec<String> {
             lines.push(format!("{}: no orbit: {reason}", curve.at(*size)));
         }
     }
-    let doubtful =
-        |point: &Point| !matches!(&point.predicted, Ok(found) if found.doubts.is_empty());
+    let certain = |found: &Prediction| {
+        found.doubts.is_empty() && !found.cancelling.iter().any(|cancels| *cancels)
+    };
+    let doubtful = |point: &Point| !point.predicted.as_ref().is_ok_and(certain);
     if trade.curves.iter().any(|c| c.points.iter().any(doubtful)) {
-        lines.push("? outside the asymptotic range of the prediction; --json says why".to_owned());
+        lines.push("? outside the asymptotic range of the prediction, or what is left where contributions cancel; --json says which".to_owned());
     }
     lines
 }

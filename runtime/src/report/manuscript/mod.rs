@@ -1,8 +1,11 @@
 //! Sections written as text, with places for what is computed.
 
+mod figure;
+
 use std::collections::BTreeMap;
 
-use super::{Axis, Block, Column, Curve, Figure, Page, Panel, ReportError, Section, Table};
+use super::{Block, Column, Curve, Page, Panel, ReportError, Section, Table};
+use figure::figure;
 
 /// A section as it is written, and what stands in its places.
 ///
@@ -11,7 +14,8 @@ use super::{Axis, Block, Column, Curve, Figure, Page, Panel, ReportError, Sectio
 ///
 /// - `[sketch]`: a drawing;
 /// - `[figure 3.2: Title]`, or `[figure 3.2, 2 abreast: Title]`: above its caption, `x: label` and `y: label` are the axes
-///   of each panel whose curves are given; ` from 0 to 1` gives an axis its ends, and `, logarithmic` its scale;
+///   of each panel whose curves are given; ` from 0 to 1` gives an axis its ends, and `, logarithmic` its scale; below
+///   them `inset: 0 to 0.1, 2 to 3 at 0.6 0.1 0.9 0.4` enlarges a part, see [`super::Inset`];
 /// - `[table name]`: its heads stand below the caption, between bars, those of numbers after `#`; below them may stand rows;
 /// - `[page]`: a link to a page of its own.
 ///
@@ -153,49 +157,6 @@ impl Manuscript {
 
 fn joined<'a>(lines: impl IntoIterator<Item = &'a str>) -> String {
     lines.into_iter().collect::<Vec<_>>().join(" ")
-}
-
-/// A figure of the panels that its axes and curves make, or of those that are given.
-fn figure(place: &str, number: &str, text: &str, filling: Filling) -> Option<Figure> {
-    let (head, title) = place.split_once(": ")?;
-    let abreast = head
-        .split_once(", ")
-        .map_or(Some("1"), |(_, abreast)| abreast.strip_suffix(" abreast"))?;
-    let lines = |prefix: &'static str| {
-        text.lines()
-            .filter_map(move |line| line.strip_prefix(prefix))
-    };
-    let axes: Vec<(&str, &str)> = lines("x: ").zip(lines("y: ")).collect();
-    let panels = match filling {
-        Filling::Panels(panels) if axes.is_empty() => panels,
-        Filling::Curves(all) if axes.len() == all.len() => {
-            let panel = |((x, y), curves): ((&str, &str), Vec<Curve>)| {
-                Panel::new(axis(x), axis(y)).curves(curves)
-            };
-            axes.into_iter().zip(all).map(panel).collect()
-        }
-        _ => return None,
-    };
-    let caption = text.lines();
-    let caption = caption.filter(|line| !line.starts_with("x: ") && !line.starts_with("y: "));
-    let figure = Figure::new(number, title, joined(caption)).columns(abreast.parse().ok()?);
-    Some(panels.into_iter().fold(figure, Figure::panel))
-}
-
-fn axis(text: &str) -> Axis {
-    let (text, logarithmic) = match text.strip_suffix(", logarithmic") {
-        Some(text) => (text, true),
-        None => (text, false),
-    };
-    let ends = text.rsplit_once(" from ").and_then(|(label, ends)| {
-        let (low, high) = ends.split_once(" to ")?;
-        Some((label, [low.parse().ok()?, high.parse().ok()?]))
-    });
-    Axis {
-        label: ends.map_or(text, |(label, _)| label).to_owned(),
-        range: ends.map(|(_, ends)| ends),
-        logarithmic,
-    }
 }
 
 /// A table of the rows that are written and those that are given, if all are as long as its head.

@@ -1,0 +1,97 @@
+//! Where on a path two events exchange their order.
+
+use super::path::{Path, Spot, Watched};
+use super::root::{DOUBT, SETTLED};
+
+/// Points after which a bracket that is no half of what it was is halved.
+const PATIENCE: usize = 3;
+const MIDDLE: f64 = 0.5;
+
+/// Regula falsi with Illinois' rule on the time between both events; halving where it is slow, and where regimes differ
+/// by more.
+pub(super) struct Exchange {
+    weights: [f64; 2],
+    last: Option<usize>,
+    /// The width that is to be halved, and the points since.
+    width: f64,
+    points: usize,
+}
+
+impl Exchange {
+    /// On a bracket of this width.
+    pub(super) fn within(width: f64) -> Self {
+        Self {
+            weights: [1.0; 2],
+            last: None,
+            width,
+            points: 0,
+        }
+    }
+
+    /// Where in the bracket to look next.
+    pub(super) fn part<P: Watched>(&mut self, ends: [&Spot<P>; 2]) -> f64 {
+        self.points += 1;
+        let width = ends[1].share - ends[0].share;
+        let due = self.points > PATIENCE;
+        let slow = due && width > 0.5 * self.width;
+        if due {
+            (self.width, self.points) = (width, 0);
+        }
+        let Some([before, after]) = times(ends) else {
+            return MIDDLE;
+        };
+        let [before, after] = [before * self.weights[0], after * self.weights[1]];
+        let part = before / (before + after);
+        let inside = part > 0.0 && part < 1.0;
+        if inside && !slow { part } else { MIDDLE }
+    }
+
+    /// An end that stays put twice counts half.
+    pub(super) fn replaced(&mut self, end: usize) {
+        self.weights[end] = 1.0;
+        if self.last == Some(end) {
+            self.weights[1 - end] *= 0.5;
+        }
+        self.last = Some(end);
+    }
+}
+
+/// Where both events happen at once, as far as r can tell at `accuracy`: at an end.
+pub(super) fn met<P: Watched>(ends: [&Spot<P>; 2], accuracy: f64) -> Option<Spot<P>> {
+    let times = times(ends)?;
+    let nearer = ends[usize::from(times[1] < times[0])];
+    let r = nearer.point.r();
+    let off = times[0].min(times[1]) * rate(ends, times);
+    (off.abs() <= SETTLED * accuracy * r.abs()).then(|| nearer.clone())
+}
+
+/// Whether both events happen at once at `spot`, which lies between these.
+pub(super) fn meets<P: Watched>(spot: &Spot<P>, ends: [&Spot<P>; 2]) -> bool {
+    ends.iter()
+        .all(|end| spot.point.exchanged(&end.point) == Some(0.0))
+}
+
+/// The estimated error of r where both events happen at once: from the point at one end once more, more sharply.
+pub(super) fn error<Q: Path>(path: &mut Q, ends: [&Spot<Q::Point>; 2], accuracy: f64) -> f64 {
+    let mut measured = || {
+        let times = times(ends)?;
+        // Farther away, where the order is the same for both.
+        let far = usize::from(times[1] > times[0]);
+        let [at, other] = [ends[far], ends[1 - far]].map(|end| &end.point);
+        let sharper = path.sharper(ends[far].share)?;
+        let later = (sharper.exchanged(other)? - times[far]) * rate(ends, times);
+        let moved = (sharper.r() - at.r()).abs() + later.abs();
+        Some(DOUBT * moved + SETTLED * accuracy * at.r().abs())
+    };
+    measured().unwrap_or(f64::NAN)
+}
+
+/// How r changes with the time between both events.
+fn rate<P: Watched>([a, b]: [&Spot<P>; 2], times: [f64; 2]) -> f64 {
+    (b.point.r() - a.point.r()) / (times[0] + times[1])
+}
+
+/// The times between both events at both ends.
+fn times<P: Watched>([a, b]: [&Spot<P>; 2]) -> Option<[f64; 2]> {
+    Some([a.point.exchanged(&b.point)?, b.point.exchanged(&a.point)?])
+}

@@ -1,0 +1,66 @@
+//! The magnitude of the design variable in which steps are measured: one of the branch, not of how far it is followed.
+
+use nalgebra::DVector;
+
+/// Share, of the change in r that changes the unknowns by their own magnitude, in which a small r is measured.
+const SHARE: f64 = 0.1;
+/// How many times its own value r may be measured in.
+const MOST: f64 = 4.0;
+/// Share of r at the start of the branch below which it is not measured: enough to step over zero.
+const LEAST: f64 = 0.1;
+
+/// The magnitude of r at the start of a branch whose tangent is not known yet.
+pub(super) fn first(r: f64) -> f64 {
+    if r == 0.0 { 1.0 } else { r.abs() }
+}
+
+/// The magnitude of r at a point with this tangent, that being scaled by `r_scale`: r itself, but where r is small
+/// against what it takes to change the unknowns, or against where the branch comes `from`, part of that. At a fold, where
+/// the least change does, it is r.
+pub(super) fn at(r: f64, tangent: &DVector<f64>, r_scale: f64, from: f64) -> f64 {
+    let n = tangent.len() - 1;
+    let effect = SHARE * r_scale * tangent[n].abs() / tangent.rows(0, n).norm();
+    let usual = if r == 0.0 {
+        effect
+    } else {
+        effect.max(r.abs()).min(MOST * r.abs())
+    };
+    let usual = usual.max(LEAST * from.abs());
+    if usual.is_finite() && usual > 0.0 {
+        usual
+    } else {
+        first(r)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The tangent of unknowns that change at this rate.
+    fn tangent(rate: f64, r_scale: f64) -> DVector<f64> {
+        DVector::from_vec(vec![rate * r_scale, 1.0]).normalize()
+    }
+
+    #[test]
+    fn r_is_measured_in_itself_where_it_matters() {
+        assert_eq!(at(0.2, &tangent(3.0, 7.0), 7.0, 0.3), 0.2);
+        assert_eq!(at(-0.2, &tangent(1e9, 7.0), 7.0, 0.0), 0.2);
+        let fold = DVector::from_vec(vec![1.0, 0.0]);
+        assert_eq!(at(0.2, &fold, 7.0, 0.0), 0.2);
+    }
+
+    #[test]
+    fn a_branch_steps_over_zero() {
+        let steep = tangent(1e9, 7.0);
+        assert_eq!(at(1e-9, &steep, 7.0, -0.5), LEAST * 0.5);
+    }
+
+    #[test]
+    fn a_small_r_is_measured_in_what_it_changes() {
+        assert!((at(0.0, &tangent(3.0, 7.0), 7.0, 0.0) - SHARE / 3.0).abs() < 1e-15);
+        assert_eq!(at(1e-3, &tangent(3.0, 7.0), 7.0, 0.0), MOST * 1e-3);
+        let indifferent = DVector::from_vec(vec![0.0, 1.0]);
+        assert_eq!(at(0.0, &indifferent, 7.0, 0.0), 1.0);
+    }
+}

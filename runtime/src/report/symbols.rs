@@ -1,0 +1,74 @@
+//! Names as they are typeset: letters in italics, Greek ones as such, what follows them as an index.
+
+/// The Greek letters in the order of Unicode.
+const GREEK: [&str; 24] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
+    "psi", "omega",
+];
+
+/// A text in the markup of reports, in which every name that is a letter with an index is typeset.
+///
+/// ```
+/// # use stickslip::report::symbols::typeset;
+/// assert_eq!(typeset("max |x1|"), "max |*x*_{1}|");
+/// assert_eq!(typeset("omega_0, v_dr"), "*ω*_{0}, *v*_{dr}");
+/// assert_eq!(typeset("x[3] and stiffness"), "*x*_{3} and stiffness");
+/// ```
+#[must_use]
+pub fn typeset(text: &str) -> String {
+    let (mut out, mut rest) = (String::new(), text);
+    while let Some(first) = rest.chars().next() {
+        let name = rest.find(|c: char| !c.is_alphanumeric() && c != '_');
+        let (name, after) = rest.split_at(name.unwrap_or(rest.len()));
+        if name.is_empty() {
+            out.push(first);
+            rest = &rest[first.len_utf8()..];
+        } else if let Some((letter, index)) = symbol(name) {
+            let (element, after) = element(after);
+            let indices = [index.as_str(), element].into_iter();
+            let index: Vec<&str> = indices.filter(|part| !part.is_empty()).collect();
+            out += &format!("*{letter}*");
+            if !index.is_empty() {
+                out += &format!("_{{{}}}", index.join(","));
+            }
+            rest = after;
+        } else {
+            out += name;
+            rest = after;
+        }
+    }
+    out
+}
+
+/// The number between brackets with which a text begins, and what follows; nothing if it does not begin so.
+fn element(text: &str) -> (&str, &str) {
+    let inner = text.strip_prefix('[').and_then(|text| text.split_once(']'));
+    match inner {
+        Some((number, rest)) if number.bytes().all(|byte| byte.is_ascii_digit()) => (number, rest),
+        _ => ("", text),
+    }
+}
+
+/// A letter, perhaps Greek, and its index; `None` for a word.
+fn symbol(name: &str) -> Option<(char, String)> {
+    let end = name.find(|c: char| c == '_' || c.is_ascii_digit());
+    let (base, index) = name.split_at(end.unwrap_or(name.len()));
+    let mut letters = base.chars();
+    let letter = match (letters.next(), letters.next()) {
+        (Some(letter), None) => letter,
+        _ => greek(base)?,
+    };
+    let index = index.trim_start_matches('_').replace('_', ",");
+    Some((letter, index))
+}
+
+fn greek(name: &str) -> Option<char> {
+    let place = GREEK
+        .iter()
+        .position(|known| known.eq_ignore_ascii_case(name))?;
+    let capital = name.chars().next().is_some_and(char::is_uppercase);
+    // Between rho and sigma stands another form of sigma.
+    let code = place as u32 + u32::from(place > 16);
+    char::from_u32(code + if capital { 0x391 } else { 0x3b1 })
+}
