@@ -33,6 +33,14 @@ macro_rules! words {
                 serializer.serialize_str(self.name())
             }
         }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let word = <String as serde::Deserialize>::deserialize(deserializer)?;
+                let known = Self::ALL.into_iter().find(|one| one.name() == word);
+                known.ok_or_else(|| serde::de::Error::custom(format!("unknown word `{word}`")))
+            }
+        }
     };
 }
 

@@ -20,6 +20,8 @@ mod resumed;
 mod saved;
 mod schema;
 #[cfg(unix)]
+mod shared;
+#[cfg(unix)]
 mod streamed;
 mod tables;
 mod trade;

@@ -6,7 +6,8 @@ use std::path::Path;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
 use super::commands::{
-    branch, curve, diagram, equilibria, laws, models, orbit, reproduce, simulate, trade,
+    attractors, branch, curve, diagram, equilibria, laws, map, merge, models, orbit, reproduce,
+    simulate, status, trade,
 };
 use super::failure::Failure;
 use super::offer::App;
@@ -23,6 +24,10 @@ enum Study {
     Trade(trade::Arguments),
     Equilibria(equilibria::Arguments),
     Diagram(diagram::Arguments),
+    Attractors(attractors::Arguments),
+    Map(map::Arguments),
+    Merge(merge::Arguments),
+    Status(status::Arguments),
 }
 
 /// The command line of a program.
@@ -75,6 +80,15 @@ pub(super) fn perform(
     }
 }
 
+/// Does what other words of a command line say.
+pub(super) fn again(app: &App, words: &[OsString]) -> Result<(), Failure> {
+    let command = command(app, words.first());
+    match command.clone().try_get_matches_from(words) {
+        Ok(matches) => perform(app, words.first(), &matches),
+        Err(error) => usage::explain(&error, &command, words),
+    }
+}
+
 fn read<A: FromArgMatches>(matches: &ArgMatches) -> Result<A, Failure> {
     A::from_arg_matches(matches).map_err(|error| Failure::usage(error.to_string()))
 }
@@ -95,5 +109,9 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
         Study::Trade(arguments) => trade::perform(app, &arguments),
         Study::Equilibria(arguments) => equilibria::perform(app, &arguments),
         Study::Diagram(arguments) => diagram::perform(app, &arguments),
+        Study::Attractors(arguments) => attractors::perform(app, &arguments),
+        Study::Map(arguments) => map::perform(app, &arguments),
+        Study::Merge(arguments) => again(app, &merge::words(&arguments)?),
+        Study::Status(arguments) => status::perform(app, &arguments),
     }
 }

@@ -13,6 +13,9 @@ use crate::study::trade::TradeError;
 /// The exit code of what was interrupted, as shells have it: 128 and the number of the signal.
 pub(super) const INTERRUPTED: u8 = 130;
 
+/// The exit code of what can be continued by the same words, as `sysexits.h` has it: schedulers start it again.
+pub(super) const CONTINUED: u8 = 75;
+
 /// A failure with the message for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Failure {
@@ -48,6 +51,14 @@ impl Failure {
         Self {
             message: format!("interrupted: {what}"),
             code: INTERRUPTED,
+        }
+    }
+
+    /// What was asked is to be continued.
+    pub(super) fn continued(what: &str) -> Self {
+        Self {
+            message: format!("interrupted: {what}; `--resume` goes on from there"),
+            code: CONTINUED,
         }
     }
 

@@ -6,14 +6,14 @@
 use std::fs::Metadata;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag;
 
-use super::failure::{Failure, INTERRUPTED};
+use super::failure::{CONTINUED, Failure, INTERRUPTED};
 use super::print::print;
 
 /// How the names of notes end.
@@ -21,6 +21,8 @@ pub(super) const ENDING: &str = "resume";
 
 /// How long a computation has to come to an end by itself.
 const GRACE: Duration = Duration::from_secs(2);
+/// The same where schedulers ask: they wait longer before they end it.
+const LONG_GRACE: Duration = Duration::from_secs(20);
 /// How often the signal is looked for.
 const GLANCE: Duration = Duration::from_millis(50);
 
@@ -32,6 +34,8 @@ static AT_WORK: Mutex<Option<Begun>> = Mutex::new(None);
 static LISTENS: AtomicBool = AtomicBool::new(false);
 /// Files that grow as results are found; held while one of them does.
 static GROWING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+/// The exit code of what is interrupted.
+static CODE: AtomicU8 = AtomicU8::new(INTERRUPTED);
 /// The one who listens.
 static SENTRY: LazyLock<()> = LazyLock::new(listen);
 
@@ -65,6 +69,12 @@ impl Drop for Work {
     }
 }
 
+/// Whoever interrupts what begins next will have it continued by the same words, as schedulers do; they also ask with
+/// SIGUSR1.
+pub(super) fn is_continued() {
+    CODE.store(CONTINUED, Ordering::Relaxed);
+}
+
 /// Whether a computation shall go on.
 pub(super) fn verdict() -> ControlFlow<()> {
     LISTENS.store(true, Ordering::Relaxed);
@@ -92,13 +102,14 @@ fn held<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
 /// Listens from now on. Where no signal can be heard, the system does with it what it always does; one that whoever
 /// called the program wants to be ignored, as `nohup` does, is.
 fn listen() {
-    let ignored = ignored();
-    for signal in [SIGHUP, SIGINT, SIGTERM] {
+    let (ignored, code) = (ignored(), CODE.load(Ordering::Relaxed));
+    let continued = (code == CONTINUED).then_some(SIGUSR1);
+    for signal in [SIGHUP, SIGINT, SIGTERM].into_iter().chain(continued) {
         if ignored & (1 << (signal - 1)) != 0 {
             continue;
         }
         // In this order the first signal finds the flag down, and only the second one ends the program.
-        let second = flag::register_conditional_shutdown(signal, INTERRUPTED.into(), &ASKED);
+        let second = flag::register_conditional_shutdown(signal, code.into(), &ASKED);
         let _ = second.and_then(|_| flag::register(signal, &ASKED));
     }
     let sentry = std::thread::Builder::new().name("sentry".to_owned());
@@ -119,18 +130,20 @@ fn wait() {
         std::thread::sleep(GLANCE);
     }
     let asked = Instant::now();
+    let continued = CODE.load(Ordering::Relaxed) == CONTINUED;
+    let grace = if continued { LONG_GRACE } else { GRACE };
     loop {
         // Held to the end: what has come to its end is not ended any more.
         let at_work = held(&AT_WORK);
         if let Some(begun) = &*at_work
-            && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= GRACE)
+            && (!LISTENS.load(Ordering::Relaxed) || asked.elapsed() >= grace)
         {
             let mut files = growing();
             // What was there before is not what was found now.
             files.retain(|path| path.metadata().is_ok_and(|file| is_new(&file, begun.since)));
             let _ = print(&begun.last_words);
             Failure::interrupted(&told(&files)).report();
-            std::process::exit(INTERRUPTED.into());
+            std::process::exit(CODE.load(Ordering::Relaxed).into());
         }
         drop(at_work);
         std::thread::sleep(GLANCE);

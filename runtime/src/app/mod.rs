@@ -10,16 +10,19 @@ mod failure;
 mod harmonics;
 mod interrupt;
 mod journal;
+mod ledger;
 mod offer;
 mod output;
 mod passages;
 mod print;
 mod progress;
+mod question;
 mod request;
 mod resume;
 mod saved;
 mod seal;
 mod section;
+mod shard;
 mod shell;
 mod show;
 mod spreadsheet;
@@ -88,10 +91,6 @@ impl App {
     }
 
     fn answer(&self, words: Vec<OsString>) -> Result<(), Failure> {
-        let command = command::command(self, words.first());
-        match command.clone().try_get_matches_from(&words) {
-            Ok(matches) => command::perform(self, words.first(), &matches),
-            Err(error) => usage::explain(&error, &command, &words),
-        }
+        command::again(self, &words)
     }
 }

@@ -139,6 +139,14 @@ impl Output {
         Ok(())
     }
 
+    /// Prints what stands for an answer, as text or as JSON.
+    pub(super) fn tell(&self, text: &str, document: &Value) -> Result<(), Failure> {
+        if self.view.json {
+            return print(&json(document)?);
+        }
+        print(text)
+    }
+
     /// Says something beside the answer.
     pub(super) fn note(&self, note: impl Display) {
         if !self.view.quiet {

@@ -6,7 +6,8 @@ use super::arguments::Resume;
 use super::failure::Failure;
 use super::interrupt;
 use super::output::Output;
-use super::resume::{Notes, Question};
+use super::question::Question;
+use super::resume::Notes;
 use crate::motion::Tape;
 use crate::study::System;
 

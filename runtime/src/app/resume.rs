@@ -4,9 +4,8 @@
 //! is a finding, with every digit, under a [`Seal`] that begins with the question. They go when the command has come to
 //! its end.
 
-use std::fmt::{Debug, Display};
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD_NO_PAD as BASE64;
@@ -16,91 +15,8 @@ use super::failure::{Failure, refuse};
 use super::interrupt::ENDING;
 use super::journal::Growing;
 use super::output::Output;
+use super::question::{ANEW, Question};
 use super::seal::Seal;
-use crate::model::ModelInfo;
-use crate::study::Case;
-
-/// The way out of notes that do not help.
-const ANEW: &str = "leave out `--resume` to begin anew";
-
-/// What is asked, as far as an answer depends on it: pairs of words.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Question(Vec<(String, String)>);
-
-impl Question {
-    /// What all commands ask.
-    pub(super) fn new(version: &str, info: &ModelInfo, case: &Case) -> Self {
-        let program = format!(
-            "{version}, stickslip {}, {}{}-{}",
-            env!("CARGO_PKG_VERSION"),
-            if cfg!(debug_assertions) { "debug " } else { "" },
-            std::env::consts::ARCH,
-            std::env::consts::OS
-        );
-        // Whole: a field that is left out here would be one of which answers do not depend.
-        let Case {
-            parameters,
-            dynamics,
-            along,
-            start,
-            period,
-            accuracy,
-            beginning,
-            switch,
-            harmonics,
-        } = case;
-        let mut question = Self(Vec::new())
-            .and("the model", info.command)
-            .and("the program", program)
-            .exactly("the declaration of the model", info)
-            .and("the dynamics", dynamics);
-        for (declared, value) in info.parameters.iter().zip(parameters) {
-            question = question.exactly(declared.name, value);
-        }
-        question
-            .exactly("`--along`", along)
-            .exactly("`--start`", start)
-            .exactly("`--period`", period)
-            .exactly("`--accuracy`", accuracy)
-            .exactly("`--from`", beginning)
-            .exactly("`--switch`", switch)
-            .exactly("`--harmonics`", harmonics)
-    }
-
-    /// The same with one more word.
-    pub(super) fn and(mut self, name: &str, value: impl Display) -> Self {
-        self.0.push((name.to_owned(), value.to_string()));
-        self
-    }
-
-    /// The same with one more value, of which each digit counts.
-    pub(super) fn exactly(self, name: &str, value: &impl Debug) -> Self {
-        self.and(name, format!("{value:?}"))
-    }
-
-    fn line(&self) -> Result<String, Failure> {
-        serde_json::to_string(&self.0)
-            .map_err(|error| Failure::failed(format!("the notes cannot be written: {error}")))
-    }
-
-    /// What another question asks otherwise.
-    fn differs(&self, other: &Self) -> Option<String> {
-        let mut pairs = self.0.iter().zip(&other.0);
-        let different = pairs.find(|(here, there)| here != there);
-        match different {
-            Some(((name, here), (there, value))) if name == there => {
-                let long = here.len().max(value.len()) > 100;
-                Some(if long {
-                    format!("{name} has changed")
-                } else {
-                    format!("{name} was {value} and is {here}")
-                })
-            }
-            None if self.0.len() == other.0.len() => None,
-            _ => Some("it was asked in other words".to_owned()),
-        }
-    }
-}
 
 /// The notes of a command.
 pub(super) struct Notes(Option<(PathBuf, Option<Sealed>)>);
@@ -112,6 +28,11 @@ struct Sealed {
 }
 
 impl Notes {
+    /// Notes of nothing.
+    pub(super) const fn none() -> Self {
+        Self(None)
+    }
+
     /// Notes of this name: new ones, or with `--resume` those that are there, of which each whole line is read.
     ///
     /// # Errors
@@ -196,6 +117,30 @@ fn agreed(
     question: &Question,
     read: &mut dyn FnMut(&[u8]) -> Option<()>,
 ) -> Result<Seal, String> {
+    opened(lines, &|asked| question.same(asked), read)
+}
+
+/// Reads the findings in a file of notes as far as it has whole lines, whose question is the right one to `check`.
+///
+/// # Errors
+/// It cannot be read, or its notes are not as they were written; why.
+pub(super) fn peruse(
+    path: &Path,
+    check: &dyn Fn(&Question) -> Result<(), String>,
+    read: &mut dyn FnMut(&[u8]) -> Option<()>,
+) -> Result<(), String> {
+    let old = std::fs::read(path).map_err(|error| format!("cannot be read: {error}"))?;
+    match whole(&old) {
+        Some(lines) => opened(lines, check, read).map(drop),
+        None => Err("holds no whole line".to_owned()),
+    }
+}
+
+fn opened(
+    lines: &[u8],
+    check: &dyn Fn(&Question) -> Result<(), String>,
+    read: &mut dyn FnMut(&[u8]) -> Option<()>,
+) -> Result<Seal, String> {
     let refused = |reason: String| Err(format!("cannot be read: {reason}; {ANEW}"));
     let mut seal = Seal::default();
     for (line, number) in lines.split_inclusive(|byte| *byte == b'\n').zip(1..) {
@@ -203,15 +148,7 @@ fn agreed(
             return refused(format!("line {number} is not as it was written"));
         };
         let read = match number {
-            1 => serde_json::from_str(words).ok().map(|asked| {
-                question
-                    .differs(&Question(asked))
-                    .map_or(Ok(()), |difference| {
-                        Err(format!(
-                            "belongs to another question: {difference}; ask the same one, or {ANEW}"
-                        ))
-                    })
-            }),
+            1 => Question::read(words).map(|asked| check(&asked)),
             _ => BASE64
                 .decode(words)
                 .ok()
@@ -243,7 +180,7 @@ mod tests {
     }
 
     fn asked(accuracy: f64) -> Question {
-        Question(Vec::new()).and("`--accuracy`", accuracy)
+        Question::default().and("`--accuracy`", accuracy)
     }
 
     #[test]
@@ -286,7 +223,7 @@ mod tests {
         assert_eq!(one.differs(&one), None);
         let told = one.differs(&other).unwrap();
         assert_eq!(told, "`--accuracy` was 0.00000001 and is 0.000000001");
-        assert!(one.differs(&Question(Vec::new())).is_some());
+        assert!(one.differs(&Question::default()).is_some());
         let text = noted(&other, &[]);
         let reason = agreed(text.as_bytes(), &one, &mut |_| None).unwrap_err();
         let wanted = format!("belongs to another question: {told}; ask the same one, or {ANEW}");

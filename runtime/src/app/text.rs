@@ -45,6 +45,20 @@ pub(super) fn digits(error: f64) -> usize {
     }
 }
 
+/// Words of which the first are shown, if they are many.
+pub(super) fn brief(words: &str) -> String {
+    const MOST: usize = 60;
+    match words.char_indices().nth(MOST) {
+        None => words.to_owned(),
+        Some((end, _)) => {
+            let shown = &words[..end];
+            let whole = shown.rsplit_once(' ').map_or(shown, |(whole, _)| whole);
+            let all = words.split(' ').count();
+            format!("{whole} ... ({all} words)")
+        }
+    }
+}
+
 /// The first paragraph of a documentation, in one line.
 pub(super) fn summary(doc: &str) -> String {
     let first = doc.trim().split("\n\n").next().unwrap_or_default();

@@ -1,5 +1,8 @@
 //! A figure as data: panels of curves, not yet drawn.
 
+/// How many shades there are for values.
+pub const SHADES: usize = 9;
+
 /// A numbered figure.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
@@ -82,6 +85,13 @@ pub enum Shape {
     Smooth,
     /// A marker each.
     Points(Marker),
+    /// A tile each, of which so many fill the panel side by side, and on top of each other.
+    Tiles {
+        /// How many.
+        fill: [usize; 2],
+        /// The number of its shade, where values are shades; else the series has a colour.
+        shade: Option<usize>,
+    },
 }
 
 /// A marker.
@@ -251,6 +261,19 @@ impl Curve {
     /// and with those of parabolas through neighbours elsewhere.
     pub fn smooth(label: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
         Self::new(label, series, Shape::Smooth, points)
+    }
+
+    /// Tiles in the colour of a series, or else in shade number `shade`, of which `fill` fill the panel.
+    pub fn tiles(
+        label: impl Into<String>,
+        series: Option<usize>,
+        shade: usize,
+        fill: [usize; 2],
+        points: Vec<[f64; 2]>,
+    ) -> Self {
+        let shade = series.is_none().then_some(shade);
+        let tiled = Shape::Tiles { fill, shade };
+        Self::new(label, series.unwrap_or(0), tiled, points)
     }
 
     /// Markers in the colour of series number `series`.

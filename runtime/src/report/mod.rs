@@ -17,7 +17,7 @@ mod written;
 use std::io;
 use std::path::PathBuf;
 
-pub use figure::{Axis, Curve, Figure, Inset, Marker, Panel, Shape};
+pub use figure::{Axis, Curve, Figure, Inset, Marker, Panel, SHADES, Shape};
 pub use manuscript::Manuscript;
 pub use written::{Report, Written};
 

@@ -48,14 +48,18 @@
 //! | `law` | the force of a law on its own |
 //! | `predict` | what a smoothing would make of an exact orbit |
 //! | `system` | whether a case can be asked at all |
+//! | `work` | nothing: lists of items, and shares of them |
 //! | `motion` | [`System::motion`], [`System::crossings`] |
 //! | `equilibria` | [`System::equilibria`], [`System::equilibria_along`], [`System::proofs`] |
 //! | `orbit` | [`System::orbit`], [`System::certified_orbit`] |
 //! | `branch` | [`System::branch`] |
 //! | `curve` | [`System::curve`] |
 //! | `diagram` | [`System::diagram`] |
+//! | `attractors` | [`System::attractors`] |
+//! | `map` | [`System::map`] |
 //! | `trade` | [`System::trade`] |
 
+mod attractors;
 mod branch;
 mod curve;
 mod diagram;
@@ -64,6 +68,7 @@ mod equilibria;
 mod error;
 mod label;
 mod law;
+mod map;
 mod motion;
 mod orbit;
 mod physics;
@@ -72,26 +77,31 @@ mod question;
 mod system;
 pub mod trade;
 mod unwatched;
+mod work;
 
 pub use crate::bifurcation::{Kind, Stability};
 pub use crate::field::{Design, Kernel, Smoothing};
 pub use crate::poincare::Section;
 pub use crate::shooting::OrbitError;
+pub use attractors::{
+    Attractor, AttractorsRecord, Class, Edge, Fate, Found, Region, Sampling, Side, Survey,
+};
 pub use branch::{BranchRecord, Special};
 pub use curve::{
     CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
 };
 pub use diagram::{
-    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher, parallel,
-    parallel_on,
+    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
 };
 pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
 pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen, Strike};
+pub use map::{Asked, Cell, Grid, MapRecord, Quantity};
 pub use motion::{Envelope, Limits, Trajectory};
 pub use nalgebra::Complex;
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::{News, System};
 pub use trade::{End, TradeRecord};
+pub use work::{Item, List, Share, parallel, parallel_on};

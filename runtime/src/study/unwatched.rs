@@ -2,14 +2,17 @@
 
 use std::ops::ControlFlow;
 
+use super::attractors::{AttractorsRecord, Sampling};
 use super::branch::BranchRecord;
 use super::curve::{CurveScope, Curved};
 use super::diagram::{Diagram, DiagramRecord, Known};
 use super::equilibria::EquilibriaRecord;
 use super::error::StudyError;
+use super::map::{Asked, Grid, MapRecord};
 use super::question::Case;
 use super::system::System;
 use super::trade::{Scope, TradeRecord};
+use super::work::List;
 
 impl System {
     /// The branch of orbits along the design variable of the case.
@@ -44,6 +47,28 @@ impl System {
         self.diagram_watched(case, diagram, &Known::default(), &|_| {
             ControlFlow::Continue(())
         })
+    }
+
+    /// All motions on which starts of a sampling settle.
+    ///
+    /// # Errors
+    /// The case cannot be asked.
+    pub fn attractors(
+        &self,
+        case: &Case,
+        sampling: &Sampling,
+    ) -> Result<AttractorsRecord, StudyError> {
+        let list = List::whole(sampling.values.saturating_mul(sampling.starts));
+        self.attractors_watched(case, sampling, &list, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The answer to a question at each node of a grid of two parameters.
+    ///
+    /// # Errors
+    /// The case cannot be asked at a corner of the grid.
+    pub fn map(&self, case: &Case, grid: &Grid, asked: &Asked) -> Result<MapRecord, StudyError> {
+        let list = List::whole(grid.count().unwrap_or(usize::MAX));
+        self.map_watched(case, (grid, asked), &list, &|_| ControlFlow::Continue(()))
     }
 
     /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.

@@ -1,15 +1,20 @@
 //! Curves as they are drawn, in panels and in the legend.
 
-use super::element::path;
+use super::element::{filled, path};
 use super::smooth::{Knot, smooth};
 use super::view::View;
-use crate::report::figure::{Curve, Marker, Shape};
+use crate::report::figure::{Curve, Marker, SHADES, Shape};
 use crate::report::text::number;
 
 /// Black and three colours of Okabe and Ito, then such as stand out on white paper and differ from them and from each
 /// other to every kind of colour blindness.
 const COLOURS: [&str; 7] = [
     "#000000", "#0072B2", "#D55E00", "#009E73", "#771C64", "#564F00", "#3902D4",
+];
+/// Shades from small values to large ones: of equal steps to every eye, also in grey.
+const SHADING: [&str; SHADES] = [
+    "#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30",
+    "#fde725",
 ];
 /// Dash patterns that go with them.
 const DASHES: [&str; 7] = [
@@ -23,6 +28,10 @@ const DASHES: [&str; 7] = [
 ];
 /// Half the size of a marker, px.
 pub(super) const MARKER: f64 = 4.2;
+/// By how much neighbouring tiles overlap, so that no gap shows between them, px.
+const OVERLAP: f64 = 0.3;
+/// Height of a tile in the legend, px.
+const SWATCH: f64 = 11.0;
 /// The size of a dot, px.
 const DOT: f64 = 2.4;
 /// The size of a speck, px.
@@ -39,6 +48,18 @@ pub(super) fn draw(curve: &Curve, frame: &View, clip: &str) -> String {
             let seen = places.filter(|place| frame.holds(*place));
             let outlines: String = seen.map(|place| outline(marker, place)).collect();
             path(&outlines, &style(curve))
+        }
+        Shape::Tiles { fill, shade } => {
+            let size = frame.size();
+            let size = [0, 1].map(|k| size[k] / fill[k].max(1) as f64 + OVERLAP);
+            let tiles: String = places.map(|place| tile(place, size)).collect();
+            filled(
+                &tiles,
+                &format!(
+                    r#"fill="{}" clip-path="url(#{clip})""#,
+                    fill_of(curve, shade)
+                ),
+            )
         }
     }
 }
@@ -58,9 +79,28 @@ fn knots(curve: &Curve, frame: &View) -> Vec<Knot> {
         .collect()
 }
 
+/// The colour of tiles.
+fn fill_of(curve: &Curve, shade: Option<usize>) -> &'static str {
+    shade.map_or(look(curve.series).0, |shade| SHADING[shade.min(SHADES - 1)])
+}
+
+/// A tile of this size around a place; nothing if that is nowhere.
+fn tile([x, y]: [f64; 2], [width, height]: [f64; 2]) -> String {
+    if !(x.is_finite() && y.is_finite()) {
+        return String::new();
+    }
+    let [left, top] = [x - 0.5 * width, y - 0.5 * height].map(number);
+    let [width, height] = [width, height].map(number);
+    format!("M{left} {top}h{width}v{height}h-{width}z")
+}
+
 /// A curve in the legend, from here on for `length` px.
 pub(super) fn sample(curve: &Curve, [x, y]: [f64; 2], length: f64) -> String {
     let outline = match curve.shape {
+        Shape::Tiles { shade, .. } => {
+            let swatch = tile([x + 0.5 * length, y], [0.6 * length, SWATCH]);
+            return filled(&swatch, &format!(r#"fill="{}""#, fill_of(curve, shade)));
+        }
         Shape::Line | Shape::Smooth => line([[x, y], [x + length, y]].into_iter()),
         Shape::Points(marker) => outline(marker, [x + 0.5 * length, y]),
     };
@@ -75,7 +115,9 @@ fn style(curve: &Curve) -> String {
         ),
         Shape::Points(Marker::Dot) => round(colour, DOT),
         Shape::Points(Marker::Speck) => round(colour, SPECK),
-        Shape::Points(_) => format!(r#"stroke="{colour}" stroke-width="1.5""#),
+        Shape::Points(_) | Shape::Tiles { .. } => {
+            format!(r#"stroke="{colour}" stroke-width="1.5""#)
+        }
     }
 }
 

@@ -19,3 +19,8 @@ pub(super) fn words(words: &str, [x, y]: [f64; 2], size: f64, anchor: &str) -> S
 pub(super) fn path(outline: &str, attributes: &str) -> String {
     format!(r#"<path d="{outline}" fill="none" {attributes}/>"#)
 }
+
+/// Areas within `outline`.
+pub(super) fn filled(outline: &str, attributes: &str) -> String {
+    format!(r#"<path d="{outline}" {attributes}/>"#)
+}

@@ -47,6 +47,11 @@ impl View {
         near(self.bottom - self.y.share(y) * (self.bottom - self.top))
     }
 
+    /// Its width and height, px.
+    pub(super) fn size(&self) -> [f64; 2] {
+        [self.right - self.left, self.bottom - self.top]
+    }
+
     /// Whether a place is inside, or less than a pixel outside.
     pub(super) fn holds(&self, [x, y]: [f64; 2]) -> bool {
         (self.left - 1.0..self.right + 1.0).contains(&x)

@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::known::Known;
-use super::parallel::parallel_on;
 use super::record::{DiagramRecord, Seen, SweepRecord, Watcher};
 use super::setting::{Diagram, Sweep};
 use super::slice::{Cut, Slice};
@@ -13,6 +12,7 @@ use crate::motion::Family;
 use crate::study::error::StudyError;
 use crate::study::question::{Along, Case};
 use crate::study::system::System;
+use crate::study::work::parallel_on;
 
 impl System {
     /// Where the motions of the case meet a section, for many values of its design variable; what is `known` from the
@@ -44,7 +44,7 @@ impl Diagram {
         known: &Known,
         watch: Watcher<'_>,
     ) -> DiagramRecord {
-        let values = self.spaced(along);
+        let values = along.spaced(self.values);
         let ways = self.ways(&values);
         let all = ways.iter().map(|(_, values)| values.len()).sum();
         let tell = Tell {
@@ -95,19 +95,6 @@ impl Diagram {
             Sweep::Both => vec![up(), down()],
             Sweep::Fresh => vec![(Sweep::Fresh.name(), values.to_vec())],
         }
-    }
-
-    /// The values as a family counts them, smallest first.
-    fn spaced(&self, along: Along) -> Vec<f64> {
-        let (from, to) = along.span();
-        let (low, high) = (from.min(to), from.max(to));
-        let last = self.values.max(2) - 1;
-        let value = |k: usize| match k {
-            0 => low,
-            k if k == last => high,
-            k => low + (high - low) * k as f64 / last as f64,
-        };
-        (0..=last).map(value).collect()
     }
 }
 

@@ -8,7 +8,6 @@
 mod draw;
 mod kind;
 mod known;
-mod parallel;
 mod record;
 mod setting;
 mod slice;
@@ -17,7 +16,6 @@ mod watched;
 
 pub use kind::Motion;
 pub use known::Known;
-pub use parallel::{parallel, parallel_on};
 pub use record::{DiagramRecord, Seen, SweepRecord, Watcher};
 pub use setting::{Diagram, Sweep};
 pub use slice::Slice;

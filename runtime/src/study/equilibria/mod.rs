@@ -5,5 +5,5 @@ mod found;
 mod modes;
 mod record;
 
-pub(in crate::study) use modes::{sliding_mode, sliding_modes};
+pub(in crate::study) use modes::{sliding_mode, sliding_modes, spelt};
 pub use record::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};

@@ -185,6 +185,20 @@ impl Along {
         }
     }
 
+    /// This many values as a family counts them, evenly spaced, smallest first, both ends among them.
+    #[must_use]
+    pub(in crate::study) fn spaced(&self, values: usize) -> Vec<f64> {
+        let (from, to) = self.span();
+        let (low, high) = (from.min(to), from.max(to));
+        let last = values.max(2) - 1;
+        let value = |k: usize| match k {
+            0 => low,
+            k if k == last => high,
+            k => low + (high - low) * k as f64 / last as f64,
+        };
+        (0..=last).map(value).collect()
+    }
+
     /// An error of a family's r, in the user's own values.
     #[must_use]
     pub(in crate::study) fn error(&self, r: f64, error: f64) -> f64 {

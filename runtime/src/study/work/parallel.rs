@@ -1,6 +1,10 @@
 //! Independent computations on all cores.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::Builder;
+
+/// Bytes of stack of each thread, as for the whole program: large models need them, and what is not used is never touched.
+const STACK: usize = 256 << 20;
 
 /// Maps on all available cores. Results keep the order of `items`, whatever the number of cores.
 pub fn parallel<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
@@ -27,9 +31,13 @@ pub fn parallel_on<T: Sync, R: Send>(
         }
     };
     let mut all: Vec<(usize, R)> = std::thread::scope(|scope| {
+        let begin = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, worker);
         let workers: Vec<_> = (0..cores.min(items.len()))
-            .map(|_| scope.spawn(worker))
+            .filter_map(|k| begin(k).ok())
             .collect();
+        if workers.is_empty() {
+            return worker();
+        }
         workers
             .into_iter()
             .flat_map(|handle| match handle.join() {

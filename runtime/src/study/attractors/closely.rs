@@ -1,0 +1,246 @@
+//! A start looked at closely: what it settles on, polished as far as it can be.
+
+use super::copies;
+use super::ground::Ground;
+use super::pursuit::{Pursuit, minima};
+use super::record::{Attractor, Class};
+use super::running::{Crossing, running, steady};
+use super::statistics::irregular;
+use crate::equilibrium::{Spectrum, settle};
+use crate::flow::FlowError;
+use crate::motion::{Passage, Place, apart, sticking, word};
+use crate::shooting::{Orbit, OrbitError, Search, settled};
+use crate::study::equilibria::{sliding_mode, spelt};
+
+/// Passages in which it is looked for rest, for a motion that runs, and for returns.
+const PASSAGES: usize = 300;
+/// Nothing moves by more than this, in usual sizes, where a motion rests.
+const REST: f64 = 1e-9;
+/// Over how many first passages a motion must have gone to be at rest.
+const SOON: f64 = 4.0;
+/// A rest and the equilibrium that it is are so far apart, in usual sizes.
+const NEAR: f64 = 1e-5;
+/// Returns this close, in usual sizes, on end, are those of an orbit.
+const CLOSE: f64 = 1e-3;
+const ON_END: usize = 4;
+/// Most crossings between them.
+const LONGEST: usize = 16;
+
+/// What a first look sees.
+enum Look {
+    Rest(Place),
+    Running(Box<Attractor>),
+    /// It comes back near where it was.
+    Returning(Place),
+    /// None of these yet.
+    Roaming(Place),
+}
+
+impl Ground<'_> {
+    /// What a start settles on.
+    pub(super) fn closely(&self, start: &[f64]) -> Attractor {
+        match self.seen(start) {
+            Ok(found) => found,
+            Err(error @ FlowError::Unbounded { .. }) => {
+                Attractor::bare(Class::Escape, start, Some(error.to_string()))
+            }
+            // The motion goes on, but cannot be judged.
+            Err(error @ FlowError::SensitivityUndefined(_)) => {
+                Attractor::bare(Class::Unsettled, start, Some(error.to_string()))
+            }
+            Err(error) => Attractor::bare(Class::Failed, start, Some(error.to_string())),
+        }
+    }
+
+    fn seen(&self, start: &[f64]) -> Result<Attractor, FlowError> {
+        match self.look(start)? {
+            Look::Rest(place) => self.rest(&place),
+            Look::Running(found) => Ok(*found),
+            Look::Returning(place) => self.settled(&place.state, true),
+            Look::Roaming(place) => match irregular(self, &place.state)? {
+                Some(found) => Ok(found),
+                None => self.settled(&place.state, false),
+            },
+        }
+    }
+
+    /// The orbit or the state of rest on which the motion from `start` settles; else what it is if it may be irregular.
+    fn settled(&self, start: &[f64], may_roam: bool) -> Result<Attractor, FlowError> {
+        let search = Search {
+            start: start.to_vec(),
+            period: None,
+            accuracy: self.case.accuracy,
+            segments: 1,
+        };
+        match settled(&self.family, 0.0, &search) {
+            Ok(orbit) => Ok(self.orbit(&orbit)),
+            Err(OrbitError::Equilibrium { state }) => self.rest(&self.flow.place(&state)?),
+            Err(OrbitError::NotIsolated { state, .. }) => {
+                Ok(Attractor::bare(Class::Family, &state, None))
+            }
+            Err(OrbitError::Flow(error)) => Err(error),
+            Err(error) => {
+                let irregular = if may_roam {
+                    irregular(self, start)?
+                } else {
+                    None
+                };
+                let unsettled =
+                    || Attractor::bare(Class::Unsettled, start, Some(error.to_string()));
+                Ok(irregular.unwrap_or_else(unsettled))
+            }
+        }
+    }
+
+    pub(super) fn orbit(&self, orbit: &Orbit) -> Attractor {
+        let multipliers = orbit.floquet.multipliers.iter();
+        Attractor {
+            class: Class::Orbit,
+            state: orbit.place.state.clone(),
+            modes: orbit.place.modes.clone(),
+            word: self
+                .touches()
+                .then(|| word(self.system.info(), &orbit.segments)),
+            period: Some(orbit.period),
+            shift: None,
+            min: orbit.min.clone(),
+            max: orbit.max.clone(),
+            points: orbit.section.clone(),
+            section: self.flow.phase().unwrap_or(0),
+            multipliers: multipliers.map(|value| [value.re, value.im]).collect(),
+            stability: Some(orbit.floquet.stability),
+            exponent: None,
+            error: Some(orbit.error_estimate),
+            reason: None,
+        }
+    }
+
+    /// The state of rest at a place: sticking there, or the equilibrium to which Newton leads.
+    pub(super) fn rest(&self, at: &Place) -> Result<Attractor, FlowError> {
+        let info = self.system.info();
+        if sticking(&at.modes) > 0 {
+            let jacobian = self.flow.velocity(at)?.jacobian;
+            let mut found = Attractor::bare(Class::Sticking, &at.state, None);
+            found.modes = at.modes.clone();
+            found.word = spelt(info, &at.modes);
+            // The directions of the set, and those that sticking takes, say nothing of stability.
+            let spectrum = Spectrum::across(&jacobian, 2 * sticking(&at.modes));
+            return Ok(judged(found, &spectrum));
+        }
+        let mut at = at.clone();
+        if self.touches() {
+            at.modes = sliding_mode(self.flow.as_ref(), info, &at.state);
+        }
+        let exact = settle(&self.family, 0.0, &at);
+        let exact = exact.filter(|one| apart(&one.place.state, &at.state, &self.usual) <= NEAR);
+        Ok(match exact {
+            Some(one) => {
+                let mut found = Attractor::bare(Class::Equilibrium, &one.place.state, None);
+                found.word = spelt(info, &one.place.modes);
+                found.modes = one.place.modes;
+                judged(found, &one.spectrum)
+            }
+            None => {
+                let reason = "it hardly moves, but no equilibrium is there".to_owned();
+                Attractor::bare(Class::Unsettled, &at.state, Some(reason))
+            }
+        })
+    }
+
+    /// Whether contacts act as declared.
+    pub(super) fn touches(&self) -> bool {
+        self.system.touches(&self.case)
+    }
+
+    /// Looks for rest, and for a motion that runs.
+    fn look(&self, start: &[f64]) -> Result<Look, FlowError> {
+        let mut pursuit = Pursuit::new(self.flow.as_ref(), start)?;
+        let mut crossings: Vec<Vec<Crossing>> = vec![Vec::new(); start.len()];
+        let mut first = None;
+        for _ in 0..PASSAGES {
+            let begun = pursuit.time;
+            let passage = pursuit.on()?;
+            let first = *first.get_or_insert(pursuit.time);
+            if pursuit.time >= SOON * first && self.rests(&passage, pursuit.time - begun)? {
+                return Ok(Look::Rest(pursuit.place));
+            }
+            if let Some(found) = steady(self, &passage)? {
+                return Ok(Look::Running(Box::new(found)));
+            }
+            for (j, crossings) in crossings.iter_mut().enumerate() {
+                let found = minima(&passage, j);
+                crossings.extend(found.map(|one| (begun + one.time, one.state.clone())));
+            }
+            let section = self
+                .flow
+                .phase()
+                .or_else(|| crossings.iter().position(|all| !all.is_empty()));
+            let Some(section) = section else {
+                continue;
+            };
+            if let Some(found) = running(self, section, &crossings[section])? {
+                return Ok(Look::Running(Box::new(found)));
+            }
+            let points = crossings[section].iter().map(|(_, state)| state);
+            if returns(points.rev(), &self.usual, CLOSE) {
+                return Ok(Look::Returning(pursuit.place));
+            }
+        }
+        Ok(Look::Roaming(pursuit.place))
+    }
+
+    /// Whether nothing moved in a passage of this length, and nothing would in another one.
+    pub(super) fn rests(&self, passage: &Passage, time: f64) -> Result<bool, FlowError> {
+        if self.flow.phase().is_some() {
+            return Ok(false);
+        }
+        let still = |j: usize| {
+            let turns = passage
+                .extrema
+                .iter()
+                .filter(|e| e.index == j)
+                .map(|e| e.state[j]);
+            let ends = [passage.calm.low[j], passage.calm.high[j]];
+            let (low, high) = turns
+                .chain(ends)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| {
+                    (l.min(y), h.max(y))
+                });
+            high - low <= REST * self.usual[j]
+        };
+        if !(0..self.usual.len()).all(still) {
+            return Ok(false);
+        }
+        let velocity = self.flow.velocity(&passage.end)?.f;
+        let slow = |j: usize| velocity[j].abs() * time <= REST * self.usual[j];
+        Ok((0..self.usual.len()).all(slow))
+    }
+
+    /// Whether a difference of states changes nothing.
+    pub(super) fn is_copy(&self, a: &[f64], b: &[f64]) -> Option<Vec<f64>> {
+        let shift: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
+        copies::changes_nothing(self.flow.as_ref(), &shift, &self.usual).then_some(shift)
+    }
+}
+
+fn judged(mut found: Attractor, spectrum: &Spectrum) -> Attractor {
+    let values = spectrum.eigenvalues.iter();
+    found.multipliers = values.map(|value| [value.re, value.im]).collect();
+    found.stability = Some(spectrum.stability);
+    found
+}
+
+/// Whether the last crossings, the latest first, come back, each this near to one a few before.
+pub(super) fn returns<'a>(
+    latest: impl Iterator<Item = &'a Vec<f64>>,
+    usual: &[f64],
+    close: f64,
+) -> bool {
+    let latest: Vec<&Vec<f64>> = latest.take(ON_END + LONGEST).collect();
+    (1..=LONGEST).any(|k| {
+        (0..ON_END).all(|i| {
+            let pair = latest.get(i).zip(latest.get(i + k));
+            pair.is_some_and(|(a, b)| apart(a, b, usual) <= close)
+        })
+    })
+}

@@ -1,0 +1,172 @@
+//! Motions that repeat but for a shift of states on which nothing depends: an angle that turns, a chain that creeps.
+
+use nalgebra::DVector;
+
+use super::copies;
+use super::ground::{Ground, ROUGH};
+use super::record::{Attractor, Class};
+use crate::bifurcation::floquet;
+use crate::equilibrium::Spectrum;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Passage, apart, sticking, word};
+
+/// Most crossings in one period.
+const LONGEST: usize = 8;
+/// Returns that agree to this, in usual sizes, have settled.
+const SETTLED: f64 = 1e-9;
+/// A state that advances less, in usual sizes, does not run.
+const RUNS: f64 = 1e-5;
+/// Accuracy at which its multipliers are computed.
+const SHARP: f64 = 1e-10;
+
+/// A crossing of the section: when, and where.
+pub(super) type Crossing = (f64, Vec<f64>);
+
+/// The running motion that has settled in these crossings of the section of a state; `None` if it is none.
+pub(super) fn running(
+    ground: &Ground<'_>,
+    section: usize,
+    crossings: &[Crossing],
+) -> Result<Option<Attractor>, FlowError> {
+    let Some((count, shift)) =
+        (1..=LONGEST).find_map(|k| Some((k, advance(ground, k, crossings)?)))
+    else {
+        return Ok(None);
+    };
+    if !copies::changes_nothing(ground.flow.as_ref(), &shift, &ground.usual) {
+        return Ok(None);
+    }
+    let last = &crossings[crossings.len() - count - 1..];
+    let period = last[count].0 - last[0].0;
+    read(ground, section, last, (period, shift)).map(Some)
+}
+
+/// The motion of a passage if all its rates are constant, and nothing depends on where it is: what slides on and on.
+pub(super) fn steady(
+    ground: &Ground<'_>,
+    passage: &Passage,
+) -> Result<Option<Attractor>, FlowError> {
+    let flow = ground.flow.as_ref();
+    if flow.phase().is_some() || !passage.extrema.is_empty() {
+        return Ok(None);
+    }
+    let [before, after] = [&passage.calm.place, &passage.end].map(|place| flow.velocity(place));
+    let (before, after) = (before?, after?);
+    let rates = after.f.as_slice();
+    // Shifts of a usual size, of which no two are parts of each other.
+    let fastest = rates
+        .iter()
+        .zip(&ground.usual)
+        .map(|(rate, usual)| (rate / usual).abs());
+    let time = 1.0 / fastest.fold(0.0, f64::max);
+    let shifted =
+        |share: f64| -> Vec<f64> { rates.iter().map(|rate| share * time * rate).collect() };
+    let free = |share| copies::changes_nothing(flow, &shifted(share), &ground.usual);
+    let constant = (&before.f - &after.f).amax() <= SETTLED * after.f.amax();
+    if !(constant && time.is_finite() && free(1.0) && free(0.618_034)) {
+        return Ok(None);
+    }
+    let mut found = Attractor::bare(Class::Running, &passage.end.state, None);
+    let spectrum = Spectrum::across(
+        &after.jacobian,
+        1 + sticking(&passage.end.modes) + after.lost,
+    );
+    found.multipliers = spectrum
+        .eigenvalues
+        .iter()
+        .map(|value| [value.re, value.im])
+        .collect();
+    found.stability = Some(spectrum.stability);
+    found.word = ground
+        .touches()
+        .then(|| word(ground.system.info(), &passage.segments));
+    found.modes = passage.end.modes.clone();
+    found.shift = Some(rates.to_vec());
+    Ok(Some(found))
+}
+
+/// What the states gain in the last two times `count` crossings alike, if some do.
+fn advance(ground: &Ground<'_>, count: usize, crossings: &[Crossing]) -> Option<Vec<f64>> {
+    let from = |back: usize| {
+        crossings
+            .len()
+            .checked_sub(back * count + 1)
+            .map(|i| &crossings[i].1)
+    };
+    let (a, b, c) = (from(0)?, from(1)?, from(2)?);
+    let gain = |later: &[f64], before: &[f64]| {
+        let usual = &ground.usual;
+        let gain = |j: usize| later[j] - before[j];
+        // A phase that turns is where it was; what gains no more than it has settled gains nothing.
+        let runs = |j: usize| ground.flow.phase() != Some(j) && gain(j).abs() > RUNS * usual[j];
+        let settled = (0..usual.len()).all(|j| runs(j) || gain(j).abs() <= SETTLED * usual[j]);
+        let gain = |j: usize| if runs(j) { gain(j) } else { 0.0 };
+        settled.then(|| (0..usual.len()).map(gain).collect::<Vec<f64>>())
+    };
+    let (new, old) = (gain(a, b)?, gain(b, c)?);
+    let runs = new.iter().any(|gain| *gain != 0.0);
+    (runs && apart(&new, &old, &ground.usual) <= SETTLED).then_some(new)
+}
+
+/// The motion between the first and the last of these crossings.
+fn read(
+    ground: &Ground<'_>,
+    section: usize,
+    crossings: &[Crossing],
+    (period, shift): (f64, Vec<f64>),
+) -> Result<Attractor, FlowError> {
+    let state = &crossings[0].1;
+    let flow = ground.flow.as_ref();
+    let place = flow.place(state)?;
+    let want = Want {
+        factors: flow.order() > 2,
+        ..Want::SHOT
+    };
+    let passage = flow.advance(&place, period, want)?;
+    let velocity = flow.velocity(&place)?.f;
+    let mut found = Attractor::bare(Class::Running, state, None);
+    for extremum in &passage.extrema {
+        for (j, y) in extremum.state.iter().enumerate() {
+            found.min[j] = found.min[j].min(*y);
+            found.max[j] = found.max[j].max(*y);
+        }
+    }
+    if let Some(derivatives) = &passage.derivatives {
+        let stuck = passage
+            .segments
+            .iter()
+            .map(|segment| sticking(&segment.modes))
+            .max();
+        let zeros = stuck.unwrap_or(0).max(derivatives.lost);
+        let trace = (passage.segments.len() == 1).then_some(derivatives.trace);
+        let velocity = DVector::from_column_slice(velocity.as_slice());
+        let floquet = floquet(
+            &derivatives.state,
+            &velocity,
+            trace,
+            zeros,
+            &derivatives.factors,
+            0,
+            SHARP,
+        );
+        found.multipliers = floquet
+            .multipliers
+            .iter()
+            .map(|value| [value.re, value.im])
+            .collect();
+        found.stability = Some(floquet.stability);
+    }
+    found.word = ground
+        .touches()
+        .then(|| word(ground.system.info(), &passage.segments));
+    found.points = crossings[1..]
+        .iter()
+        .map(|(_, state)| state.clone())
+        .collect();
+    found.error = Some(ROUGH);
+    found.section = section;
+    found.modes = place.modes;
+    found.period = Some(period);
+    found.shift = Some(shift);
+    Ok(found)
+}

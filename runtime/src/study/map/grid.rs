@@ -1,0 +1,102 @@
+//! A grid of two parameters.
+
+use std::ops::ControlFlow;
+
+use super::cell::Cell;
+use super::question::Asked;
+use crate::study::error::StudyError;
+use crate::study::question::{Along, Case};
+use crate::study::system::System;
+use crate::study::work::{Item, List};
+
+/// Two parameters with so many values each.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// The parameters: across, and up.
+    pub along: [Along; 2],
+    /// How many values of each.
+    pub values: [usize; 2],
+}
+
+/// A map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapRecord {
+    /// Its grid.
+    pub grid: Grid,
+    /// What was asked.
+    pub asked: Asked,
+    /// The nodes that are there, the first parameter changing first: their values, and the answers.
+    pub nodes: Vec<([f64; 2], Cell)>,
+    /// How many are not, because it was interrupted.
+    pub missing: usize,
+}
+
+impl Grid {
+    /// How many nodes it has; `None` if they cannot be counted.
+    #[must_use]
+    pub fn count(&self) -> Option<usize> {
+        self.values[0].checked_mul(self.values[1])
+    }
+
+    /// The values of both parameters, smallest first.
+    #[must_use]
+    pub fn axes(&self) -> [Vec<f64>; 2] {
+        [0, 1].map(|k| {
+            let along = self.along[k];
+            let all = along.spaced(self.values[k]).into_iter();
+            all.map(|r| along.value(r)).collect()
+        })
+    }
+
+    /// The case at these values.
+    fn at(&self, case: &Case, [a, b]: [f64; 2]) -> Case {
+        let set = |case: Case, along: Along, value: f64| {
+            let along = Some(along);
+            Case { along, ..case }.at(value)
+        };
+        let case = set(set(case.clone(), self.along[0], a), self.along[1], b);
+        Case {
+            along: None,
+            ..case
+        }
+    }
+}
+
+impl System {
+    /// The answer at each node of a grid; `list` has an item for each, and `watch` sees it.
+    ///
+    /// # Errors
+    /// The case cannot be asked at a corner of the grid.
+    pub fn map_watched(
+        &self,
+        case: &Case,
+        (grid, asked): (&Grid, &Asked),
+        list: &List<Cell>,
+        watch: &(dyn Fn(Item<'_, Cell>) -> ControlFlow<()> + Sync),
+    ) -> Result<MapRecord, StudyError> {
+        let axes = grid.axes();
+        let node = |number: usize| {
+            let (i, j) = (number % axes[0].len(), number / axes[0].len());
+            [axes[0][i], axes[1][j]]
+        };
+        let corners = [
+            0,
+            axes[0].len() - 1,
+            list.count - axes[0].len(),
+            list.count - 1,
+        ];
+        for corner in corners {
+            self.check(&grid.at(case, node(corner)))?;
+        }
+        let found = list.work(|number| asked.of(self, &grid.at(case, node(number))), watch);
+        Ok(MapRecord {
+            grid: grid.clone(),
+            asked: asked.clone(),
+            missing: list.count - found.len(),
+            nodes: found
+                .into_iter()
+                .map(|(number, cell)| (node(number), cell))
+                .collect(),
+        })
+    }
+}

@@ -1,0 +1,12 @@
+//! Work as a list: items that depend on nothing but the question, so that any number of threads, shards, orders and
+//! interruptions leads to the same answer.
+
+mod list;
+mod parallel;
+mod share;
+mod spread;
+
+pub use list::{Item, List};
+pub use parallel::{parallel, parallel_on};
+pub use share::Share;
+pub(in crate::study) use spread::Spread;

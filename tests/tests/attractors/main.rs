@@ -1,0 +1,7 @@
+//! All motions without a seed: shares of published systems, boundaries in closed form, and nothing that depends on how
+//! the work is shared.
+
+mod ends;
+mod models;
+mod shares;
+mod sharing;
