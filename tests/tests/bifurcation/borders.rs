@@ -36,7 +36,7 @@ model! {
 }
 
 /// The branch along a parameter, others as given.
-fn branch<M: Model<N>, const N: usize>(
+pub(crate) fn branch<M: Model<N>, const N: usize>(
     given: &[(ParamId<M>, f64)],
     along: ParamId<M>,
     (from, to): (f64, f64),
@@ -55,7 +55,7 @@ fn branch<M: Model<N>, const N: usize>(
     found.expect("a branch")
 }
 
-fn named(branch: &BranchRecord) -> Vec<(&str, f64)> {
+pub(crate) fn named(branch: &BranchRecord) -> Vec<(&str, f64)> {
     let all = branch.special.iter();
     all.map(|one| (one.label.as_str(), one.r)).collect()
 }

@@ -5,6 +5,7 @@ mod borders;
 mod branch;
 mod curves;
 mod diagram;
+mod ends;
 mod equilibria;
 mod margins;
 mod orbits;

@@ -1,0 +1,82 @@
+//! Where branches end, and that they say so at any accuracy.
+
+use stickslip::continuation::Ending;
+use stickslip_models::{BeltPair, ForcedBelt};
+
+use crate::borders::{branch, named};
+
+/// Without damping, and where friction is weaker than the load, nothing bounds the motion at resonance: k = m ω².
+#[test]
+fn at_resonance_it_grows_without_bound() {
+    let (m, omega) = (1.449_382_182_821_934_4, 0.668_520_719_750_025_9);
+    let given = [
+        (ForcedBelt::m, m),
+        (ForcedBelt::omega, omega),
+        (ForcedBelt::v_dr, 0.498_333_657_834_848_34),
+        (ForcedBelt::load, 0.587_744_762_585_870_7),
+        (ForcedBelt::F_s, 0.612_791_429_316_064_8),
+        (ForcedBelt::delta, 0.412_923_187_979_681_86),
+    ];
+    let found = branch(
+        &given,
+        ForcedBelt::k,
+        (1.192_502_977_641_778_6, 0.56),
+        |_| {},
+    );
+    let Ending::Unbounded(k) = found.ended.ending else {
+        panic!("{}", found.ended.reason);
+    };
+    assert!((k / (m * omega * omega) - 1.0).abs() < 1e-5, "{k}");
+}
+
+/// A doubled orbit meets the one that it doubles, also where its last points are that one as far as their digits tell.
+#[test]
+fn both_halves_become_one_at_any_accuracy() {
+    let given = [
+        (ForcedBelt::k, 0.443_508_737_309_091_1),
+        (ForcedBelt::v_dr, 0.242_675_680_993_811_43),
+        (ForcedBelt::load, 0.548_724_946_248_235_5),
+        (ForcedBelt::omega, 1.085_845_608_745_264_8),
+        (ForcedBelt::F_s, 0.569_328_085_382_962),
+        (ForcedBelt::delta, 0.579_899_335_053_929_9),
+    ];
+    let met = [1e-7, 1e-9, 3.145_586e-11].map(|accuracy| {
+        let range = (0.906_300_382_136_738_9, 1.916_832_319_774_343);
+        let found = branch(&given, ForcedBelt::m, range, |case| {
+            case.accuracy = accuracy
+        });
+        let Ending::Meets(m) = found.ended.ending else {
+            panic!("{accuracy:e}: {}", found.ended.reason);
+        };
+        let last = found.special.last().expect("where they meet");
+        (m, last.error.expect("an error"))
+    });
+    for (m, error) in met {
+        assert!((m - met[2].0).abs() <= error + met[2].1, "{met:?}");
+        assert!(error < 1e-5 * m, "{met:?}");
+    }
+}
+
+/// "No orbit continues it" was said of the graze at the one accuracy, and not at the others.
+#[test]
+#[ignore = "long"]
+fn a_branch_ends_in_one_place_at_any_accuracy() {
+    let given = [
+        (BeltPair::alpha, 1.069_784_002_804_739_8),
+        (BeltPair::gamma, 3.442_412_413_550_149_7),
+        (BeltPair::v_dr, 0.375_157_843_524_35),
+    ];
+    for accuracy in [1e-6, 1e-8, 1e-10] {
+        let range = (2.281_562_119_987_861, 0.912_624_847_995_144_4);
+        let found = branch(&given, BeltPair::beta, range, |case| {
+            case.accuracy = accuracy
+        });
+        let names: Vec<&str> = named(&found).iter().map(|one| one.0).collect();
+        assert_eq!(
+            names,
+            ["VS1", "CS1", "GS1", "CS2", "PD1", "PD2"],
+            "{accuracy:e}"
+        );
+        assert!(matches!(found.ended.ending, Ending::Meets(_)));
+    }
+}
