@@ -70,17 +70,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     fn other_unknowns(&mut self, base: &Base, trial: usize) -> Option<Base> {
         let z = self.problem.elsewhere(base.r, trial)?;
         let lasting = self.problem.lasting(&base.tangent).try_normalize(0.0)?;
-        let Settings { accuracy, .. } = self.settings;
-        let normal = unit(z.len());
-        let found = correct(
-            &mut self.problem,
-            z,
-            base.r,
-            &normal,
-            self.r_scale,
-            accuracy,
-        )
-        .ok()?;
+        let found = self.same(z, base.r).ok()??;
         let tangent = self.tangent(&found, &lasting).ok()?;
         Some(Base {
             z: found.z,

@@ -36,6 +36,8 @@ const RETRACTED: f64 = 0.25;
 pub(super) const TINY: f64 = 1e-4;
 const CREEPING: usize = 300;
 
+/// Unknowns of one solution, begun at another place of it, are corrected by no more than this.
+const SAME: f64 = 1e-3;
 /// Failures at one point after which it is tried in other unknowns.
 const PATIENCE: usize = 3;
 
@@ -159,7 +161,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         tangent: DVector<f64>,
     ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let mut newton = corrected.corrections.len();
-        let before = self.problem.scale();
+        let (before, kept) = (self.problem.scale(), self.problem.clone());
         let moved = self
             .problem
             .accept(&corrected.z, corrected.r, &corrected.linearisation.extra)
@@ -169,17 +171,14 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             None => rescaled(tangent, &before.component_div(&self.problem.scale()), 1.0),
         };
         if let Some(z) = moved {
-            let (r, n) = (corrected.r, z.len());
-            corrected = correct(
-                &mut self.problem,
-                z,
-                r,
-                &unit(n),
-                self.r_scale,
-                self.settings.accuracy,
-            )?;
-            newton += corrected.corrections.len();
-            tangent = self.tangent(&corrected, &self.problem.lasting(&tangent))?;
+            match self.same(z, corrected.r)? {
+                Some(found) => {
+                    corrected = found;
+                    newton += corrected.corrections.len();
+                    tangent = self.tangent(&corrected, &self.problem.lasting(&tangent))?;
+                }
+                None => self.problem = kept,
+            }
         }
         let Corrected {
             z,
@@ -207,6 +206,25 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             r_scale,
             newton: newton as u64,
         })
+    }
+
+    /// The solution at r near these unknowns, which are its own but for their errors; `None` if Newton leads to another.
+    pub(super) fn same(
+        &mut self,
+        z: DVector<f64>,
+        r: f64,
+    ) -> Result<Option<Corrected<P::Extra>>, Failure<P::Error>> {
+        let (normal, accuracy) = (unit(z.len()), self.settings.accuracy);
+        let found = correct(
+            &mut self.problem,
+            z.clone(),
+            r,
+            &normal,
+            self.r_scale,
+            accuracy,
+        )?;
+        let off = (&found.z - z).component_div(&self.problem.scale());
+        Ok((off.norm() <= SAME).then_some(found))
     }
 
     pub(super) fn tangent(
