@@ -64,10 +64,10 @@ impl Chart {
                 continue;
             };
             let goes_on = |(of, _): &(Stability, usize)| *of == style && !vertices[i].is_corner();
-            if !stretch.as_ref().is_some_and(goes_on) {
-                if let Some((of, from)) = stretch.replace((style, i)) {
-                    self.draw(of, vertices, [from, i]);
-                }
+            if !stretch.as_ref().is_some_and(goes_on)
+                && let Some((of, from)) = stretch.replace((style, i))
+            {
+                self.draw(of, vertices, [from, i]);
             }
         }
         if let Some((of, from)) = stretch {
@@ -88,7 +88,6 @@ impl Chart {
     }
 
     /// The panel with its special points.
-    #[must_use]
     pub fn panel(self) -> Panel {
         self.panel.curves(special_points(self.marks))
     }

@@ -191,7 +191,12 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             });
         }
         let (approach, _) = self.system.approach(state, press);
-        let still = if rests { STAYS } else { RESTS } * self.system.rate_terms(state, press);
+        let terms = self.system.rate_terms(state, press);
+        // Against fixed ground a rate is its own only term: what is usual then tells rounding errors.
+        let still = match rests {
+            true => STAYS * terms.max(self.system.usual_rate(state, press)),
+            false => RESTS * terms,
+        };
         if touches && approach.abs() <= still {
             return Ok(None);
         }
@@ -246,6 +251,14 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let value = self.rates(state, &alone).as_ref()[press];
         let rest = value - terms().sum::<f64>();
         terms().map(f64::abs).sum::<f64>() + rest.abs()
+    }
+
+    /// Usual magnitude of the rate of a gap, as far as that of the states tells.
+    fn usual_rate(&self, state: &[f64; N], press: usize) -> f64 {
+        let rate = self.linear_rates(state, &self.at_rest(press)).as_ref()[press];
+        let (slopes, _): ([f64; N], f64) = rate.slopes();
+        let terms = slopes.iter().zip(&self.magnitude);
+        terms.map(|(slope, usual)| (slope * usual).abs()).sum()
     }
 
     /// The magnitude of the terms of a reaction: of what it keeps from happening to the rate of its gap.

@@ -18,6 +18,8 @@ use crate::shooting::problem::OrbitProblem;
 
 /// Distances from the border, in scaled coordinates, at which the branch is taken up again.
 const DISTANCES: [f64; 6] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5];
+/// Shares of the depth behind a wall that belongs to the speed of an impact, at which orbits that are hit are sought as well.
+const DEPTHS: [f64; 5] = [1.0, 3.0, 10.0, 0.3, 30.0];
 /// A first orbit this many times farther away lies on another branch.
 const FAR: f64 = 5.0;
 /// Errors in r of orbits that have come to a border, over their accuracy.
@@ -108,15 +110,20 @@ fn onwards(
         return Beyond::Undecided;
     };
     let hit = other.then(|| sides.hit(&phase, &scale, r_scale)).flatten();
+    let guesses = |distance: f64| -> Vec<(f64, DVector<f64>)> {
+        let Some(hit) = &hit else {
+            return vec![(distance, &direction * distance)];
+        };
+        let aimed = hit.guess(distance, |offset| met(found, branch, offset));
+        let others = DEPTHS.map(|share| hit.behind(distance, share));
+        let all = std::iter::once(aimed).chain(others);
+        all.map(|offset| (distance, offset)).collect()
+    };
     let mut nearest = (f64::INFINITY, Beyond::Undecided);
-    for distance in DISTANCES {
+    for (distance, offset) in DISTANCES.into_iter().flat_map(guesses) {
         if distance > nearest.0 {
             continue;
         }
-        let offset = match &hit {
-            Some(hit) => hit.guess(distance, |offset| met(found, branch, offset)),
-            None => &direction * distance,
-        };
         let Ok(started) = set_out(found, branch, &direction, &offset, work) else {
             continue;
         };

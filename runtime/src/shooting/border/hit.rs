@@ -69,6 +69,12 @@ pub(super) enum Met {
 }
 
 impl Hit {
+    /// The same without looking: so deep as a share of what belongs to the speed.
+    pub(super) fn behind(&self, distance: f64, share: f64) -> DVector<f64> {
+        let speed = self.speed * distance;
+        &self.direction * distance - &self.gap * (share * speed * speed / (2.0 * self.bend))
+    }
+
     /// Where to look at this distance: as deep behind the wall as belongs to the speed of the impact, which the first order
     /// leaves open, so that Newton's method sees the root; `met` says how a motion from there meets the wall.
     pub(super) fn guess(

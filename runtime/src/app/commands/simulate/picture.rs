@@ -36,7 +36,7 @@ fn alike<'a>(motion: &Trajectory, shown: &'a [Quantity]) -> Vec<Vec<&'a Quantity
             one.unit.is_some()
                 && text(group[0]) == text(one)
                 && group.len() < CURVES
-                && !(ratio > READABLE || ratio < 1.0 / READABLE)
+                && (1.0 / READABLE..=READABLE).contains(&ratio)
         };
         match groups.iter_mut().find(fits) {
             Some(group) => group.push(one),
