@@ -36,7 +36,7 @@ fn alike<'a>(motion: &Trajectory, shown: &'a [Quantity]) -> Vec<Vec<&'a Quantity
             one.unit.is_some()
                 && text(group[0]) == text(one)
                 && group.len() < CURVES
-                && (1.0 / READABLE..=READABLE).contains(&ratio)
+                && (ratio.is_nan() || (1.0 / READABLE..=READABLE).contains(&ratio))
         };
         match groups.iter_mut().find(fits) {
             Some(group) => group.push(one),
