@@ -225,11 +225,11 @@ fn what_cannot_be_resumed_says_so() {
         ),
         (
             "equilibria drill-string --along eta=4..6 --resume".to_owned(),
-            "`diagram` or a `branch` only",
+            "a `map` or `attractors` only",
         ),
         (
             "trade belt-oscillator --resume".to_owned(),
-            "`diagram` or a `branch` only",
+            "a `map` or `attractors` only",
         ),
     ] {
         let answer = stickslip(&words(&line));

@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::{stickslip, words};
 
 /// One line for each form of a document.
-const LINES: [&str; 24] = [
+const LINES: [&str; 28] = [
     "models",
     "models belt-pair",
     "models bristle-oscillator",
@@ -30,6 +30,10 @@ const LINES: [&str; 24] = [
     "diagram belt-oscillator --along v_dr=0.1..0.2 --values 2 --section x=5",
     "trade belt-oscillator --accuracy 1e-2",
     "trade drill-string",
+    "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 20",
+    "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 5 --along v_dr=0.2..0.4 --values 2",
+    "map belt-oscillator --along v_dr=0.1..0.4:2 --and delta=2..3:2 period",
+    "map belt-oscillator --along v_dr=0.1..0.4:2 --and delta=2..3:2 motion",
 ];
 
 #[test]

@@ -78,6 +78,7 @@ fn shares_in_any_order_are_the_bytes_of_one_run() {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_share_that_was_ended_goes_on() {
     let (whole, parts) = (folder("shared-ended-whole"), folder("shared-ended"));
     // Sharp enough that no machine has done it before it is asked to end.

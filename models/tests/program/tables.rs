@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::{stickslip, words};
 
 /// Columns that hold words.
-const WORDS: [&str; 9] = [
+const WORDS: [&str; 10] = [
     "direction",
     "stability",
     "mode",
@@ -16,6 +16,7 @@ const WORDS: [&str; 9] = [
     "dynamics",
     "artefact",
     "asymptotic",
+    "cancelling",
 ];
 
 const LINES: [&str; 12] = [

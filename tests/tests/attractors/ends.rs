@@ -15,7 +15,7 @@ fn the_cycle_ends_where_its_share_becomes_zero() {
     let (mut there, mut gone) = (1.775, 1.85);
     while gone - there > 1e-10 {
         let v_d = 0.5 * (there + gone);
-        let found = sliding_from(v_d, &CAUGHT, (1, false)).found;
+        let found = sliding_from(v_d, &CAUGHT, (1, false), 1e-11).found;
         match found[0].attractor.class {
             // Within 1e-8 the mass is caught so softly that the orbit has no derivative.
             Class::Orbit | Class::Unsettled => there = v_d,
@@ -67,7 +67,7 @@ fn steady_sliding_draws_motions_in_from_its_hopf_point_on() {
     assert!((found.r - hopf).abs() < 1e-10, "{} {hopf}", found.r);
     let resting = |v_d: f64| {
         let near = [("x", 0.57, 0.63), ("v", -0.001, 0.001)];
-        let found = sliding_from(v_d, &near, (4, false)).found;
+        let found = sliding_from(v_d, &near, (4, false), 1e-9).found;
         found
             .iter()
             .any(|one| one.attractor.class == Class::Equilibrium)
@@ -79,7 +79,7 @@ fn steady_sliding_draws_motions_in_from_its_hopf_point_on() {
 #[ignore = "long"]
 fn basins_have_areas_and_a_saddle_on_their_edge() {
     let sides = [("x", -2.0, 2.0), ("v", 0.0, 2.0)];
-    let found = sliding_from(1.5, &sides, (400, true));
+    let found = sliding_from(1.5, &sides, (400, true), 1e-9);
     let [cycle, rest] = [&found.found[0], &found.found[1]];
     let [area, error] = rest.area.unwrap();
     let [other, _] = cycle.area.unwrap();

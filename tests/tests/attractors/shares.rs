@@ -29,9 +29,11 @@ fn survey(
     set: &[(&str, f64)],
     sides: &[(&str, f64, f64)],
     (starts, whole): (usize, bool),
+    accuracy: f64,
 ) -> Survey {
     let info = system.info();
-    let mut case = Case::declared(info, choose(info, None, 1e-9).dynamics);
+    let mut case = Case::declared(info, choose(info, None, accuracy).dynamics);
+    case.accuracy = accuracy;
     for (name, value) in set {
         let index = info
             .parameters
@@ -64,13 +66,23 @@ fn standard_error(share: f64, starts: f64) -> f64 {
 }
 
 fn sliding(v_d: f64, starts: usize) -> Survey {
-    sliding_from(v_d, &[("x", -2.0, 2.0), ("v", 0.0, 2.0)], (starts, false))
+    sliding_from(
+        v_d,
+        &[("x", -2.0, 2.0), ("v", 0.0, 2.0)],
+        (starts, false),
+        1e-9,
+    )
 }
 
 /// The friction oscillator at a speed of its belt.
-pub(crate) fn sliding_from(v_d: f64, sides: &[(&str, f64, f64)], wanted: (usize, bool)) -> Survey {
+pub(crate) fn sliding_from(
+    v_d: f64,
+    sides: &[(&str, f64, f64)],
+    wanted: (usize, bool),
+    accuracy: f64,
+) -> Survey {
     let system = System::of::<FrictionOscillator, _>();
-    survey(&system, &[("v_d", v_d)], sides, wanted)
+    survey(&system, &[("v_d", v_d)], sides, wanted, accuracy)
 }
 
 #[test]
@@ -149,7 +161,13 @@ fn a_pendulum_rests_or_turns() {
     let middle = 0.5_f64.asin();
     let pi = std::f64::consts::PI;
     let sides = [("x", middle - pi, middle + pi), ("v", -10.0, 10.0)];
-    let found = survey(&System::of::<Pendulum, _>(), &[], &sides, (4000, false));
+    let found = survey(
+        &System::of::<Pendulum, _>(),
+        &[],
+        &sides,
+        (4000, false),
+        1e-9,
+    );
     let (rest, turning) = (of(&found, Class::Equilibrium), of(&found, Class::Running));
     assert_eq!(
         (rest.len(), turning.len(), found.found.len()),
@@ -180,7 +198,13 @@ fn a_pendulum_rests_or_turns() {
 #[ignore = "long"]
 fn an_oscillator_with_a_cubic_spring_has_five_motions() {
     let sides = [("x", -1.0, 1.0), ("v", -0.5, 1.0)];
-    let found = survey(&System::of::<Duffing, _>(), &[], &sides, (10_000, false));
+    let found = survey(
+        &System::of::<Duffing, _>(),
+        &[],
+        &sides,
+        (10_000, false),
+        1e-9,
+    );
     let mut shares: Vec<f64> = found.found.iter().map(|one| one.share).collect();
     shares.sort_by(f64::total_cmp);
     assert_eq!(shares.len(), 5, "{shares:?}");

@@ -195,7 +195,8 @@ mod tests {
         let path = numbers(&smooth(&[knot(0.0), knot(5.0), knot(10.0)]));
         assert_eq!(path[3], 0.0, "level at 0");
         for [x, y] in middles(&path) {
-            assert!((y - x * x * x / 100.0).abs() < 0.15, "{x} {y}");
+            // A polygon would be off by seven times as much.
+            assert!((y - x * x * x / 100.0).abs() < 0.2, "{x} {y}");
         }
     }
 
