@@ -81,9 +81,11 @@ pub(super) fn change<Q: Path>(
         } else if spot.point.same_regime(&ends[1].point) {
             falsi.replaced(1);
             found.after.push(spot);
-        } else if exchange::meets(&spot, ends) {
-            let error = exchange::error(path, ends, accuracy);
+        } else if let Some([left, right]) = exchange::beside(path, &spot, ends) {
+            let error = exchange::error(path, [&left, &right], accuracy);
             found.meeting = Some((spot, error));
+            found.before.push(left);
+            found.after.push(right);
             break;
         } else {
             falsi = Exchange::within(spot.share - ends[0].share);

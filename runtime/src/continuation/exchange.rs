@@ -6,6 +6,8 @@ use super::root::{DOUBT, SETTLED};
 /// Points after which a bracket that is no half of what it was is halved.
 const PATIENCE: usize = 3;
 const MIDDLE: f64 = 0.5;
+/// Where beside a point at which both happen at once they are looked for again, as a share of the way to either end.
+const BESIDE: f64 = 1e-3;
 
 /// Regula falsi with Illinois' rule on the time between both events; halving where it is slow, and where regimes differ
 /// by more.
@@ -65,23 +67,42 @@ pub(super) fn met<P: Watched>(ends: [&Spot<P>; 2], accuracy: f64) -> Option<Spot
     (off.abs() <= SETTLED * accuracy * r.abs()).then(|| nearer.clone())
 }
 
-/// Whether both events happen at once at `spot`, which lies between these.
-pub(super) fn meets<P: Watched>(spot: &Spot<P>, ends: [&Spot<P>; 2]) -> bool {
-    ends.iter()
-        .all(|end| spot.point.exchanged(&end.point) == Some(0.0))
+/// The points just before and after `spot` between these ends, if both events happen at once there and nowhere beside it.
+pub(super) fn beside<Q: Path>(
+    path: &mut Q,
+    spot: &Spot<Q::Point>,
+    ends: [&Spot<Q::Point>; 2],
+) -> Option<[Spot<Q::Point>; 2]> {
+    let at_once = |end: &&Spot<Q::Point>| spot.point.exchanged(&end.point) == Some(0.0);
+    if !ends.iter().all(at_once) {
+        return None;
+    }
+    let mut next = |end: &Spot<Q::Point>| {
+        let share = spot.share + BESIDE * (end.share - spot.share);
+        let point = path.at(share).ok()?;
+        let same = point.same_regime(&end.point);
+        same.then_some(Spot { share, point })
+    };
+    Some([next(ends[0])?, next(ends[1])?])
 }
 
 /// The estimated error of r where both events happen at once: from the point at one end once more, more sharply.
 pub(super) fn error<Q: Path>(path: &mut Q, ends: [&Spot<Q::Point>; 2], accuracy: f64) -> f64 {
     let mut measured = || {
         let times = times(ends)?;
-        // Farther away, where the order is the same for both.
-        let far = usize::from(times[1] > times[0]);
-        let [at, other] = [ends[far], ends[1 - far]].map(|end| &end.point);
-        let sharper = path.sharper(ends[far].share)?;
-        let later = (sharper.exchanged(other)? - times[far]) * rate(ends, times);
-        let moved = (sharper.r() - at.r()).abs() + later.abs();
-        Some(DOUBT * moved + SETTLED * accuracy * at.r().abs())
+        let mut moved = 0.0_f64;
+        for end in 0..2 {
+            let [at, other] = [ends[end], ends[1 - end]].map(|end| &end.point);
+            let sharper = path.sharper(ends[end].share)?;
+            // Where the order is lost to rounding, the other end has to tell.
+            let Some(time) = sharper.exchanged(other) else {
+                continue;
+            };
+            let later = (time - times[end]) * rate(ends, times);
+            moved = moved.max((sharper.r() - at.r()).abs() + later.abs());
+        }
+        let r = ends[0].point.r();
+        Some(DOUBT * moved + SETTLED * accuracy * r.abs())
     };
     measured().unwrap_or(f64::NAN)
 }
