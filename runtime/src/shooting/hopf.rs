@@ -31,21 +31,27 @@ impl OrbitBranch {
         let size = state.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let size = if size > 1e-3 { size } else { 1.0 };
         let (order, mut last) = (state.len(), SwitchError::NotFound);
+        let sharp = family.with_tolerance(Tolerance::for_accuracy(search.accuracy));
+        let flow = sharp.at(r).map_err(Failure::Evaluation)?;
+        let centre = flow.place(state).map_err(Failure::Evaluation)?;
+        let jacobian = flow
+            .velocity(&centre)
+            .map_err(Failure::Evaluation)?
+            .jacobian;
+        let axis = axis(&jacobian, period).ok_or(SwitchError::NotFound)?;
+        // a cos ωt − b sin ωt with J a = −ω b.
+        let other = &jacobian * &axis * (period / std::f64::consts::TAU);
         for amplitude in AMPLITUDES {
-            let magnitude = vec![amplitude * size; order];
-            let family = family
-                .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-                .with_magnitude(&magnitude);
+            let extent = |j: usize| amplitude * size * axis[j].hypot(other[j]);
+            let swings = |j: usize| Some(extent(j)).filter(|extent| *extent > 0.0);
+            let magnitude: Vec<f64> = (0..order)
+                .map(|j| swings(j).unwrap_or(amplitude * size))
+                .collect();
+            let family = sharp.with_magnitude(&magnitude);
             let flow = family.at(r).map_err(Failure::Evaluation)?;
-            let centre = flow.place(state).map_err(Failure::Evaluation)?;
-            let jacobian = flow
-                .velocity(&centre)
-                .map_err(Failure::Evaluation)?
-                .jacobian;
-            let axis = axis(&jacobian, period).ok_or(SwitchError::NotFound)?;
-            let mut start = centre;
+            let mut start = centre.clone();
             for j in 0..order {
-                start.state[j] += magnitude[j] * axis[j];
+                start.state[j] += amplitude * size * axis[j];
             }
             let velocity = flow.velocity(&start).map_err(Failure::Evaluation)?.f;
             let phase = super::Phase::orthogonal(start.state.clone(), &velocity, &magnitude);
