@@ -89,6 +89,11 @@ impl Errors {
         }
     }
 
+    /// What is measured at points of structures is called in messages what it is called in the declaration.
+    pub(crate) fn show_points(&mut self, measured: impl Iterator<Item = (String, String)>) {
+        self.written.extend(measured);
+    }
+
     /// The verdict: every mistake, in the order in which they were found.
     pub(crate) fn finish(mut self) -> syn::Result<()> {
         let found = self.found.take().unwrap_or_default();

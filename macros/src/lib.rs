@@ -10,6 +10,7 @@ mod expand;
 mod formula;
 mod parse;
 mod repeated;
+mod structure;
 mod suggest;
 mod syntax;
 

@@ -7,11 +7,13 @@ use syn::{Attribute, Path, Token, Visibility};
 
 use crate::formula::{Formula, Number, tight, underlined};
 use crate::repeated::Repeated;
+use crate::structure::Structures;
 
 /// The words that join the parts of a line.
 pub(crate) mod word {
     syn::custom_keyword!(at);
     syn::custom_keyword!(closing);
+    syn::custom_keyword!(keeping);
     syn::custom_keyword!(opposing);
     syn::custom_keyword!(with);
 }
@@ -21,6 +23,7 @@ pub(crate) struct Declaration {
     pub(crate) header: Header,
     pub(crate) lines: Vec<Line>,
     pub(crate) repeated: Repeated,
+    pub(crate) structures: Structures,
 }
 
 /// What stands before the braces.

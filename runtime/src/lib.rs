@@ -17,6 +17,7 @@
 //! | [`bifurcation`] | multipliers, and the monitors made of them |
 //! | [`equilibrium`], [`shooting`], [`curve`] | equilibria, periodic orbits, bifurcations in two parameters |
 //! | [`study`] | what is asked and answered: for programs, the place to begin |
+//! | `reduce` | small structures of large matrices, for `structure` lines (feature `reduce`) |
 //! | `report`, `app` | figures and tables; the program (feature `app`) |
 //!
 //! Below [`motion`] all is generic over the model and its number of states, and no step touches the heap; above it all
@@ -47,6 +48,8 @@ pub mod model;
 pub mod motion;
 pub mod poincare;
 pub mod press;
+#[cfg(feature = "reduce")]
+pub mod reduce;
 #[cfg(feature = "app")]
 pub mod report;
 pub mod scalar;

@@ -2,6 +2,7 @@
 
 mod index;
 mod number;
+mod point;
 mod refusal;
 
 use proc_macro2::Ident;
@@ -15,6 +16,7 @@ use crate::errors::Errors;
 use crate::formula::{Formula, Kind, Operator};
 use crate::parse::Grammar;
 use crate::repeated::Repeated;
+use crate::structure::Structures;
 
 type Function = (&'static str, fn(f64) -> f64);
 
@@ -59,6 +61,7 @@ const WHOLE: &str = "the exponent of `powi` is a whole number such as 2; \
 pub(crate) struct Arithmetic<'a> {
     pub(crate) grammar: Grammar,
     pub(crate) repeated: &'a mut Repeated,
+    pub(crate) structures: &'a Structures,
     pub(crate) errors: &'a mut Errors,
 }
 
@@ -84,6 +87,7 @@ impl Arithmetic<'_> {
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
             Expr::Index(element) => self.element(element),
+            Expr::Field(field) => self.point(field),
             Expr::If(_) | Expr::Match(_) => self.branch(expression),
             _ => self.refuse(expression, ONLY),
         }
@@ -177,6 +181,9 @@ impl Arithmetic<'_> {
         let Some(function) = path.get_ident() else {
             return self.path_of_function(path);
         };
+        if let Some(speed) = self.speed(function, call) {
+            return speed;
+        }
         let arguments: Vec<Formula> = call.args.iter().map(|given| self.read(given)).collect();
         match arguments.as_slice() {
             [x] if self.knows(function) => Kind::Call(function.clone(), Box::new(x.clone())),

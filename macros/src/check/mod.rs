@@ -56,6 +56,7 @@ pub(crate) fn model<'a>(written: &'a Declaration, errors: &mut Errors) -> Option
     units::check_drive(written, &units, errors);
     contacts::check_contacts(written, &units, errors);
     units::check_equations(written, &units, errors);
+    units::check_loads(written, &units, errors);
     if legible {
         names::check_used(written, &names, errors);
     }

@@ -146,12 +146,14 @@ mod tests {
     use crate::formula::{Formula, Kind, Operator};
     use crate::parse::Grammar;
     use crate::repeated::Repeated;
+    use crate::structure::Structures;
 
     fn formula(text: &str) -> Formula {
         let (mut repeated, mut errors) = (Repeated::default(), Errors::new());
         let mut arithmetic = Arithmetic {
             grammar: Grammar::Model,
             repeated: &mut repeated,
+            structures: &Structures::default(),
             errors: &mut errors,
         };
         let read = arithmetic.read(&syn::parse_str(text).unwrap());

@@ -185,11 +185,32 @@ impl Units {
 
 /// Every name with a stated unit.
 fn stated(written: &Declaration) -> impl Iterator<Item = (&Ident, &Unit)> {
-    written.lines.iter().filter_map(|line| match line {
+    let measured = written.structures.stated.iter();
+    let lines = written.lines.iter().filter_map(|line| match line {
         Line::State(line) | Line::Param(line) => Some((&line.name, line.unit.as_ref()?)),
         Line::Friction(line) | Line::Press(line) => Some((&line.name, line.unit.as_ref()?)),
         _ => None,
-    })
+    });
+    lines.chain(measured.map(|(name, unit)| (name, unit)))
+}
+
+/// Loads at points of structures are forces, or torques where the point turns.
+pub(super) fn check_loads(written: &Declaration, units: &Units, errors: &mut Errors) {
+    for load in written.structures.loads.iter().filter(|load| load.si) {
+        let wanted = match load.turns {
+            true => Dimension::FORCE.times(Dimension::LENGTH),
+            false => Dimension::FORCE,
+        };
+        let lines = written.lets().filter(|line| line.name == load.name);
+        for Rule { formula, .. } in lines {
+            units.demand(formula, Some(wanted), errors, |wanted, found| {
+                format!(
+                    "the load at `{}` is in {wanted}, but `{formula}` is in {found}",
+                    load.place
+                )
+            });
+        }
+    }
 }
 
 /// The dimension of a stated unit; reports unknown and scaled symbols.

@@ -19,7 +19,9 @@ pub(super) fn tokens(model: &Model, written: &Declaration) -> TokenStream {
     };
     let (shell, laws) = (shell.tokens(), builder::builders(written));
     let (items, agreements) = (items::tokens(model), agreement::assertions(model));
-    quote!(#shell #laws #items #agreements)
+    // An edited file is a new build.
+    let files = written.structures.all.iter().map(|one| &one.path);
+    quote!(#shell #laws #items #agreements #(const _: &[u8] = ::core::include_bytes!(#files);)*)
 }
 
 /// The body of `rhs`: the steps that the equations need, then the rates in the order of the states.

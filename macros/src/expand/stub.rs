@@ -10,6 +10,7 @@ use crate::check::{self, is_field};
 use crate::formula::{Formula, Kind, Number};
 use crate::parse::Grammar;
 use crate::repeated::Repeated;
+use crate::structure::Structures;
 use crate::syntax::{Declaration, Line, Rule, Value};
 
 /// A model in which nothing moves; it names the laws of the one that is written.
@@ -61,6 +62,7 @@ fn least(written: &Declaration, keywords: &[&'static str]) -> Declaration {
         header: written.header.clone(),
         lines,
         repeated: Repeated::default(),
+        structures: Structures::default(),
     }
 }
 

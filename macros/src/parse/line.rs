@@ -23,7 +23,7 @@ impl Reader<'_> {
         let Some(shape) = shape(grammar, &text) else {
             return Err(unknown_keyword(&keyword, grammar, input));
         };
-        let whole = matches!(text.as_str(), "state" | "param" | "drive");
+        let whole = matches!(text.as_str(), "state" | "param" | "drive" | "structure");
         if grammar == Grammar::Model && whole && self.place.depth > 0 {
             let message = format!(
                 "`{text}` cannot stand inside `for`: declare an array as `state x[10] = 0.0;` or `param k[10] = 1.0;` \
@@ -34,6 +34,8 @@ impl Reader<'_> {
         shaped(shape, input, |input| match (grammar, text.as_str()) {
             (Grammar::Model, "state") => self.values(&docs, input, false, Line::State),
             (Grammar::Model, "param") => self.values(&docs, input, true, Line::Param),
+            (_, "structure") => undocumented(&docs).and_then(|()| self.structure(input)),
+            (_, "load") => self.load(docs, input),
             (_, "state") => Ok(vec![Line::State(law_state(docs, input)?)]),
             (_, "param") => Ok(vec![Line::Param(law_param(docs, input)?)]),
             (_, "friction") => Ok(vec![Line::Friction(self.friction(docs, input)?)]),
@@ -209,7 +211,7 @@ impl Reader<'_> {
         self.formula(input)
     }
 
-    fn right_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
+    pub(super) fn right_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
         input.parse::<Token![=]>()?;
         self.formula(input)
     }
@@ -222,6 +224,7 @@ impl Reader<'_> {
         let mut arithmetic = Arithmetic {
             grammar,
             repeated: self.repeated,
+            structures: self.structures,
             errors: self.errors,
         };
         Ok(arithmetic.read(&input.parse()?))

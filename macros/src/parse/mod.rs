@@ -7,6 +7,7 @@ mod line;
 mod measure;
 mod repeat;
 mod shape;
+mod structure;
 mod value;
 
 use proc_macro2::{Punct, Spacing, Span, TokenStream, TokenTree};
@@ -15,6 +16,7 @@ use syn::{Token, braced};
 
 use crate::errors::Errors;
 use crate::repeated::Repeated;
+use crate::structure::Structures;
 use crate::syntax::{Broken, Declaration, Line};
 
 /// Which grammar a declaration follows, and its formulas.
@@ -39,10 +41,13 @@ pub(crate) fn declaration(
             let mut reader = Reader {
                 place: Place::outside(grammar),
                 repeated: &mut declaration.repeated,
+                structures: &mut declaration.structures,
                 errors,
             };
             declaration.lines = reader.lines(body);
+            declaration.lines.extend(reader.equations_of_structures());
             errors.show(&declaration.repeated.elements);
+            errors.show_points(declaration.structures.measured());
             Some(declaration)
         }
         Err(error) => {
@@ -57,6 +62,7 @@ fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
         header: heading::heading(input)?,
         lines: Vec::new(),
         repeated: Repeated::default(),
+        structures: Structures::default(),
     };
     let body;
     braced!(body in input);
@@ -71,6 +77,7 @@ fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
 struct Reader<'a> {
     place: Place,
     repeated: &'a mut Repeated,
+    structures: &'a mut Structures,
     errors: &'a mut Errors,
 }
 

@@ -65,6 +65,7 @@ impl Reader<'_> {
             let mut inside = Reader {
                 place,
                 repeated: self.repeated,
+                structures: self.structures,
                 errors: if told { &mut again } else { self.errors },
             };
             lines.extend(inside.lines(body));

@@ -32,6 +32,11 @@ fn lines(grammar: Grammar) -> &'static [(&'static str, &'static str)] {
                 "press N: N = Law { field: value } closing y - y_wall;",
             ),
             ("drive", "drive phi at omega;"),
+            (
+                "structure",
+                "structure beam = \"beam.structure\" keeping 12;",
+            ),
+            ("load", "load beam.tip = force * cos(phi);"),
             ("der", DER),
         ],
         Grammar::Law | Grammar::Memory => &[

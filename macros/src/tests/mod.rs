@@ -10,6 +10,7 @@ mod lines;
 mod memory;
 mod names;
 mod press;
+mod structure;
 mod tokens;
 mod units;
 

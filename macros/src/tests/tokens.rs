@@ -6,6 +6,7 @@ use crate::errors::Errors;
 use crate::expand::lifted;
 use crate::parse::Grammar;
 use crate::repeated::Repeated;
+use crate::structure::Structures;
 
 /// A formula as it is lifted, and as it is written in the data of a model.
 fn both(written: &str) -> (String, String) {
@@ -14,6 +15,7 @@ fn both(written: &str) -> (String, String) {
     let mut arithmetic = Arithmetic {
         grammar: Grammar::Model,
         repeated: &mut Repeated::default(),
+        structures: &Structures::default(),
         errors: &mut errors,
     };
     let formula = arithmetic.read(&expression);

@@ -14,6 +14,8 @@ mod hostile;
 mod interrupted;
 mod laws;
 mod losses;
+#[cfg(feature = "reduce")]
+mod reduce;
 mod refusals;
 #[cfg(unix)]
 mod resumed;

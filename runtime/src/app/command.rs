@@ -5,6 +5,8 @@ use std::path::Path;
 
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
+#[cfg(feature = "reduce")]
+use super::commands::reduce;
 use super::commands::{
     attractors, branch, curve, diagram, equilibria, laws, map, merge, models, orbit, reproduce,
     simulate, status, trade,
@@ -28,6 +30,8 @@ enum Study {
     Map(map::Arguments),
     Merge(merge::Arguments),
     Status(status::Arguments),
+    #[cfg(feature = "reduce")]
+    Reduce(reduce::Arguments),
 }
 
 /// The command line of a program.
@@ -113,5 +117,7 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
         Study::Map(arguments) => map::perform(app, &arguments),
         Study::Merge(arguments) => again(app, &merge::words(&arguments)?),
         Study::Status(arguments) => status::perform(app, &arguments),
+        #[cfg(feature = "reduce")]
+        Study::Reduce(arguments) => reduce::perform(app, &arguments),
     }
 }

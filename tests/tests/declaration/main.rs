@@ -8,4 +8,5 @@ mod declared_data;
 mod derivatives;
 mod hand_written;
 mod slopes;
+mod structure;
 mod tangents;

@@ -8,7 +8,7 @@ use std::path::Path;
 use files::{Files, Graph, beside, circle};
 
 /// Modules from the ground up.
-const ORDER: [&str; 25] = [
+const ORDER: [&str; 26] = [
     "scalar",
     "math",
     "linear",
@@ -32,6 +32,7 @@ const ORDER: [&str; 25] = [
     "shooting",
     "curve",
     "study",
+    "reduce",
     "report",
     "app",
 ];

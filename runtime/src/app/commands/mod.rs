@@ -10,6 +10,8 @@ pub(super) mod map;
 pub(super) mod merge;
 pub(super) mod models;
 pub(super) mod orbit;
+#[cfg(feature = "reduce")]
+pub(super) mod reduce;
 pub(super) mod reproduce;
 pub(super) mod simulate;
 pub(super) mod status;
