@@ -53,7 +53,8 @@ fn phase(drive: Option<usize>, velocity: &Velocity, guess: &Guess) -> Phase {
         Phase::Section(0)
     } else {
         let state = guess.place.state.clone();
-        Phase::floating(drive, state, slow(velocity, SLOW * guess.period))
+        let velocity = slow(velocity, SLOW * guess.period);
+        Phase::floating(drive, state, &velocity, &guess.magnitude)
     }
 }
 

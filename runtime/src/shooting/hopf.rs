@@ -48,10 +48,7 @@ impl OrbitBranch {
                 start.state[j] += magnitude[j] * axis[j];
             }
             let velocity = flow.velocity(&start).map_err(Failure::Evaluation)?.f;
-            let phase = super::Phase::Orthogonal {
-                at: start.state.clone(),
-                velocity,
-            };
+            let phase = super::Phase::orthogonal(start.state.clone(), &velocity, &magnitude);
             let whole = Division::whole(start);
             let problem = OrbitProblem::new(family, phase, &whole, period, magnitude);
             let z = OrbitProblem::unknowns(&whole.starts, period);

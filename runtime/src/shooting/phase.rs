@@ -9,12 +9,13 @@ use crate::motion::Velocity;
 pub enum Phase {
     /// The state of this index has no rate: with `der(x) = v`, STRDYN's zero velocity (2.10).
     Section(usize),
-    /// The start moves orthogonally to the field at a reference: Parker & Chua's (2.6).
+    /// The start moves orthogonally to the field at a reference, each state in units of its magnitude: Parker & Chua's
+    /// (2.6), whatever units a model is written in.
     Orthogonal {
         /// The reference state.
         at: Vec<f64>,
-        /// The field there.
-        velocity: DVector<f64>,
+        /// The field there, over the squares of the magnitudes.
+        normal: DVector<f64>,
     },
     /// The state of this index, the phase of a drive, has this value: a stroboscopic section.
     Strobe {
@@ -26,15 +27,27 @@ pub enum Phase {
 }
 
 impl Phase {
+    /// The condition that a start moves orthogonally to the velocity at `at`, in units of these magnitudes.
+    #[must_use]
+    pub fn orthogonal(at: Vec<f64>, velocity: &DVector<f64>, magnitude: &[f64]) -> Self {
+        let normal = DVector::from_fn(at.len(), |j, _| velocity[j] / magnitude[j] / magnitude[j]);
+        Self::Orthogonal { at, normal }
+    }
+
     /// The condition that lets a start float: with a drive its phase stays, otherwise it moves orthogonally to the field.
     #[must_use]
-    pub fn floating(drive: Option<usize>, at: Vec<f64>, velocity: DVector<f64>) -> Self {
+    pub fn floating(
+        drive: Option<usize>,
+        at: Vec<f64>,
+        velocity: &DVector<f64>,
+        magnitude: &[f64],
+    ) -> Self {
         match drive {
             Some(index) => Self::Strobe {
                 index,
                 at: at[index],
             },
-            None => Self::Orthogonal { at, velocity },
+            None => Self::orthogonal(at, velocity, magnitude),
         }
     }
 
@@ -50,11 +63,11 @@ impl Phase {
                     velocity.design[row],
                 )
             }
-            Self::Orthogonal { at, velocity } => {
+            Self::Orthogonal { at, normal } => {
                 let value = (0..state.len())
-                    .map(|j| velocity[j] * (state[j] - at[j]))
+                    .map(|j| normal[j] * (state[j] - at[j]))
                     .sum();
-                (value, velocity.clone(), 0.0)
+                (value, normal.clone(), 0.0)
             }
             Self::Strobe { index, at } => {
                 let gradient = DVector::from_fn(state.len(), |j, _| f64::from(j == *index));

@@ -89,7 +89,8 @@ impl OrbitProblem {
     /// The field is not finite there.
     pub fn float(&mut self, place: &Place, r: f64) -> Result<(), FlowError> {
         let velocity = self.family.at(r)?.velocity(place)?.f;
-        self.phase = Phase::floating(self.family.phase(), place.state.clone(), velocity);
+        let (drive, state) = (self.family.phase(), place.state.clone());
+        self.phase = Phase::floating(drive, state, &velocity, &self.magnitude);
         Ok(())
     }
 
@@ -210,10 +211,8 @@ impl ZeroProblem for OrbitProblem {
         let state = self.others.get(trial)?;
         let flow = self.family.at(r).ok()?;
         let place = flow.place(state).ok()?;
-        self.phase = Phase::Orthogonal {
-            at: state.clone(),
-            velocity: flow.velocity(&place).ok()?.f,
-        };
+        let velocity = flow.velocity(&place).ok()?.f;
+        self.phase = Phase::orthogonal(state.clone(), &velocity, &self.magnitude);
         Some(self.divide(&Division::whole(place)))
     }
 

@@ -179,10 +179,8 @@ fn gone_around(
         .with_tolerance(Tolerance::for_accuracy(search.accuracy))
         .with_magnitude(&magnitude);
     let velocity = family.at(orbit.r).and_then(|flow| flow.velocity(start));
-    let phase = super::Phase::Orthogonal {
-        at: start.state.clone(),
-        velocity: velocity.map_err(Failure::Evaluation)?.f,
-    };
+    let velocity = velocity.map_err(Failure::Evaluation)?.f;
+    let phase = super::Phase::orthogonal(start.state.clone(), &velocity, &magnitude);
     let period = f64::from(turn.times) * orbit.period;
     let whole = Division::whole(start.clone());
     Ok(OrbitProblem::new(family, phase, &whole, period, magnitude))

@@ -83,8 +83,8 @@ fn newton_is_quadratic_where_errors_grow() {
         let family = family(1e-12);
         let flow = family.at(orbit.r).expect("a flow");
         let velocity = flow.velocity(&division.starts[0]).expect("a field").f;
-        let phase = Phase::floating(None, division.starts[0].state.clone(), velocity);
-        let magnitude = orbit.magnitude();
+        let (start, magnitude) = (division.starts[0].state.clone(), orbit.magnitude());
+        let phase = Phase::floating(None, start, &velocity, &magnitude);
         let mut problem =
             OrbitProblem::new(family, phase, division, orbit.period, magnitude.clone());
         let mut random = Random::new(7);

@@ -185,13 +185,14 @@ fn shooting_converges_quadratically() {
     let reference = pair();
     for phase in [
         Phase::Section(0),
-        Phase::Orthogonal {
-            at: reference.place.state.clone(),
-            velocity: flow(BeltPair::default())
+        Phase::orthogonal(
+            reference.place.state.clone(),
+            &flow(BeltPair::default())
                 .velocity(&reference.place)
                 .unwrap()
                 .f,
-        },
+            &reference.magnitude(),
+        ),
     ] {
         let family = family(BeltPair::default()).with_tolerance(Tolerance {
             relative: 1e-11,

@@ -102,7 +102,8 @@ fn newton_converges_quadratically_off_the_section<M: Model<N>, const N: usize>(
     let guess = subject.beside(&orbit, [1e-4; N]);
     let velocity = flow.velocity(&guess.place).expect("a finite field").f;
     let at = guess.place.state.clone();
-    assert_quadratic(&shoot(subject, &guess, Phase::Orthogonal { at, velocity }, 1).corrections);
+    let phase = Phase::orthogonal(at, &velocity, &guess.magnitude);
+    assert_quadratic(&shoot(subject, &guess, phase, 1).corrections);
 }
 
 /// A point of the orbit away from its section: where it slides fastest of a few.
