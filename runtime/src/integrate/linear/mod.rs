@@ -38,7 +38,9 @@ impl<const N: usize> LinearFlow<N> {
         let error = tolerance.relative.clamp(least, most);
         let reach = (error / FACTOR).sqrt().sqrt().sqrt();
         let longest = reach / fastest;
-        if !(longest > 0.0) {
+        // A comparison that fails for NaN too.
+        let regular = longest > 0.0;
+        if !regular {
             return None;
         }
         let degree = degree(reach);

@@ -86,6 +86,7 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
                 state: self.start.0.to_vec().into(),
             });
         }
+        self.work.evaluations += 1;
         let length = limit.min(self.flow.longest);
         self.series = None;
         self.dense = match self.flow.whole(length) {
