@@ -3,7 +3,7 @@
 use crate::field::SmoothingError;
 use crate::field::exact::{ContactError, Mode};
 use crate::integrate::IntegrationError;
-use crate::model::{ParameterError, Values, brief, listed};
+use crate::model::{ContactId, ParameterError, Values, brief, listed};
 
 /// Why a motion could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -64,8 +64,8 @@ pub enum FlowError {
         brief(*.time)
     )]
     Backwards {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// When.
         time: f64,
         /// Relative speed, signed.
@@ -79,18 +79,19 @@ pub enum FlowError {
     Contact(#[from] ContactError),
     /// A contact that can neither stick nor slide the way it should.
     #[error(
-        "contact {contact} is to be in mode {mode} at t = {}, but its relative speed is {speed:e}, \
-         with rates {rate:e} and {second_rate:e}",
-        brief(*.time)
+        "contact {contact} is to be in mode {mode} at t = {}, but its {} is {speed:e}{}",
+        brief(*.time),
+        measured(*.mode),
+        rates(*.rate, *.second_rate)
     )]
     InconsistentMode {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// When.
         time: f64,
         /// The mode it should be in.
         mode: Mode,
-        /// Relative speed w.
+        /// Relative speed w, of a press the gap.
         speed: f64,
         /// ẇ.
         rate: f64,
@@ -100,8 +101,8 @@ pub enum FlowError {
     /// A state behind a wall that does not give way.
     #[error("contact {contact} does not give way, and its gap is {gap:e}: begin where it is open")]
     Inside {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// Its gap, below zero.
         gap: f64,
     },
@@ -112,8 +113,8 @@ pub enum FlowError {
         listed(.contacts)
     )]
     NotBorne {
-        /// Numbers of the contacts whose gaps are closed.
-        contacts: Vec<usize>,
+        /// The contacts whose gaps are closed.
+        contacts: Vec<ContactId>,
         /// When.
         time: f64,
     },
@@ -124,18 +125,18 @@ pub enum FlowError {
         brief(*.time)
     )]
     Impulsive {
-        /// Number of the press.
-        contact: usize,
-        /// Number of the contact that rubs.
-        friction: usize,
+        /// The press.
+        contact: ContactId,
+        /// The contact that rubs.
+        friction: ContactId,
         /// When.
         time: f64,
     },
     /// An impact with friction that has no solution.
     #[error("contact {contact} is hit at t = {}, and no impulses of it and its friction are consistent", brief(*.time))]
     NoImpulse {
-        /// Number of the press.
-        contact: usize,
+        /// The press.
+        contact: ContactId,
         /// When.
         time: f64,
     },
@@ -146,8 +147,8 @@ pub enum FlowError {
         brief(*.time)
     )]
     Gains {
-        /// Number of the press.
-        contact: usize,
+        /// The press.
+        contact: ContactId,
         /// When.
         time: f64,
         /// Work of all impulses.
@@ -159,16 +160,16 @@ pub enum FlowError {
         listed(.contacts)
     )]
     HitTogether {
-        /// Numbers of the contacts.
-        contacts: Vec<usize>,
+        /// Which.
+        contacts: Vec<ContactId>,
         /// When.
         time: f64,
     },
     /// Event upon event in next to no time.
     #[error("{events} events in no time at contact {contact}, up to t = {}", brief(*.time))]
     Chattering {
-        /// Number of the contact that was last.
-        contact: usize,
+        /// That which was last.
+        contact: ContactId,
         /// When.
         time: f64,
         /// How many.
@@ -246,6 +247,24 @@ pub enum FlowError {
     },
 }
 
+/// What says in which mode a contact is.
+fn measured(mode: Mode) -> &'static str {
+    if mode.is_of_press() {
+        "gap"
+    } else {
+        "relative speed"
+    }
+}
+
+/// How it changes, where that was looked at.
+fn rates(first: f64, second: f64) -> String {
+    if first == 0.0 && second == 0.0 {
+        String::new()
+    } else {
+        format!(", with rates {first:e} and {second:e}")
+    }
+}
+
 /// Why a motion has no derivative at an event; the motion itself goes on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SensitivityUndefined {
@@ -255,8 +274,8 @@ pub enum SensitivityUndefined {
         brief(*.time)
     )]
     Grazing {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// When.
         time: f64,
         /// Rate of the guard along the motion.
@@ -269,8 +288,8 @@ pub enum SensitivityUndefined {
         brief(*.time)
     )]
     Simultaneous {
-        /// Numbers of the contacts.
-        contacts: Vec<usize>,
+        /// Which.
+        contacts: Vec<ContactId>,
         /// When.
         time: f64,
     },

@@ -1,6 +1,7 @@
 //! What a declared model is: one right-hand side over any scalar, and itself as data.
 
 mod bounds;
+mod contact_id;
 mod culprit;
 mod formula;
 mod info;
@@ -9,9 +10,10 @@ mod values;
 
 pub use crate::linear::Linear;
 pub use bounds::{Bound, Bounds, ParameterError, within_reach};
+pub use contact_id::{ContactId, listed};
 pub use info::{Contact, Friction, Memory, ModelInfo, Observable, Parameter, Press, State};
 pub use unit::Unit;
-pub use values::{Values, brief, listed};
+pub use values::{Values, brief};
 
 use std::fmt;
 use std::marker::PhantomData;

@@ -78,16 +78,6 @@ pub fn brief(value: f64) -> String {
     }
 }
 
-/// Numbers of contacts as a sentence shows them: `0 and 2`.
-#[must_use]
-pub fn listed(numbers: &[usize]) -> String {
-    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
-    match words.as_slice() {
-        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
-        _ => words.concat(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,11 +98,5 @@ mod tests {
             ["0", "-0.25", "0.3333333", "150", "1.922533e24", "4.494e-15"]
         );
         assert_eq!(Values::from(vec![1.0, -2.0]).to_string(), "1, -2");
-    }
-
-    #[test]
-    fn numbers_of_contacts_are_a_sentence() {
-        assert_eq!(listed(&[3]), "3");
-        assert_eq!(listed(&[0, 1, 4]), "0, 1 and 4");
     }
 }

@@ -75,7 +75,7 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         held.map_err(|error| error.named(M::INFO))?;
         match self.field().backwards(&fixed(&at.state)) {
             Some((contact, speed)) => Err(FlowError::Backwards {
-                contact,
+                contact: M::INFO.contact_id(contact),
                 time: 0.0,
                 speed,
             }),

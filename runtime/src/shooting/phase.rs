@@ -26,11 +26,18 @@ pub enum Phase {
     },
 }
 
+/// The gradient of the condition that a start moves orthogonally to a velocity, in units of these magnitudes.
+pub(super) fn normal(velocity: &DVector<f64>, magnitude: &[f64]) -> DVector<f64> {
+    DVector::from_fn(velocity.len(), |j, _| {
+        velocity[j] / magnitude[j] / magnitude[j]
+    })
+}
+
 impl Phase {
     /// The condition that a start moves orthogonally to the velocity at `at`, in units of these magnitudes.
     #[must_use]
     pub fn orthogonal(at: Vec<f64>, velocity: &DVector<f64>, magnitude: &[f64]) -> Self {
-        let normal = DVector::from_fn(at.len(), |j, _| velocity[j] / magnitude[j] / magnitude[j]);
+        let normal = normal(velocity, magnitude);
         Self::Orthogonal { at, normal }
     }
 

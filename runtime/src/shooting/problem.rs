@@ -212,7 +212,7 @@ impl ZeroProblem for OrbitProblem {
         let flow = self.family.at(r).ok()?;
         let place = flow.place(state).ok()?;
         let velocity = flow.velocity(&place).ok()?.f;
-        self.phase = Phase::orthogonal(state.clone(), &velocity, &self.magnitude);
+        self.phase = Phase::floating(flow.phase(), state.clone(), &velocity, &self.magnitude);
         Some(self.divide(&Division::whole(place)))
     }
 

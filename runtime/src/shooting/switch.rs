@@ -180,7 +180,7 @@ fn gone_around(
         .with_magnitude(&magnitude);
     let velocity = family.at(orbit.r).and_then(|flow| flow.velocity(start));
     let velocity = velocity.map_err(Failure::Evaluation)?.f;
-    let phase = super::Phase::orthogonal(start.state.clone(), &velocity, &magnitude);
+    let phase = super::Phase::floating(family.phase(), start.state.clone(), &velocity, &magnitude);
     let period = f64::from(turn.times) * orbit.period;
     let whole = Division::whole(start.clone());
     Ok(OrbitProblem::new(family, phase, &whole, period, magnitude))

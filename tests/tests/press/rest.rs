@@ -153,11 +153,12 @@ fn where_friction_turns_a_reaction_around_nothing_is_said() {
     assert_eq!(slides(0.7).unwrap().mode.as_slice()[1], Mode::Rest);
     let error = slides(0.75).unwrap_err();
     let FlowError::Contact(ContactError::Painleve {
-        contact: 1,
+        contact,
         compliance: found,
     }) = error
     else {
         panic!("{error}");
     };
+    assert_eq!(contact, 1);
     assert!((found - compliance(0.75)).abs() < 1e-12, "{found}");
 }

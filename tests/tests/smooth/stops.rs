@@ -487,7 +487,12 @@ fn the_response_is_shot_for_quadratically() {
     let mut start = orbit.place.clone();
     start.state[0] += 2e-3;
     start.state[1] -= 3e-3;
-    let phase = Phase::floating(Some(3), orbit.place.state.clone(), &DVector::zeros(4), &orbit.magnitude());
+    let phase = Phase::floating(
+        Some(3),
+        orbit.place.state.clone(),
+        &DVector::zeros(4),
+        &orbit.magnitude(),
+    );
     let magnitude = vec![1.0; 4];
     let whole = Division::whole(orbit.place);
     let mut problem = OrbitProblem::new(family, phase, &whole, orbit.period, magnitude);

@@ -2,7 +2,7 @@
 
 use super::affine::Square;
 use super::mode::Modes;
-use crate::model::{Model, listed};
+use crate::model::{ContactId, Model, listed};
 
 /// Why the forces at rest are not determined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -13,16 +13,16 @@ pub enum ContactError {
         listed(.contacts)
     )]
     Singular {
-        /// Numbers of the contacts that would stick together.
-        contacts: Vec<usize>,
+        /// The contacts that would stick together.
+        contacts: Vec<ContactId>,
     },
     /// G_ii ≤ 0: a sign error in the model.
     #[error(
         "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {compliance:e}"
     )]
     NotOpposing {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// G_ii, which should be positive.
         compliance: f64,
     },
@@ -31,8 +31,8 @@ pub enum ContactError {
         "no reaction keeps contact {contact} closed while it slides: with the friction that it causes, a unit of it changes          the rate of the gap by {compliance:e}, which Painlevé's condition wants above 0"
     )]
     Painleve {
-        /// Number of the press.
-        contact: usize,
+        /// The press.
+        contact: ContactId,
         /// What a unit reaction and its friction do to the rate of the gap.
         compliance: f64,
     },
@@ -41,10 +41,10 @@ pub enum ContactError {
         "the friction of contact {contact} does not grow in proportion to the reaction of contact {press}, which does not          give way: that is solved for by linear equations, and `level: mu * N` is a law that it can be solved with"
     )]
     Bent {
-        /// Number of the contact.
-        contact: usize,
-        /// Number of the press.
-        press: usize,
+        /// Which.
+        contact: ContactId,
+        /// The press.
+        press: ContactId,
     },
 }
 
@@ -61,12 +61,12 @@ pub(super) fn opposing<M: Model<N>, const N: usize>(
                 .any(|i| modes.as_slice()[i].sign() != 0.0)
             {
                 return Err(ContactError::Painleve {
-                    contact,
+                    contact: M::INFO.contact_id(contact),
                     compliance,
                 });
             }
             return Err(ContactError::NotOpposing {
-                contact,
+                contact: M::INFO.contact_id(contact),
                 compliance,
             });
         }
@@ -76,6 +76,6 @@ pub(super) fn opposing<M: Model<N>, const N: usize>(
 
 pub(super) fn singular<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> ContactError {
     ContactError::Singular {
-        contacts: modes.bound().collect(),
+        contacts: modes.bound().map(|i| M::INFO.contact_id(i)).collect(),
     }
 }

@@ -90,7 +90,10 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             opposing::<M, N>(&constants.compliance, &all)?;
         }
         match bent::<M, N>(&self.directional) {
-            Some((contact, press)) => Err(ContactError::Bent { contact, press }),
+            Some((contact, press)) => {
+                let [contact, press] = [contact, press].map(|i| M::INFO.contact_id(i));
+                Err(ContactError::Bent { contact, press })
+            }
             None => Ok(()),
         }
     }

@@ -135,7 +135,7 @@ fn undetermined_forces_are_refused() {
     assert_eq!(
         refused,
         Some(ContactError::NotOpposing {
-            contact: 0,
+            contact: Wrong::INFO.contact_id(0),
             compliance: -1.0
         })
     );
@@ -144,7 +144,7 @@ fn undetermined_forces_are_refused() {
     assert_eq!(
         refused,
         Some(ContactError::Singular {
-            contacts: vec![0, 1]
+            contacts: [0, 1].map(|i| Parallel::INFO.contact_id(i)).to_vec()
         })
     );
     assert!(ExactField::new(&parallel, modes(&[Stick, SlideForward]), &[0.1, 0.0]).is_ok());

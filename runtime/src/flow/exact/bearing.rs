@@ -54,7 +54,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 }
             }
         }
-        let contacts = closed.clone();
+        let contacts = closed.iter().map(|&i| M::INFO.contact_id(i)).collect();
         Err(failure.unwrap_or(FlowError::NotBorne { contacts, time }))
     }
 

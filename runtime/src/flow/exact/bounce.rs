@@ -32,7 +32,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let acts = |a: usize, b: usize| a != b && self.flow.system.acts_on(state, a, b);
         if hit.iter().any(|&a| hit.iter().any(|&b| acts(a, b))) {
             return Err(FlowError::HitTogether {
-                contacts: hit,
+                contacts: hit.into_iter().map(|i| M::INFO.contact_id(i)).collect(),
                 time: self.time,
             });
         }
@@ -124,9 +124,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         };
         let passed = saltation.reset(motion, &reset, strike.grazes);
         passed.map_err(|rate| {
-            let contact = press;
             SensitivityUndefined::Grazing {
-                contact,
+                contact: M::INFO.contact_id(press),
                 time,
                 rate,
             }
@@ -179,7 +178,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     fn together(&self, error: FlowError, press: usize) -> FlowError {
         match error {
             FlowError::HitTogether { mut contacts, .. } => {
-                contacts.push(press);
+                contacts.push(M::INFO.contact_id(press));
                 contacts.sort_unstable();
                 FlowError::HitTogether {
                     contacts,

@@ -24,7 +24,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         *events += 1;
         if *events > CHATTER {
             return Err(FlowError::Chattering {
-                contact,
+                contact: M::INFO.contact_id(contact),
                 time: self.time,
                 events: *events,
             });

@@ -44,7 +44,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                     let terms = self.system.rate_terms(state, press);
                     if energy > NO_WORK * impact.impulse.as_ref()[press].abs() * terms {
                         return Err(FlowError::Gains {
-                            contact: press,
+                            contact: M::INFO.contact_id(press),
                             time,
                             energy,
                         });
@@ -60,7 +60,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         Err(match failure {
             Some(error) => error.into(),
             None => FlowError::NoImpulse {
-                contact: press,
+                contact: M::INFO.contact_id(press),
                 time,
             },
         })
@@ -101,8 +101,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             let [still, moving] = grips.as_ref()[friction];
             if (still - moving).abs() > SAME * (still.abs() + moving.abs()) {
                 return Err(FlowError::Impulsive {
-                    contact: press,
-                    friction,
+                    contact: M::INFO.contact_id(press),
+                    friction: M::INFO.contact_id(friction),
                     time,
                 });
             }

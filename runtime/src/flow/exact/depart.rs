@@ -31,7 +31,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             let scale = scales.as_ref()[i].max(self.flow.system.usual_speed(i));
             if *mode != Mode::Stick && mode.sign() * speed < -WRONG_SIDE * scale {
                 return Err(FlowError::InconsistentMode {
-                    contact: i,
+                    contact: M::INFO.contact_id(i),
                     time: self.time,
                     mode: *mode,
                     speed,

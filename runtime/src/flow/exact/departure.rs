@@ -48,7 +48,7 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
             let (order, decisive) = if flat { (2, second_rate) } else { (1, rate) };
             if mode.sign() * decisive <= 0.0 || !decisive.is_finite() {
                 return Err(FlowError::InconsistentMode {
-                    contact,
+                    contact: M::INFO.contact_id(contact),
                     time: self.time,
                     mode,
                     speed: moving.speed.as_ref()[contact].re,

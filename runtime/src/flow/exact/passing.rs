@@ -112,7 +112,10 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
             self.chain(&mut other, order.iter().rev())?;
             if !agree(motion, &other) {
                 return Err(SensitivityUndefined::Simultaneous {
-                    contacts: order.iter().map(|guard| guard.contact).collect(),
+                    contacts: order
+                        .iter()
+                        .map(|guard| M::INFO.contact_id(guard.contact))
+                        .collect(),
                     time: self.time,
                 }
                 .into());
@@ -157,7 +160,7 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
             saltation
                 .apply(motion, self.strike.grazes)
                 .map_err(|rate| SensitivityUndefined::Grazing {
-                    contact,
+                    contact: M::INFO.contact_id(contact),
                     time,
                     rate,
                 })?;

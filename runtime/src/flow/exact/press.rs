@@ -186,7 +186,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         };
         if !touches && gap < 0.0 {
             return Err(FlowError::Inside {
-                contact: press,
+                contact: M::INFO.contact_id(press),
                 gap,
             });
         }
@@ -202,7 +202,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         }
         if rests && approach > 0.0 {
             return Err(FlowError::HitTogether {
-                contacts: vec![press],
+                contacts: vec![M::INFO.contact_id(press)],
                 time: 0.0,
             });
         }
@@ -228,7 +228,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             let scale = scales.as_ref()[press].max(self.system.usual_speed(press));
             if mode.sign() * gap < -WRONG_SIDE * scale {
                 return Err(FlowError::InconsistentMode {
-                    contact: press,
+                    contact: M::INFO.contact_id(press),
                     time,
                     mode,
                     speed: gap,

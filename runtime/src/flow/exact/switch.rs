@@ -40,6 +40,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let system = &self.flow.system;
         let at = system.moving(state, &self.modes)?;
         let scales = self.flow.speed_scales(state);
+        let began = system.speeds(stepper.from().state());
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
         let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
         let mut grazes = false;
@@ -51,7 +52,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                     self.flow.hold_scale(state, &self.modes, i)?
                 } else if guard.side == 0.0 {
                     // Against fixed ground w is its only term: what it has lost in the step is what was rounded.
-                    scales.as_ref()[i].max(stepper.length() * value.eps.abs())
+                    let lost = stepper.length() * value.eps.abs();
+                    scales.as_ref()[i].max(lost).max(began.as_ref()[i].abs())
                 } else {
                     at.stick.as_ref()[i].re + at.force.as_ref()[i].re.abs()
                 };

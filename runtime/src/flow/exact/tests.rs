@@ -175,14 +175,14 @@ fn near_misses_are_noted() {
 fn a_sign_error_and_ambiguous_forces_are_refused() {
     let refused = ExactFlow::new(&Wrong::default(), None, TIGHT).err();
     let wrong = ContactError::NotOpposing {
-        contact: 0,
+        contact: Wrong::INFO.contact_id(0),
         compliance: -1.0,
     };
     assert_eq!(refused, Some(FlowError::Contact(wrong)));
     let parallel = flow(&Parallel::default());
     let outcome = parallel.place([0.3, 0.0]).err();
     let singular = ContactError::Singular {
-        contacts: vec![0, 1],
+        contacts: [0, 1].map(|i| Parallel::INFO.contact_id(i)).to_vec(),
     };
     assert_eq!(outcome, Some(FlowError::Contact(singular)));
 }
@@ -207,7 +207,7 @@ fn bad_questions_have_typed_answers() {
     };
     let outcome = belt.advance(&wrong_side, 1.0, ALL);
     assert!(
-        matches!(outcome, Err(FlowError::InconsistentMode { contact: 0, .. })),
+        matches!(outcome, Err(FlowError::InconsistentMode { contact, .. }) if contact == 0),
         "{outcome:?}"
     );
     let negative = Belt {

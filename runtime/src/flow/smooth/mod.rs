@@ -220,7 +220,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     fn check_direction(&self, record: &Record<N>) -> Result<(), FlowError> {
         match self.field.backwards(&record.motion.state) {
             Some((contact, speed)) => Err(FlowError::Backwards {
-                contact,
+                contact: M::INFO.contact_id(contact),
                 time: record.time,
                 speed,
             }),

@@ -14,6 +14,7 @@ use crate::motion::{Event, Place};
 use crate::shooting::anchor::problem;
 use crate::shooting::guess::Guess;
 use crate::shooting::orbit::{Orbit, Solution};
+use crate::shooting::phase::normal;
 use crate::shooting::problem::OrbitProblem;
 
 /// Distances from the border, in scaled coordinates, at which the branch is taken up again.
@@ -87,12 +88,12 @@ fn towards(
     Some(-away[away.len() - 1])
 }
 
-/// The direction along which the start of shooting is fixed.
+/// The direction along which the start of shooting is fixed, as its phase condition has it.
 fn phase(problem: &OrbitProblem, found: &Edge) -> DVector<f64> {
     let velocity = &found.sides.velocity;
     match problem.family.phase() {
         Some(drive) => DVector::from_fn(velocity.len(), |j, _| f64::from(j == drive)),
-        None => velocity.clone(),
+        None => normal(velocity, &problem.magnitude),
     }
 }
 

@@ -82,7 +82,9 @@ impl System {
                 vec![seed, settling]
             }),
         };
-        seeds.push(declared);
+        // A drive lets nothing rest where it is declared to begin: what comes of that is what is meant.
+        let settles = self.touches(case) && self.info().drive.is_some();
+        seeds.insert(if settles { 0 } else { seeds.len() }, declared);
         Ok(seeds)
     }
 

@@ -127,7 +127,7 @@ impl History {
                 release.solve(exact(release.local))?
             };
             switch.loss = Some(loss.ok_or(PredictError::NeverReleased {
-                contact: release.local.contact,
+                contact: model.contact_id(release.local.contact),
                 smoothing: *smoothing,
             })?);
         }

@@ -25,7 +25,7 @@ use crate::field::Smoothing;
 use crate::field::exact::ContactError;
 use crate::flow::FlowError;
 use crate::integrate::IntegrationError;
-use crate::model::brief;
+use crate::model::{ContactId, brief};
 
 /// Why no error can be predicted.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -39,8 +39,8 @@ pub enum PredictError {
          asymptotic range"
     )]
     NeverReleased {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// The smoothing.
         smoothing: Smoothing,
     },
@@ -50,8 +50,8 @@ pub enum PredictError {
         brief(*.time)
     )]
     Grazing {
-        /// Number of the contact.
-        contact: usize,
+        /// Which.
+        contact: ContactId,
         /// When.
         time: f64,
         /// Rate of the guard.

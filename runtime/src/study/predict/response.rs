@@ -163,7 +163,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
         saltation
             .apply(&mut self.motion, false)
             .map_err(|rate| PredictError::Grazing {
-                contact: i,
+                contact: M::INFO.contact_id(i),
                 time: switch.event.time,
                 rate,
             })?;

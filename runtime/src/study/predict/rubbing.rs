@@ -10,13 +10,16 @@ use crate::field::{Smoothed, Smoothing};
 use crate::flow::FlowError;
 use crate::flow::exact::ExactFlow;
 use crate::friction::{ContactRule, FrictionLaw};
-use crate::model::Model;
+use crate::model::{ContactId, Model};
 use crate::motion::exact::place;
 use crate::motion::{Flow, Place, fixed};
 use crate::scalar::{Inline, Lanes};
 
 /// A model with set-valued friction, whatever its type.
 pub(crate) trait Rubbing {
+    /// The contact of this number.
+    fn contact_id(&self, number: usize) -> ContactId;
+
     /// The flow that the prediction starts from.
     fn flow(&self) -> Result<Box<dyn Flow>, FlowError>;
 
@@ -66,6 +69,10 @@ impl<M: Model<N>, const N: usize> Rubbed<M, N> {
 }
 
 impl<M: Model<N>, const N: usize> Rubbing for Rubbed<M, N> {
+    fn contact_id(&self, number: usize) -> ContactId {
+        M::INFO.contact_id(number)
+    }
+
     fn flow(&self) -> Result<Box<dyn Flow>, FlowError> {
         Ok(Box::new(ExactFlow::new(&self.model, None, TIGHT)?))
     }
