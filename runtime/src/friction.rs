@@ -140,6 +140,29 @@ pub struct LawInfo {
     pub stick: &'static str,
     /// The right side of `slip(s) = ...`, as written.
     pub slip: &'static str,
+    /// The pairs of what moves, speed and fields by their names, of which the force while sliding holds more than a sum.
+    pub bends: &'static [(&'static str, &'static str)],
+}
+
+impl LawInfo {
+    /// Whether the force while sliding is an affine function of the speed and of these fields.
+    #[must_use]
+    pub fn is_straight(&self, moving: &[&str]) -> bool {
+        straight(self.parameters, self.bends, moving)
+    }
+}
+
+/// Whether none of these pairs moves: what is no parameter does, and of those the ones named.
+pub(crate) fn straight(
+    parameters: &[LawParameter],
+    bends: &[(&str, &str)],
+    moving: &[&str],
+) -> bool {
+    let stands = |name: &str| {
+        let is_parameter = parameters.iter().any(|parameter| parameter.name == name);
+        is_parameter && !moving.contains(&name)
+    };
+    bends.iter().all(|(a, b)| stands(a) || stands(b))
 }
 
 /// A parameter of a friction law.

@@ -9,7 +9,7 @@
 //! | [`scalar`], [`math`], [`suggest`] | numbers that carry derivatives, intervals, nearest names |
 //! | [`mod@model`], [`friction`], [`press`], [`memory`] | what [`model!`], [`friction_law!`] and [`press_law!`] make of a declaration |
 //! | [`field`] | the vector field: smoothed, or exact with its sticking forces; its derivatives, its work |
-//! | [`integrate`] | steps: explicit, implicit, with events |
+//! | [`integrate`] | steps: explicit, implicit, in closed form where a field is linear; events |
 //! | [`flow`] | where a motion is after a time, how that depends on where it began; saltation |
 //! | [`motion`] | the joint: from here on, no model and no number of states is known any more |
 //! | [`poincare`], [`lyapunov`], [`harmonics`] | points of motions on sections, exponents, amplitudes and phases |

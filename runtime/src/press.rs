@@ -1,6 +1,6 @@
 //! Laws of contacts that press and let go: the force of a penetration and of the rate at which it grows.
 
-use crate::friction::LawParameter;
+use crate::friction::{LawParameter, straight};
 use crate::scalar::Scalar;
 
 /// A law of a contact that presses, at given values of its parameters.
@@ -61,6 +61,8 @@ pub struct PressLawInfo {
     pub abbreviations: &'static [(&'static str, &'static str)],
     /// What it says.
     pub formula: PressFormula,
+    /// The pairs of what moves, depth, rate and fields by their names, of which the force holds more than a sum.
+    pub bends: &'static [(&'static str, &'static str)],
 }
 
 /// The formula of a law of contacts that press.
@@ -110,6 +112,12 @@ impl PressLawInfo {
             PressFormula::Compliant { depth, rate, .. } => vec![(depth, gap.abs()), (rate, 0.0)],
             PressFormula::Rigid { speed, .. } => vec![(speed, 0.0)],
         }
+    }
+
+    /// Whether the force is an affine function of depth, rate and these fields.
+    #[must_use]
+    pub fn is_straight(&self, moving: &[&str]) -> bool {
+        straight(self.parameters, self.bends, moving)
     }
 
     /// Whether the contact does not give way.

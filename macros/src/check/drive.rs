@@ -82,7 +82,7 @@ fn aperiodic(name: &Ident) -> String {
 }
 
 /// How often an argument turns while the phase turns once, if it is so many times the phase and something else.
-fn turns(formula: &Formula, phase: &Ident) -> Option<f64> {
+pub(crate) fn turns(formula: &Formula, phase: &Ident) -> Option<f64> {
     match &formula.kind {
         Kind::Name(name) if name == phase => Some(1.0),
         Kind::Group(inner) => turns(inner, phase),

@@ -18,6 +18,7 @@ mod units;
 
 pub(crate) use self::bounds::describe;
 pub(crate) use self::dimension::Dimension;
+pub(crate) use self::drive::turns;
 pub(crate) use self::known::{
     Contact, Force, Law, LawState, Let, Model, Parameter, State, Step, Unit, Whole,
 };

@@ -7,8 +7,9 @@ use syn::Attribute;
 use syn::ext::IdentExt;
 
 use super::doc::doc;
-use super::{builder, option, pattern};
+use super::{builder, option, pattern, straight};
 use crate::check::{Contact, Force, Law, LawState, Let, Model, Parameter, State, Unit, Whole};
+use crate::formula::Formula;
 use crate::syntax::{Bound, Bounds, Friction, Header};
 
 /// The `ModelInfo` of a model.
@@ -22,8 +23,8 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
     let last = Literal::usize_unsuffixed(model.states.len().saturating_sub(1));
     let drive = option(model.driven.then(|| quote!(#last)));
     let memories = model.memories().map(|contact| friction(contact, model));
-    let presses = model.presses().map(press);
-    let moving = model.moving();
+    let presses = model.presses().map(|press| self::press(press, model));
+    let (moving, straight) = (model.moving(), straight::is_straight(model));
     quote! {
         ::stickslip::model::ModelInfo {
             #head
@@ -36,6 +37,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
             memories: &[#(#memories),*],
             presses: &[#(#presses),*],
             moving: #moving,
+            straight: #straight,
         }
     }
 }
@@ -47,6 +49,7 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
     let parameters = quote!(parameters: &[#(#parameters),*]);
     match &law.force {
         Force::Static(stick, slip) => {
+            let bends = bends(law, &slip.formula);
             let [stick, slip] = [stick, slip].map(|line| line.formula.to_string());
             quote! {
                 const INFO: &'static ::stickslip::friction::LawInfo = &::stickslip::friction::LawInfo {
@@ -54,19 +57,21 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
                     #parameters,
                     stick: #stick,
                     slip: #slip,
+                    bends: &[#(#bends),*],
                 };
             }
         }
         Force::Press(force) => {
             let [depth, rate] = [law.speed, law.rate.unwrap_or(law.speed)].map(text);
+            let bends = bends(law, &force.formula);
             let force = force.written.to_string();
             let formula = quote!(Compliant { depth: #depth, rate: #rate, force: #force });
-            of_press_law(law, &head, &parameters, &formula)
+            of_press_law(law, &head, [&parameters, &formula], bends)
         }
         Force::Rigid(rebound) => {
             let (speed, rebound) = (text(law.speed), rebound.written.to_string());
             let formula = quote!(Rigid { speed: #speed, rebound: #rebound });
-            of_press_law(law, &head, &parameters, &formula)
+            of_press_law(law, &head, [&parameters, &formula], std::iter::empty())
         }
         Force::Memory(force) => {
             let states = law.states.iter().map(law_state);
@@ -89,8 +94,8 @@ pub(super) fn of_law(law: &Law) -> TokenStream {
 fn of_press_law(
     law: &Law,
     head: &TokenStream,
-    parameters: &TokenStream,
-    formula: &TokenStream,
+    [parameters, formula]: [&TokenStream; 2],
+    bends: impl Iterator<Item = TokenStream>,
 ) -> TokenStream {
     let lets = abbreviations(law);
     quote! {
@@ -99,8 +104,24 @@ fn of_press_law(
             #parameters,
             abbreviations: &[#(#lets),*],
             formula: ::stickslip::press::PressFormula::#formula,
+            bends: &[#(#bends),*],
         };
     }
+}
+
+/// The pairs of names of which a force holds more than a sum.
+fn bends(law: &Law, force: &Formula) -> impl Iterator<Item = TokenStream> {
+    let pairs = straight::bends(law, force).into_iter();
+    pairs.map(|[a, b]| {
+        let (a, b) = (text(a), text(b));
+        quote!((#a, #b))
+    })
+}
+
+/// The fields of the law of a contact that move.
+fn moving(contact: &Contact, model: &Model) -> TokenStream {
+    let names = straight::moving(contact, model).into_iter().map(text);
+    quote!(moving: &[#(#names),*],)
 }
 
 /// The `let` lines of a law: name and right side, as written.
@@ -185,6 +206,7 @@ fn friction(contact: &Contact, model: &Model) -> TokenStream {
     let states = states.map(Literal::usize_unsuffixed);
     let presses = pattern::presses_of(contact, model).into_iter();
     let presses = presses.map(Literal::usize_unsuffixed);
+    let moving = moving(contact, model);
     quote! {
         ::stickslip::model::Friction {
             #named
@@ -194,12 +216,13 @@ fn friction(contact: &Contact, model: &Model) -> TokenStream {
             speed_unit: #speed_unit,
             states: &[#(#states),*],
             presses: &[#(#presses),*],
+            #moving
         }
     }
 }
 
-fn press(contact: &Contact) -> TokenStream {
-    let line = contact.line;
+fn press(contact: &Contact, model: &Model) -> TokenStream {
+    let (line, moving) = (contact.line, moving(contact, model));
     let named = named(&line.name, &line.docs, &contact.unit);
     let law = builder::info(&quote!(Self), contact);
     let (fields, gap, gap_unit) = (
@@ -214,6 +237,7 @@ fn press(contact: &Contact) -> TokenStream {
             fields: #fields,
             gap: #gap,
             gap_unit: #gap_unit,
+            #moving
         }
     }
 }

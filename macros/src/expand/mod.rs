@@ -14,6 +14,7 @@ mod page;
 mod pattern;
 mod presses;
 mod shell;
+mod straight;
 mod stub;
 mod tangent;
 mod typeset;

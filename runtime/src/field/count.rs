@@ -39,7 +39,7 @@ counters! {
     steps: "steps",
     /// Rejected integration steps.
     rejected: "rejected",
-    /// Evaluations of f alone.
+    /// Evaluations of f alone; in closed form, of the way of a step.
     evaluations: "evaluations",
     /// Evaluations of f with its derivatives.
     linearisations: "linearisations",

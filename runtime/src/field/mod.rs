@@ -3,6 +3,7 @@
 mod count;
 mod enclosed;
 pub mod exact;
+mod linear;
 mod memory;
 mod smooth;
 mod smoothing;
@@ -11,6 +12,7 @@ mod stops;
 pub use crate::linear::Linear;
 pub use count::Work;
 pub use enclosed::{Enclosed, EnclosedField, Unenclosed};
+pub(crate) use linear::{LinearField, Point};
 pub use smooth::{Design, SmoothField};
 pub(crate) use smoothing::Smoothed;
 pub use smoothing::{Kernel, Smoothing, SmoothingError};

@@ -24,6 +24,9 @@ pub trait Carried<const N: usize>: Copy {
     /// The slope here; counted in `work`.
     fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self;
 
+    /// This, led to `end` by a step whose derivatives are asked for only where they are carried.
+    fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self;
+
     /// Whether every number is finite.
     fn is_finite(&self) -> bool;
 }
@@ -47,6 +50,11 @@ impl<const N: usize> Carried<N> for [f64; N] {
     fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self {
         work.evaluations += 1;
         field.f(self)
+    }
+
+    #[inline]
+    fn led_to(&self, end: [f64; N], _step: impl FnOnce() -> Propagator<N>) -> Self {
+        end
     }
 
     #[inline]
@@ -149,6 +157,13 @@ impl<const N: usize> Carried<N> for Motion<N> {
         };
         slope.add_product(&linear.jacobian, self);
         slope
+    }
+
+    fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self {
+        Self {
+            state: end,
+            ..self.through(&step())
+        }
     }
 
     fn is_finite(&self) -> bool {

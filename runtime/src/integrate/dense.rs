@@ -4,7 +4,7 @@ use super::carried::Carried;
 use super::event::Bernstein;
 
 /// Number of coefficients above the value at the start.
-const TERMS: usize = 7;
+pub(super) const TERMS: usize = 7;
 
 /// y(θ) for θ in [0, 1] along a step.
 ///
@@ -33,11 +33,23 @@ impl<const N: usize> Dense<N> {
             terms[2][i] = 2.0 * rise - length * (slopes.0[i] + slopes.1[i]);
         }
         terms[3..].copy_from_slice(&higher);
+        Self::of_terms(from, length, terms)
+    }
+
+    /// From its terms.
+    pub(super) fn of_terms(from: [f64; N], length: f64, terms: [[f64; N]; TERMS]) -> Self {
         Self {
             from,
             length,
             terms,
         }
+    }
+
+    /// The state at the end.
+    pub(super) fn end(&self) -> [f64; N] {
+        let mut end = self.from;
+        end.add(1.0, &self.terms[0]);
+        end
     }
 
     /// Length of the step.

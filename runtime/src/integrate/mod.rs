@@ -11,6 +11,7 @@ mod estimate;
 pub mod event;
 pub mod explicit;
 mod gauss;
+pub(crate) mod linear;
 mod look;
 mod lu;
 mod radau;

@@ -32,6 +32,9 @@ pub struct ModelInfo {
     pub presses: &'static [Press],
     /// Whether a field of a law reads a state, so that it may leave its bounds along a motion.
     pub moving: bool,
+    /// Whether all rates, relative speeds, gaps and fields of laws are affine functions of the states, of the sine and
+    /// cosine of the drive's phase, and of the forces; what those are its laws say.
+    pub straight: bool,
 }
 
 /// A state as data.
@@ -98,6 +101,8 @@ pub struct Friction<L: 'static> {
     pub states: &'static [usize],
     /// Numbers, among all contacts, of the presses that the fields of the law read.
     pub presses: &'static [usize],
+    /// Names of the fields of the law that move with the states or the drive.
+    pub moving: &'static [&'static str],
 }
 
 /// A `press` line as data, and its law.
@@ -117,6 +122,8 @@ pub struct Press {
     pub gap: &'static str,
     /// Unit of the gap, where the units stated elsewhere decide it.
     pub gap_unit: Option<Unit>,
+    /// Names of the fields of the law that move with the states or the drive.
+    pub moving: &'static [&'static str],
 }
 
 /// A `friction` line whose law has no internal state.
@@ -137,6 +144,17 @@ impl ModelInfo {
             names.join(", "),
             first.law.name
         ))
+    }
+
+    /// Whether the model is proven to be linear between events: in each mode of its contacts its field is an affine
+    /// function of the states and of the sine and cosine of the drive's phase.
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        let mut contacts = self.contacts.iter();
+        let mut presses = self.presses.iter();
+        self.straight
+            && contacts.all(|contact| contact.law.is_straight(contact.moving))
+            && presses.all(|press| press.law.is_straight(press.moving))
     }
 
     /// Whether there are contacts with modes: that stick and slide, or press and let go.

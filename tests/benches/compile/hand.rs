@@ -77,10 +77,12 @@ impl Model<2> for Belt {
             speed_unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]),
             states: &[],
             presses: &[],
+            moving: &[],
         }],
         memories: &[],
         presses: &[],
         moving: false,
+        straight: true,
         drive: None,
     };
     const KINEMATIC: [Option<usize>; 2] = [Some(1), None];

@@ -6,6 +6,7 @@
 mod branches;
 mod chains;
 mod clock;
+mod closed;
 mod contender;
 mod derivatives;
 mod exact;
@@ -37,6 +38,9 @@ fn main() {
     }
     if asked("exact") {
         exact::table();
+    }
+    if asked("closed") {
+        closed::table();
     }
     if asked("work-precision") {
         work_precision::table();

@@ -6,6 +6,7 @@ mod derivatives;
 mod enclosed_cycles;
 mod ground;
 mod henon;
+mod linear;
 mod metamorphic;
 mod properties;
 mod reach;

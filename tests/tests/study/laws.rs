@@ -161,6 +161,7 @@ macro_rules! on_every_law {
                 parameters: &[],
                 stick: "",
                 slip: "",
+                bends: &[("speed", "speed")],
             };
 
             fn stick(&self) -> D {

@@ -18,7 +18,7 @@ mod system;
 
 use num_dual::Dual64;
 
-use super::{Field, Linear, memory};
+use super::{Field, Linear, LinearField, memory};
 use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
@@ -79,6 +79,12 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             stuck,
             levers,
         })
+    }
+
+    /// Its parts, if it is linear, which is for the model to say; `None` if they are no numbers.
+    pub(crate) fn linear(&self) -> Option<LinearField<N>> {
+        let design = self.system.is_designed();
+        LinearField::of(self, M::INFO.drive, &self.system.magnitude, design)
     }
 
     /// The modes.

@@ -151,6 +151,14 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         self.idle.as_ref()[contact]
     }
 
+    /// Whether there is a design variable.
+    pub(crate) fn is_designed(&self) -> bool {
+        self.turned
+            .as_ref()
+            .iter()
+            .any(|parameter| parameter.eps != 0.0)
+    }
+
     /// The values of the parameters.
     pub(crate) fn values(&self) -> &M::Params<f64> {
         &self.plain

@@ -2,7 +2,8 @@
 //! there is rejected anyway.
 
 use super::ExactFlow;
-use super::run::{Run, Steps};
+use super::run::Run;
+use super::steps::Steps;
 use crate::field::exact::Mode;
 use crate::flow::saltation::Tracked;
 use crate::model::Model;
@@ -21,14 +22,15 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// The longest step worth trying: a little beyond the predicted stop of any sliding contact.
     pub(super) fn approach(&mut self, stepper: &Steps<'_, 'f, M, V, N>) -> f64 {
         let (system, mut limit) = (&self.flow.system, self.graded(stepper));
-        let (Some(gradients), Some(proposal)) = (system.gradients(), stepper.proposal()) else {
+        let (Some(gradients), Some((proposal, slope))) = (system.gradients(), stepper.proposal())
+        else {
             return limit;
         };
         let speeds = system.speeds(stepper.from().state());
         let (rates, length) = &mut self.rates;
         let modes = self.modes.as_slice().iter().enumerate();
         for (i, mode) in modes.filter(|(i, _)| system.is_straight(*i) && !system.is_idle(*i)) {
-            let rate = mode.sign() * gradients[i].dot(stepper.from_slope().state());
+            let rate = mode.sign() * gradients[i].dot(slope);
             let bend = (rate - rates.as_ref()[i]) / *length;
             rates.as_mut()[i] = rate;
             let time = first_zero(mode.sign() * speeds.as_ref()[i], rate, bend);

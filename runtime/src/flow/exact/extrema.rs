@@ -1,11 +1,11 @@
 //! Local extrema of every state: located like events, not read off stored samples.
 
-use crate::field::Field;
+use super::steps::Steps;
 use crate::flow::extrema::{FLAT, in_time};
 use crate::flow::{Extremum, strobes};
 use crate::integrate::event::Bernstein;
-use crate::integrate::explicit::Stepper;
 use crate::integrate::{Carried, Dense};
+use crate::model::Model;
 
 /// Relative length of a Newton step after which the extremum is sharp.
 const SHARP: f64 = 1e-9;
@@ -30,9 +30,9 @@ impl<const N: usize> Extrema<N> {
     }
 
     /// Looks for extrema in the step just made.
-    pub(super) fn look<F: Field<N>, V: Carried<N>>(
+    pub(super) fn look<M: Model<N>, V: Carried<N>>(
         &mut self,
-        stepper: &mut Stepper<'_, F, V, N>,
+        stepper: &mut Steps<'_, '_, M, V, N>,
         dense: &Dense<N>,
     ) {
         for index in 0..N {
@@ -64,12 +64,12 @@ impl<const N: usize> Extrema<N> {
     }
 
     /// Notes where the phase of a drive begins anew in the step just made.
-    pub(super) fn strobe<F: Field<N>, V: Carried<N>>(
+    pub(super) fn strobe<M: Model<N>, V: Carried<N>>(
         &mut self,
         phase: Option<usize>,
-        stepper: &mut Stepper<'_, F, V, N>,
+        stepper: &mut Steps<'_, '_, M, V, N>,
     ) {
-        let ends = (*stepper.from().state(), *stepper.end().state());
+        let ends = (*stepper.from().state(), *stepper.end());
         let (time, length) = (stepper.time(), stepper.length());
         strobes(
             phase,
@@ -112,8 +112,8 @@ impl<const N: usize> Extrema<N> {
 }
 
 /// Newton's method for a vanishing rate on the step map, with the curvature of the dense output.
-fn sharpen<F: Field<N>, V: Carried<N>, const N: usize>(
-    stepper: &mut Stepper<'_, F, V, N>,
+fn sharpen<M: Model<N>, V: Carried<N>, const N: usize>(
+    stepper: &mut Steps<'_, '_, M, V, N>,
     slope: &Bernstein,
     index: usize,
     theta: f64,

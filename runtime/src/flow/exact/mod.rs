@@ -18,6 +18,8 @@ mod reading;
 mod release;
 mod run;
 mod settle;
+mod steps;
+mod stretch;
 mod switch;
 
 use crate::field::exact::{ExactSystem, Mode, Modes, Strip, linear_of};
@@ -32,6 +34,7 @@ use press::Vanishing;
 use run::Run;
 pub use settle::Arrival;
 use settle::Rest;
+use stretch::Stretches;
 
 /// Rounding error of a relative speed in units of its terms, below which it is none.
 const NO_SPEED: f64 = 4.0 * f64::EPSILON;
@@ -44,6 +47,8 @@ pub struct ExactFlow<M: Model<N>, const N: usize> {
     system: ExactSystem<M, N>,
     settings: Settings,
     arrival: Arrival,
+    /// What is known in closed form, where the model is linear between events.
+    stretches: Option<Stretches<M, N>>,
 }
 
 /// An exact motion knows no stops.
@@ -80,7 +85,15 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             system,
             settings,
             arrival: Arrival::default(),
+            stretches: Stretches::of_model(),
         })
+    }
+
+    /// The same flow by the integrator alone: a check of what is known in closed form.
+    #[must_use]
+    pub fn integrated(mut self) -> Self {
+        self.stretches = None;
+        self
     }
 
     /// The equations that it follows.
@@ -92,6 +105,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     #[must_use]
     pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {
         self.system = self.system.with_magnitude(magnitude);
+        self.stretches = self.stretches.and_then(|_| Stretches::of_model());
         self
     }
 

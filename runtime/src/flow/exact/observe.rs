@@ -1,7 +1,8 @@
 //! What is noted along the way: near misses, extrema, samples of the path, stretches of constant mode.
 
 use super::guard::Sighting;
-use super::run::{Run, Steps};
+use super::run::Run;
+use super::steps::Steps;
 use crate::flow::saltation::Tracked;
 use crate::flow::{Event, EventKind, FlowError, Sample, Segment, nodes};
 use crate::integrate::Dense;

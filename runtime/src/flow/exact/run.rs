@@ -1,8 +1,9 @@
-//! One passage of an exact system: smooth stretches by DOP853, joined at events.
+//! One passage of an exact system: smooth stretches, joined at events.
 
 use super::ExactFlow;
 use super::extrema::Extrema;
 use super::guard::{Departure, Sighting, Watch};
+use super::steps::Steps;
 use super::switch::Strike;
 use crate::field::Work;
 use crate::field::exact::{ExactField, Modes};
@@ -12,7 +13,6 @@ use crate::flow::{
     Calm, Derivatives, Event, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want,
 };
 use crate::integrate::event::polish;
-use crate::integrate::explicit::Stepper;
 use crate::integrate::{Carried, Dense, IntegrationError, Motion};
 use crate::model::Model;
 use crate::scalar::Inline;
@@ -54,8 +54,6 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     /// Number of events and time when the count of chatter began.
     pub(super) chatter: (u64, f64),
 }
-
-pub(super) type Steps<'s, 'f, M, V, const N: usize> = Stepper<'s, ExactField<'f, M, N>, V, N>;
 
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     pub(super) fn new(
@@ -153,7 +151,11 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let spent = self.work.steps + self.work.rejected;
         settings.steps = settings.steps.saturating_sub(spent);
         let span = self.span - self.time;
-        let mut stepper = Stepper::new(&field, settings, self.carried, self.time, span)?;
+        let known = flow.stretches.as_ref();
+        let enough = (span, settings.steps);
+        let linear = known.and_then(|known| known.along(&field, settings.tolerance, enough));
+        let rest = (self.time, span);
+        let mut stepper = Steps::begin(&field, linear.as_deref(), settings, self.carried, rest)?;
         let mut strike = None;
         let mut since = (0_u64, self.time);
         while strike.is_none() && self.goes_on() {
@@ -169,7 +171,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 }));
             }
         }
-        self.work += stepper.work;
+        self.work += stepper.work();
         match strike {
             Some(strike) => self.switch(&strike),
             None => Ok(()),
@@ -232,7 +234,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         } else {
             f64::NAN
         };
-        let mut end = *stepper.end();
+        let mut end = stepper.arrived()?;
         let drift = field.drift(end.state());
         end.state_mut().add(-1.0, &drift);
         let length = stepper.length();
@@ -255,12 +257,15 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         dense: &Dense<N>,
         nearest: &mut Vec<Sighting>,
     ) -> Result<Option<Sighting>, FlowError> {
+        let system = &self.flow.system;
+        let speeds = system.speeds(stepper.from().state());
+        let scales = stepper.terms_of_speeds(system, &speeds);
         let mut watch = Watch {
-            system: &self.flow.system,
+            system,
             modes: &self.modes,
             dense,
-            speeds: &self.flow.system.speeds(stepper.from().state()),
-            scales: &self.scales,
+            scales: scales.as_ref().unwrap_or(&self.scales),
+            speeds: &speeds,
             departure: &self.departure,
             fall: None,
             nearest: self.want.extrema.then_some(nearest),

@@ -4,10 +4,10 @@ use super::guard::{Departure, Guard, Sighting};
 use super::press::{Presses, Vanishing};
 use super::run::Run;
 use super::settle::{EDGE, Rest, Verdict};
-use crate::field::exact::{ExactField, Mode, Modes};
+use super::steps::Steps;
+use crate::field::exact::{Mode, Modes};
 use crate::flow::saltation::Tracked;
 use crate::flow::{Event, EventKind, FlowError};
-use crate::integrate::explicit::Stepper;
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -33,10 +33,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// because the step map only comes near the surface that the dense output crossed.
     pub(super) fn struck(
         &self,
-        stepper: &Stepper<'_, ExactField<'f, M, N>, V, N>,
+        stepper: &Steps<'_, 'f, M, V, N>,
         awaited: &Sighting,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
-        let state = stepper.end().state();
+        let state = stepper.end();
         let system = &self.flow.system;
         let at = system.moving(state, &self.modes)?;
         let scales = self.flow.speed_scales(state);
