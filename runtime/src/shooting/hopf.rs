@@ -38,14 +38,11 @@ impl OrbitBranch {
             .velocity(&centre)
             .map_err(Failure::Evaluation)?
             .jacobian;
-        let axis = axis(&jacobian, period).ok_or(SwitchError::NotFound)?;
-        // a cos ωt − b sin ωt with J a = −ω b.
-        let other = &jacobian * &axis * (period / std::f64::consts::TAU);
+        let (axis, extents) = ellipse(&jacobian, period).ok_or(SwitchError::NotFound)?;
         for amplitude in AMPLITUDES {
-            let extent = |j: usize| amplitude * size * axis[j].hypot(other[j]);
-            let swings = |j: usize| Some(extent(j)).filter(|extent| *extent > 0.0);
-            let magnitude: Vec<f64> = (0..order)
-                .map(|j| swings(j).unwrap_or(amplitude * size))
+            let magnitude: Vec<f64> = extents
+                .iter()
+                .map(|extent| amplitude * size * extent)
                 .collect();
             let family = sharp.with_magnitude(&magnitude);
             let flow = family.at(r).map_err(Failure::Evaluation)?;
@@ -67,6 +64,28 @@ impl OrbitBranch {
         }
         Err(last)
     }
+}
+
+/// Share of the largest extent below which a state rests, as far as its digits tell.
+const RESTS: f64 = 1e-12;
+
+/// The ellipse a cos ωt − b sin ωt: a, and the extent of each state along it; 1 for one that rests.
+fn ellipse(jacobian: &DMatrix<f64>, period: f64) -> Option<(DVector<f64>, Vec<f64>)> {
+    let axis = axis(jacobian, period)?;
+    // J a = −ω b.
+    let other = jacobian * &axis * (period / std::f64::consts::TAU);
+    let extents = axis.iter().zip(&other).map(|(a, b)| a.hypot(*b));
+    let mut extents: Vec<f64> = extents.collect();
+    let largest = extents
+        .iter()
+        .fold(0.0_f64, |most, extent| most.max(*extent));
+    for extent in extents
+        .iter_mut()
+        .filter(|extent| **extent <= RESTS * largest)
+    {
+        *extent = 1.0;
+    }
+    Some((axis, extents))
 }
 
 /// The real part a of the eigenvector a + ib for iω: J a = −ω b, J b = ω a.

@@ -1,9 +1,46 @@
 //! Where branches end, and that they say so at any accuracy.
 
-use stickslip::continuation::Ending;
+use stickslip::continuation::{Ending, Stop};
+use stickslip::flow::FlowError;
+use stickslip::model;
+use stickslip_models::friction::Stribeck;
 use stickslip_models::{BeltPair, ForcedBelt};
 
 use crate::borders::{branch, named};
+
+model! {
+    /// Two masses on a belt, joined by a spring.
+    struct Joined {
+        state x[2]: m = 0.0;
+        state v[2]: m/s = 0.0;
+        param k: N/m = 100.0;
+        param joint: N/m = 30.0;
+        param c: N*s/m = 0.2;
+        param belt: m/s = 0.1;
+        param mass: kg = 1.0;
+        for i in 0..2 {
+            friction F[i]: N = Stribeck { static_level: 2.0, kinetic_level: 1.2, speed: 0.05, exponent: 2.0, viscous: 0.0 }
+                opposing v[i] - belt;
+            der(x[i]) = v[i];
+        }
+        der(v[0]) = (F[0] - k * x[0] - joint * (x[0] - x[1]) - c * v[0]) / mass;
+        der(v[1]) = (F[1] - 1.3 * k * x[1] - joint * (x[1] - x[0]) - c * v[1]) / mass;
+    }
+}
+
+/// Both modes of vibration lose their damping at one speed, at which friction falls at the rate c. The branch of pure slip
+/// shrinks onto the equilibrium there: it does not pass to the other side of its orbits, along which it would run back.
+#[test]
+fn a_branch_that_shrinks_onto_an_equilibrium_ends_there() {
+    let found = branch(&[], Joined::belt, (0.1, 1.0), |_| {});
+    let Ending::Stopped(Stop::Refused(FlowError::Vanished { .. })) = found.ended.ending else {
+        panic!("{}", found.ended.reason);
+    };
+    let last = found.points.last().and_then(|point| point.r);
+    let speed = last.expect("a value") / 0.05;
+    let falls = 2.0 * 0.8 * speed * (-speed * speed).exp() / 0.05;
+    assert!((falls / 0.2 - 1.0).abs() < 1e-4, "{falls}");
+}
 
 /// Without damping, and where friction is weaker than the load, nothing bounds the motion at resonance: k = m ω².
 #[test]

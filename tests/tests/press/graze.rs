@@ -157,7 +157,7 @@ fn agrees(hammer: &Hammer, branch: &BranchRecord) -> usize {
             "{det} at {load}"
         );
         assert!(
-            (trace - hit.trace(speed)).abs() < 1e-8 * size * size,
+            (trace - hit.trace(speed)).abs() < (1e-8 * size + point.error_estimate * grown) * size,
             "{trace} at {load}"
         );
         hits += 1;

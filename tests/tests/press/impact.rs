@@ -4,7 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use stickslip::continuation::Kind;
 use stickslip::field::Design;
+use stickslip::flow::exact::ExactFlow;
 use stickslip::flow::{EventKind, Flow, FlowError, Want};
+use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 use stickslip::study::{Along, BranchRecord, Case, Dynamics, OrbitRecord, System};
 
@@ -158,6 +160,30 @@ fn a_valve_flutters_into_its_seat() {
     let cycle = case(&valve, &[2.0, 0.0, 12.0]);
     let branch = branch::<Valve, 3>(&cycle, Valve::q.index, (8.3, 7.0));
     assert_eq!(branch.special[0].kind, Kind::Grazing);
+}
+
+/// A disc comes down on its seat and turns within 1e-9 of it, above it or below: it is hit or not, and goes on.
+#[test]
+fn what_is_all_but_a_touch_is_passed() {
+    let valve = Valve {
+        q: 7.557_210_971_884_613,
+        ..Default::default()
+    };
+    let tolerance = Tolerance::for_accuracy(1e-9);
+    let flow = ExactFlow::new(&valve, None, tolerance).unwrap();
+    let mut hit = 0;
+    for k in -100..=100 {
+        let lift = 8.409_427_242_194_937 + 1e-11 * f64::from(k);
+        let start = [lift, -3.645_335_486_111_887, 0.800_558_098_799_663_7];
+        let passage = flow.advance(&flow.place(start).unwrap(), 2.0, Want::EXTREMA);
+        let passage = passage.unwrap_or_else(|error| panic!("{k}: {error}"));
+        let impacts = passage.events.iter();
+        hit += impacts
+            .filter(|event| matches!(event.kind, EventKind::Impact { .. }))
+            .count();
+        assert!(passage.end.state[0] > 1.0, "{k}");
+    }
+    assert!((1..201).contains(&hit), "{hit}");
 }
 
 /// What an impact cannot answer is said, and named.
