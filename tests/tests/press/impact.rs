@@ -162,7 +162,7 @@ fn a_valve_flutters_into_its_seat() {
     assert_eq!(branch.special[0].kind, Kind::Grazing);
 }
 
-/// A disc comes down on its seat and turns within 1e-9 of it, above it or below: it is hit or not, and goes on.
+/// A disc comes down on its seat and turns within 1e-6 of it, above it or below: it is hit or not, and goes on.
 #[test]
 fn what_is_all_but_a_touch_is_passed() {
     let valve = Valve {
@@ -173,7 +173,7 @@ fn what_is_all_but_a_touch_is_passed() {
     let flow = ExactFlow::new(&valve, None, tolerance).unwrap();
     let mut hit = 0;
     for k in -100..=100 {
-        let lift = 8.409_427_242_194_937 + 1e-11 * f64::from(k);
+        let lift = 8.409_427_242_194_937 + 1e-8 * f64::from(k);
         let start = [lift, -3.645_335_486_111_887, 0.800_558_098_799_663_7];
         let passage = flow.advance(&flow.place(start).unwrap(), 2.0, Want::EXTREMA);
         let passage = passage.unwrap_or_else(|error| panic!("{k}: {error}"));

@@ -12,8 +12,6 @@ use crate::study::system::System;
 
 /// A motion that has settled is this near to its equilibrium.
 const SETTLED: f64 = 1e-3;
-/// A state this small beside the others is shown as none.
-const NOTHING: f64 = f64::EPSILON * f64::EPSILON;
 
 /// How much a failure tells of the system: that motions settle elsewhere is more than that a search ended.
 fn tells(error: &OrbitError) -> u8 {
@@ -121,11 +119,9 @@ impl System {
             let off = place.iter().zip(near.iter()).map(|(a, b)| (a - b).abs());
             off.fold(0.0, f64::max) <= SETTLED * size
         };
-        // What a motion in closed form is off, in the end, is not even a rounding error.
-        let shown = |y: &f64| if y.abs() <= NOTHING * size { 0.0 } else { *y };
         match found.iter().map(|one| &one.place.state).find(close) {
             Some(state) => OrbitError::Equilibrium {
-                state: flow.values(&state.iter().map(shown).collect::<Vec<_>>()),
+                state: flow.values(state),
             },
             None => error,
         }
