@@ -52,8 +52,14 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                     self.flow.hold_scale(state, &self.modes, i)?
                 } else if guard.side == 0.0 {
                     // Against fixed ground w is its only term: what it has lost in the step is what was rounded.
+                    // Where a gap is all but touched, its rate does not tell that.
+                    let fell = if mode.is_of_press() {
+                        began.as_ref()[i].abs()
+                    } else {
+                        0.0
+                    };
                     let lost = stepper.length() * value.eps.abs();
-                    scales.as_ref()[i].max(lost).max(began.as_ref()[i].abs())
+                    scales.as_ref()[i].max(lost).max(fell)
                 } else {
                     at.stick.as_ref()[i].re + at.force.as_ref()[i].re.abs()
                 };
