@@ -254,7 +254,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     }
 
     /// Usual magnitude of the rate of a gap, as far as that of the states tells.
-    fn usual_rate(&self, state: &[f64; N], press: usize) -> f64 {
+    pub(super) fn usual_rate(&self, state: &[f64; N], press: usize) -> f64 {
         let rate = self.linear_rates(state, &self.at_rest(press)).as_ref()[press];
         let (slopes, _): ([f64; N], f64) = rate.slopes();
         let terms = slopes.iter().zip(&self.magnitude);
