@@ -41,9 +41,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             match self.system.impact(state, &impulses) {
                 Ok(impact) if consistent(&impulses, &impact, &rubbing) => {
                     let energy = work(&impulses, &impact, &rubbing);
-                    // Against fixed ground a rate is its own only term: what is usual then tells rounding errors.
-                    let usual = self.system.usual_rate(state, press);
-                    let terms = self.system.rate_terms(state, press).max(usual);
+                    let terms = self.system.rate_scale(state, press);
                     if energy > NO_WORK * impact.impulse.as_ref()[press].abs() * terms {
                         return Err(FlowError::Gains {
                             contact: M::INFO.contact_id(press),

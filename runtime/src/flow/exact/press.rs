@@ -191,11 +191,9 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             });
         }
         let (approach, _) = self.system.approach(state, press);
-        let terms = self.system.rate_terms(state, press);
-        // Against fixed ground a rate is its own only term: what is usual then tells rounding errors.
         let still = match rests {
-            true => STAYS * terms.max(self.system.usual_rate(state, press)),
-            false => RESTS * terms,
+            true => STAYS * self.system.rate_scale(state, press),
+            false => RESTS * self.system.rate_terms(state, press),
         };
         if touches && approach.abs() <= still {
             return Ok(None);
@@ -253,8 +251,15 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         terms().map(f64::abs).sum::<f64>() + rest.abs()
     }
 
+    /// The magnitude of the terms of the rate of a gap, or the usual one: against fixed ground a rate is its own only term,
+    /// and only what is usual tells rounding errors.
+    pub(super) fn rate_scale(&self, state: &[f64; N], press: usize) -> f64 {
+        let usual = self.usual_rate(state, press);
+        self.rate_terms(state, press).max(usual)
+    }
+
     /// Usual magnitude of the rate of a gap, as far as that of the states tells.
-    pub(super) fn usual_rate(&self, state: &[f64; N], press: usize) -> f64 {
+    fn usual_rate(&self, state: &[f64; N], press: usize) -> f64 {
         let rate = self.linear_rates(state, &self.at_rest(press)).as_ref()[press];
         let (slopes, _): ([f64; N], f64) = rate.slopes();
         let terms = slopes.iter().zip(&self.magnitude);

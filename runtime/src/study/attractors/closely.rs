@@ -8,7 +8,7 @@ use super::running::{Crossing, running, steady};
 use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
 use crate::flow::FlowError;
-use crate::motion::{Passage, Place, apart, sticking, word};
+use crate::motion::{Passage, Place, apart, sticking};
 use crate::shooting::{Orbit, OrbitError, Search, settled};
 use crate::study::equilibria::{sliding_mode, spelt};
 
@@ -93,26 +93,18 @@ impl Ground<'_> {
     }
 
     pub(super) fn orbit(&self, orbit: &Orbit) -> Attractor {
-        let multipliers = orbit.floquet.multipliers.iter();
-        Attractor {
-            class: Class::Orbit,
-            state: orbit.place.state.clone(),
+        let found = Attractor {
             modes: orbit.place.modes.clone(),
-            word: self
-                .touches()
-                .then(|| word(self.system.info(), &orbit.segments)),
+            word: self.word(&orbit.segments),
             period: Some(orbit.period),
-            shift: None,
             min: orbit.min.clone(),
             max: orbit.max.clone(),
             points: orbit.section.clone(),
             section: self.flow.phase().unwrap_or(0),
-            multipliers: multipliers.map(|value| [value.re, value.im]).collect(),
-            stability: Some(orbit.floquet.stability),
-            exponent: None,
             error: Some(orbit.error_estimate),
-            reason: None,
-        }
+            ..Attractor::bare(Class::Orbit, &orbit.place.state, None)
+        };
+        found.judged(&orbit.floquet.multipliers, orbit.floquet.stability)
     }
 
     /// The state of rest at a place: sticking there, or the equilibrium to which Newton leads.
@@ -125,7 +117,7 @@ impl Ground<'_> {
             found.word = spelt(info, &at.modes);
             // The directions of the set, and those that sticking takes, say nothing of stability.
             let spectrum = Spectrum::across(&jacobian, 2 * sticking(&at.modes));
-            return Ok(judged(found, &spectrum));
+            return Ok(found.judged(&spectrum.eigenvalues, spectrum.stability));
         }
         let mut at = at.clone();
         if self.touches() {
@@ -138,18 +130,13 @@ impl Ground<'_> {
                 let mut found = Attractor::bare(Class::Equilibrium, &one.place.state, None);
                 found.word = spelt(info, &one.place.modes);
                 found.modes = one.place.modes;
-                judged(found, &one.spectrum)
+                found.judged(&one.spectrum.eigenvalues, one.spectrum.stability)
             }
             None => {
                 let reason = "it hardly moves, but no equilibrium is there".to_owned();
                 Attractor::bare(Class::Unsettled, &at.state, Some(reason))
             }
         })
-    }
-
-    /// Whether contacts act as declared.
-    pub(super) fn touches(&self) -> bool {
-        self.system.touches(&self.case)
     }
 
     /// Looks for rest, and for a motion that runs.
@@ -221,13 +208,6 @@ impl Ground<'_> {
         let shift: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
         copies::changes_nothing(self.flow.as_ref(), &shift, &self.usual).then_some(shift)
     }
-}
-
-fn judged(mut found: Attractor, spectrum: &Spectrum) -> Attractor {
-    let values = spectrum.eigenvalues.iter();
-    found.multipliers = values.map(|value| [value.re, value.im]).collect();
-    found.stability = Some(spectrum.stability);
-    found
 }
 
 /// Whether the last crossings, the latest first, come back, each this near to one a few before.

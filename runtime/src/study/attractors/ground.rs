@@ -4,7 +4,7 @@ use super::record::Attractor;
 use super::setting::Region;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow};
+use crate::motion::{Family, Flow, Segment, word};
 use crate::study::question::Case;
 use crate::study::system::System;
 
@@ -55,6 +55,16 @@ impl<'a> Ground<'a> {
     /// The start at these shares of the sides of the region.
     pub(super) fn at(&self, shares: &[f64]) -> Vec<f64> {
         self.region.at(shares.iter().copied(), &self.others)
+    }
+
+    /// Whether contacts act as declared.
+    pub(super) fn touches(&self) -> bool {
+        self.system.touches(&self.case)
+    }
+
+    /// The modes that a motion runs through, of contacts that act as declared.
+    pub(super) fn word(&self, segments: &[Segment]) -> Option<String> {
+        self.touches().then(|| word(self.system.info(), segments))
     }
 
     pub(super) fn start(&self, k: usize) -> Vec<f64> {

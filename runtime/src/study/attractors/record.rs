@@ -1,5 +1,6 @@
 //! What is reported of the motions on which starts settle.
 
+use nalgebra::Complex;
 use serde::{Deserialize, Serialize};
 
 use super::setting::Sampling;
@@ -162,6 +163,13 @@ impl Attractor {
             error: None,
             reason,
         }
+    }
+
+    /// The same, judged by its multipliers or eigenvalues.
+    pub(super) fn judged(mut self, values: &[Complex<f64>], stability: Stability) -> Self {
+        self.multipliers = values.iter().map(|value| [value.re, value.im]).collect();
+        self.stability = Some(stability);
+        self
     }
 
     /// Half its extent, state by state; `fallback` where it has none.

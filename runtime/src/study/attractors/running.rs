@@ -8,7 +8,7 @@ use super::record::{Attractor, Class};
 use crate::bifurcation::floquet;
 use crate::equilibrium::Spectrum;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Passage, apart, sticking, word};
+use crate::motion::{Passage, apart, sticking};
 
 /// Most crossings in one period.
 const LONGEST: usize = 8;
@@ -71,18 +71,12 @@ pub(super) fn steady(
         &after.jacobian,
         1 + sticking(&passage.end.modes) + after.lost,
     );
-    found.multipliers = spectrum
-        .eigenvalues
-        .iter()
-        .map(|value| [value.re, value.im])
-        .collect();
-    found.stability = Some(spectrum.stability);
-    found.word = ground
-        .touches()
-        .then(|| word(ground.system.info(), &passage.segments));
+    found.word = ground.word(&passage.segments);
     found.modes = passage.end.modes.clone();
     found.shift = Some(rates.to_vec());
-    Ok(Some(found))
+    Ok(Some(
+        found.judged(&spectrum.eigenvalues, spectrum.stability),
+    ))
 }
 
 /// What the states gain in the last two times `count` crossings alike, if some do.
@@ -149,16 +143,9 @@ fn read(
             0,
             SHARP,
         );
-        found.multipliers = floquet
-            .multipliers
-            .iter()
-            .map(|value| [value.re, value.im])
-            .collect();
-        found.stability = Some(floquet.stability);
+        found = found.judged(&floquet.multipliers, floquet.stability);
     }
-    found.word = ground
-        .touches()
-        .then(|| word(ground.system.info(), &passage.segments));
+    found.word = ground.word(&passage.segments);
     found.points = crossings[1..]
         .iter()
         .map(|(_, state)| state.clone())
