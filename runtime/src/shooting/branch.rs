@@ -5,6 +5,7 @@ use nalgebra::DVector;
 use super::anchor::problem;
 use super::border::{between, cross};
 use super::bound::unbounded;
+use super::hopf::shrunk;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
@@ -161,6 +162,16 @@ impl Reader for Orbits {
 
     fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {
         explain(orbits, self.accuracy)
+    }
+
+    fn refused(
+        &self,
+        problem: &OrbitProblem,
+        orbits: &[Orbit],
+        why: &FlowError,
+    ) -> Option<Located<Orbit>> {
+        let vanished = matches!(why, FlowError::Vanished { .. });
+        vanished.then(|| shrunk(&problem.family, orbits)).flatten()
     }
 
     fn ends(&self, orbits: &[Orbit]) -> Option<Ending<FlowError>> {

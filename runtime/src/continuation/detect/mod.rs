@@ -205,7 +205,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 }
                 None => continue,
             };
-            let error = at.error(self.path, &monitor.test, self.accuracy);
+            let error = at.error(self.path, monitor, self.accuracy);
             located.push(Located {
                 last,
                 error,
