@@ -5,11 +5,11 @@ use nalgebra::DVector;
 use super::anchor::problem;
 use super::border::{between, cross};
 use super::bound::unbounded;
-use super::hopf::shrunk;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
+use super::shrunk::shrunk;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
     Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading, Settings,

@@ -1,18 +1,15 @@
-//! The small orbits that begin, or end, at a Hopf point of an equilibrium.
+//! The small orbits that begin at a Hopf point of an equilibrium.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::branch::OrbitBranch;
 use super::division::Division;
-use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::switch::SwitchError;
-use crate::continuation::{Branch, Failure, Kind, Located, Settings};
-use crate::equilibrium::{EquilibriumPoint, follow, settings, settle};
+use crate::continuation::{Branch, Failure, Settings};
 use crate::integrate::Tolerance;
 use crate::linear::svd;
 use crate::motion::Family;
@@ -111,41 +108,6 @@ fn axis(jacobian: &DMatrix<f64>, period: f64) -> Option<DVector<f64>> {
         .all(|x| x.is_finite())
         .then(|| axis.try_normalize(0.0))
         .flatten()
-}
-
-/// How far beyond the last orbit the equilibrium is followed: relative to r, and in steps of the branch.
-const BEYOND: f64 = 1e-3;
-const STEPS: f64 = 4.0;
-/// Relative difference of two frequencies that are one: that of so small an orbit differs with the square of its size.
-const SAME: f64 = 1e-3;
-
-/// The Hopf point onto which these orbits have shrunk: the nearest on the branch of the equilibrium that has their
-/// frequency, located as any other of that branch.
-pub(super) fn shrunk(family: &Family, orbits: &[Orbit]) -> Option<Located<Orbit>> {
-    let [.., before, last] = orbits else {
-        return None;
-    };
-    let step = STEPS * (last.r - before.r).abs();
-    let reach = step.max(BEYOND * last.r.abs());
-    let settings = settings(last.r - reach, last.r + reach);
-    let from = settle(family, settings.from, &last.place)?.place;
-    let (walked, _) = follow(family, &from, settings, &mut |_| ControlFlow::Continue(())).ok()?;
-    let off = |at: &Located<EquilibriumPoint>| (at.r - last.r).abs();
-    let here = |at: &Located<EquilibriumPoint>| {
-        let turn = at.point.frequency().map(|turn| turn * last.period / TAU);
-        at.kind == Kind::Hopf && turn.is_some_and(|turn| (turn - 1.0).abs() <= SAME)
-    };
-    let all = walked.located.into_iter().filter(here);
-    let found = all.min_by(|a, b| off(a).total_cmp(&off(b)))?;
-    let mut orbit = last.clone();
-    orbit.r = found.r;
-    orbit.period = TAU / found.point.frequency()?;
-    orbit.place.state.clone_from(&found.point.state);
-    (orbit.min, orbit.max) = (found.point.state.clone(), found.point.state);
-    orbit.section = vec![orbit.place.state.clone()];
-    let mut met = Located::at(Kind::Hopf, found.r, orbit);
-    (met.error, met.last) = (found.error, true);
-    Some(met)
 }
 
 #[cfg(test)]
