@@ -45,6 +45,12 @@ pub(super) fn digits(error: f64) -> usize {
     }
 }
 
+/// The digits of the design variable at a special point: ten, or as many as its error leaves.
+pub(super) fn certain(r: f64, error: Option<f64>) -> usize {
+    const SHOWN: usize = 10;
+    error.map_or(SHOWN, |error| digits(error / r.abs()).min(SHOWN))
+}
+
 /// Words of which the first are shown, if they are many.
 pub(super) fn brief(words: &str) -> String {
     const MOST: usize = 60;

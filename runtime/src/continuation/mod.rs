@@ -39,6 +39,7 @@ pub use point::Point;
 pub(crate) use predictor::tangent;
 pub use range::{Settings, Stop};
 pub use reading::{ErrorOf, Reader, Reading};
+pub(crate) use root::SETTLED;
 pub use root::reach;
 pub use switch::across;
 pub use walk::{Walked, follow, walk};

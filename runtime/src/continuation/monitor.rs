@@ -21,6 +21,7 @@ type Judge<'a, P> = Box<dyn Fn([&P; 2], &P) -> Option<Verdict> + 'a>;
 /// A function of a point that changes sign where something happens.
 pub struct Monitor<'a, P> {
     pub(super) test: Test<'a, P>,
+    pub(super) rounding: Test<'a, P>,
     applies: Applies<'a, P>,
     judge: Judge<'a, P>,
     mark: Mark<'a, P>,
@@ -31,6 +32,7 @@ impl<'a, P> Monitor<'a, P> {
     pub fn new(kind: Kind, test: impl Fn(&P) -> f64 + 'a) -> Self {
         Self {
             test: Box::new(test),
+            rounding: Box::new(|_| 0.0),
             applies: Box::new(|_| true),
             judge: Box::new(move |_, _| Some(Verdict::Special(kind))),
             mark: Box::new(|_| {}),
@@ -48,6 +50,13 @@ impl<'a, P> Monitor<'a, P> {
     #[must_use]
     pub fn judged(mut self, judge: impl Fn([&P; 2], &P) -> Option<Verdict> + 'a) -> Self {
         self.judge = Box::new(judge);
+        self
+    }
+
+    /// The same, where rounding leaves this much of its value uncertain.
+    #[must_use]
+    pub fn known_to(mut self, rounding: impl Fn(&P) -> f64 + 'a) -> Self {
+        self.rounding = Box::new(rounding);
         self
     }
 

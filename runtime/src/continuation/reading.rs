@@ -70,6 +70,17 @@ pub trait Reader: Clone {
         None
     }
 
+    /// The special point in which a branch ends after these points, the next one being refused for this reason; `None`
+    /// if it is none.
+    fn refused(
+        &self,
+        _problem: &Self::Problem,
+        _points: &[Self::Point],
+        _why: &ErrorOf<Self>,
+    ) -> Option<Located<Self::Point>> {
+        None
+    }
+
     /// The point at which its equations become others that a branch comes to after these points, and what continues it
     /// there; `None` if it comes to none.
     fn cross(

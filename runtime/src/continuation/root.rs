@@ -1,12 +1,14 @@
 //! Where on a path a function of its points vanishes.
 
+use super::monitor::Monitor;
 use super::path::{Path, Spot, Watched};
 
 const ITERATIONS: usize = 120;
 /// Secants after which a bracket that is no half of what it was is halved; once that was so, after each.
 const PATIENCE: usize = 3;
-/// Part of the accuracy asked for at which a point has converged.
-pub(super) const SETTLED: f64 = 0.01;
+/// Part of the accuracy asked for at which a point has converged, and that an error cannot be less than: two runs may
+/// agree by chance.
+pub(crate) const SETTLED: f64 = 0.01;
 /// Width of a bracket, as a share of the path, at which a point that cannot be found ends the search.
 const NARROW: f64 = 1e-4;
 /// Distance from a zero, as a share of the path, from which on slopes there are not all rounding.
@@ -71,18 +73,20 @@ impl<P: Watched> Zero<P> {
         Self { spot, slopes }
     }
 
-    /// The estimated error of r there: from the same point once more, more sharply.
+    /// The estimated error of r there: from the same point once more, more sharply, and from what rounding leaves
+    /// uncertain.
     pub(super) fn error<Q: Path<Point = P>>(
         &self,
         path: &mut Q,
-        test: impl Fn(&P) -> f64,
+        Monitor { test, rounding, .. }: &Monitor<'_, P>,
         accuracy: f64,
     ) -> f64 {
         let at = &self.spot.point;
         let sharper = path.sharper(self.spot.share);
         sharper.map_or(f64::NAN, |sharper| {
             let [slope, along] = self.slopes;
-            let off = (test(&sharper) - test(at)) / slope * along;
+            let apart = (test(&sharper) - test(at)).abs() + rounding(at);
+            let off = apart / slope * along;
             let moved = (sharper.r() - at.r()).abs() + off.abs();
             DOUBT * moved + SETTLED * accuracy * at.r().abs()
         })

@@ -132,13 +132,23 @@ impl<R: Reader> Walk<'_, R> {
     fn stopped(&mut self) -> Option<Ending<ErrorOf<R>>> {
         let stop = self.followed.stop().cloned().unwrap_or(Stop::TooManyPoints);
         if !matches!(stop, Stop::StepTooSmall(_) | Stop::Creeping(_)) {
-            return Some(Ending::Stopped(stop));
+            let met = self.refused(&stop);
+            return Some(met.map_or(Ending::Stopped(stop), |met| self.end(met)));
         }
         if let Some(crossing) = self.crossing() {
             return self.pass(crossing);
         }
         let reason = self.followed.reader.explain(&self.points);
         Some(reason.map_or(Ending::Stopped(stop), |reason| self.end(reason)))
+    }
+
+    /// The special point in which the branch ends, if it is for that that there is no next one.
+    fn refused(&self, stop: &Stop<ErrorOf<R>>) -> Option<Located<R::Point>> {
+        let Reading { reader, branch, .. } = &*self.followed;
+        match stop {
+            Stop::Refused(why) => reader.refused(&branch.problem, &self.points, why),
+            _ => None,
+        }
     }
 
     /// Goes on beyond a point at which the branch is not smooth, or ends there.

@@ -86,7 +86,8 @@ pub(super) fn monitors<'a>(eigenvalues: usize) -> Vec<Monitor<'a, EquilibriumPoi
         // At a sharp corner the tangent alone may point backwards, but no eigenvalue passes zero.
         Monitor::new(Kind::Fold, Point::slope).only_if(passes),
         Monitor::new(Kind::BranchPoint, |point: &Point| point.determinant)
-            .only_if(|ends| !turns(ends)),
+            .only_if(|ends| !turns(ends))
+            .known_to(|point| point.state.len() as f64 * f64::EPSILON),
         Monitor::new(Kind::BoundaryEquilibrium, boundary)
             .judged(|_, _| Some(Verdict::Last(Kind::BoundaryEquilibrium))),
     ];
@@ -103,6 +104,7 @@ pub(super) fn monitors<'a>(eigenvalues: usize) -> Vec<Monitor<'a, EquilibriumPoi
 fn crossing<'a>(k: usize) -> Monitor<'a, EquilibriumPoint> {
     let rate = move |point: &EquilibriumPoint| point.spectrum.growths.crossing(k);
     Monitor::new(Kind::Hopf, rate)
+        .known_to(move |point| error(point, k))
         .only_if(move |ends| {
             let growths = ends.map(growths);
             let may = || Growths::may_turn(growths, k) || !passes(ends);
@@ -125,6 +127,7 @@ fn collision<'a>(k: usize) -> Monitor<'a, EquilibriumPoint> {
     let distance = move |point: &EquilibriumPoint| point.spectrum.growths.collision(k);
     Monitor::new(Kind::Flutter, distance)
         .only_if(move |ends| Growths::may_collide(ends.map(growths), k))
+        .known_to(move |point| (4.0 * turn(point, k) * error(point, k)).powi(2))
 }
 
 /// Where, by symmetry, an even number of marginal pairs becomes real: that of an odd number is seen by the determinant.
@@ -132,10 +135,20 @@ fn divergence<'a>(k: usize) -> Monitor<'a, EquilibriumPoint> {
     let square = move |point: &EquilibriumPoint| point.spectrum.growths.divergence(k);
     Monitor::new(Kind::BranchPoint, square)
         .only_if(move |ends| Growths::may_diverge(ends.map(growths), k) && !passes(ends))
+        .known_to(move |point| error(point, k).powi(2))
 }
 
 fn growths(point: &EquilibriumPoint) -> &Growths {
     &point.spectrum.growths
+}
+
+/// To what the rate of eigenvalue k is known.
+fn error(point: &EquilibriumPoint, k: usize) -> f64 {
+    growths(point).get(k).map_or(0.0, |one| one.error)
+}
+
+fn turn(point: &EquilibriumPoint, k: usize) -> f64 {
+    growths(point).get(k).map_or(0.0, |one| one.turn)
 }
 
 /// Whether an odd number of eigenvalues passes zero.

@@ -9,6 +9,7 @@ use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
+use super::shrunk::shrunk;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
     Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading, Settings,
@@ -161,6 +162,16 @@ impl Reader for Orbits {
 
     fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {
         explain(orbits, self.accuracy)
+    }
+
+    fn refused(
+        &self,
+        problem: &OrbitProblem,
+        orbits: &[Orbit],
+        why: &FlowError,
+    ) -> Option<Located<Orbit>> {
+        let vanished = matches!(why, FlowError::Vanished { .. });
+        vanished.then(|| shrunk(&problem.family, orbits)).flatten()
     }
 
     fn ends(&self, orbits: &[Orbit]) -> Option<Ending<FlowError>> {

@@ -1,5 +1,7 @@
 //! The small orbits that begin at a Hopf point of an equilibrium.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::branch::OrbitBranch;
@@ -73,7 +75,7 @@ const RESTS: f64 = 1e-12;
 fn ellipse(jacobian: &DMatrix<f64>, period: f64) -> Option<(DVector<f64>, Vec<f64>)> {
     let axis = axis(jacobian, period)?;
     // J a = −ω b.
-    let other = jacobian * &axis * (period / std::f64::consts::TAU);
+    let other = jacobian * &axis * (period / TAU);
     let extents = axis.iter().zip(&other).map(|(a, b)| a.hypot(*b));
     let mut extents: Vec<f64> = extents.collect();
     let largest = extents
@@ -91,7 +93,7 @@ fn ellipse(jacobian: &DMatrix<f64>, period: f64) -> Option<(DVector<f64>, Vec<f6
 /// The real part a of the eigenvector a + ib for iω: J a = −ω b, J b = ω a.
 fn axis(jacobian: &DMatrix<f64>, period: f64) -> Option<DVector<f64>> {
     let order = jacobian.nrows();
-    let omega = std::f64::consts::TAU / period;
+    let omega = TAU / period;
     let matrix = DMatrix::from_fn(2 * order, 2 * order, |i, j| match (i < order, j < order) {
         (true, true) => jacobian[(i, j)],
         (false, false) => jacobian[(i - order, j - order)],

@@ -21,6 +21,7 @@ mod problem;
 mod same;
 mod search;
 mod shot;
+mod shrunk;
 mod stay;
 mod switch;
 mod symmetry;

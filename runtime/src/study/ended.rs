@@ -93,6 +93,10 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             "it meets a {} point, beyond which it is a curve of neutral saddles",
             kind.name()
         ),
+        Ending::At(Kind::Hopf, r) => format!(
+            "it shrinks to an equilibrium at {}, a hopf point: there its orbits begin",
+            value(r)
+        ),
         Ending::At(kind, r) => format!(
             "it meets a {} point at {}: no orbit continues it",
             kind.name(),

@@ -1,7 +1,8 @@
 //! Where branches end, and that they say so at any accuracy.
 
-use stickslip::continuation::{Ending, Stop};
-use stickslip::flow::FlowError;
+use std::f64::consts::TAU;
+
+use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
 use stickslip_models::friction::Stribeck;
 use stickslip_models::{BeltPair, ForcedBelt};
@@ -33,13 +34,29 @@ model! {
 #[test]
 fn a_branch_that_shrinks_onto_an_equilibrium_ends_there() {
     let found = branch(&[], Joined::belt, (0.1, 1.0), |_| {});
-    let Ending::Stopped(Stop::Refused(FlowError::Vanished { .. })) = found.ended.ending else {
+    let Ending::At(Kind::Hopf, r) = found.ended.ending else {
         panic!("{}", found.ended.reason);
     };
-    let last = found.points.last().and_then(|point| point.r);
-    let speed = last.expect("a value") / 0.05;
-    let falls = 2.0 * 0.8 * speed * (-speed * speed).exp() / 0.05;
-    assert!((falls / 0.2 - 1.0).abs() < 1e-4, "{falls}");
+    let falls = |r: f64| {
+        let speed = r / 0.05;
+        2.0 * 0.8 * speed * (-speed * speed).exp() / 0.05
+    };
+    let last = found.special.last().expect("the Hopf point");
+    let error = last.error.expect("an error");
+    assert_eq!((last.label.as_str(), last.r), ("HB1", r));
+    assert!(
+        (falls(r - error) - 0.2) * (falls(r + error) - 0.2) < 0.0 && error < 1e-10,
+        "{r} ± {error}"
+    );
+    // Without damping the stiffnesses alone tell how fast they vibrate.
+    let [low, high] = [-1.0, 1.0].map(|side: f64| (145.0 + side * 1125_f64.sqrt()).sqrt());
+    let turn = TAU / last.period;
+    let nearest = if (turn - low).abs() < (turn - high).abs() {
+        low
+    } else {
+        high
+    };
+    assert!((turn / nearest - 1.0).abs() < 1e-9, "{turn}");
 }
 
 /// Without damping, and where friction is weaker than the load, nothing bounds the motion at resonance: k = m ω².

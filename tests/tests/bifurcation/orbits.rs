@@ -227,8 +227,8 @@ fn shows(branch: &BranchRecord, expected: &[(&str, f64)]) {
 #[test]
 fn a_fold_is_located_and_turned() {
     let branch = branch!(TwoCircles, 0, 0.5, -2.0, TAU);
-    shows(&branch, &[("LP1", -1.0)]);
-    assert_eq!(branch.ended.word(), "equilibrium");
+    shows(&branch, &[("LP1", -1.0), ("HB1", 0.0)]);
+    assert_eq!(branch.ended.word(), "hopf");
 }
 
 #[test]

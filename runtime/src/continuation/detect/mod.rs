@@ -2,6 +2,8 @@
 
 mod account;
 
+use std::cell::Cell;
+
 use account::explains;
 
 use super::change::change;
@@ -83,7 +85,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             return self.change(from, to, halvings);
         }
         match self.events([from, to]) {
-            Ok(events)
+            Ok(Some(events))
                 if explains(&events.located, &from.point, &to.point)
                     && !self.hides(from, to, halvings) =>
             {
@@ -187,15 +189,24 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         }
     }
 
-    /// What the monitors show between two spots of one regime.
-    fn events(&mut self, ends: [&Spot<Q::Point>; 2]) -> Result<Events<Q::Point>, Q::Error> {
+    /// What the monitors show between two spots of one regime; `None` where it is left on the way, as functions may change
+    /// their signs there by a jump.
+    fn events(&mut self, ends: [&Spot<Q::Point>; 2]) -> Result<Option<Events<Q::Point>>, Q::Error> {
         let points = ends.map(|spot| &spot.point);
         let (mut located, mut bound) = (Vec::new(), None);
         for monitor in self.monitors {
             if !monitor.crosses(points) {
                 continue;
             }
-            let mut at = zero(self.path, ends, &monitor.test, self.accuracy)?;
+            let left = Cell::new(false);
+            let test = |point: &Q::Point| {
+                left.set(left.get() || !point.same_regime(points[0]));
+                (monitor.test)(point)
+            };
+            let mut at = zero(self.path, ends, test, self.accuracy)?;
+            if left.get() {
+                return Ok(None);
+            }
             let (kind, last) = match monitor.verdict(points, &mut at.spot.point) {
                 Some(Verdict::Special(kind)) => (kind, false),
                 Some(Verdict::Last(kind)) => (kind, true),
@@ -205,14 +216,14 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 }
                 None => continue,
             };
-            let error = at.error(self.path, &monitor.test, self.accuracy);
+            let error = at.error(self.path, monitor, self.accuracy);
             located.push(Located {
                 last,
                 error,
                 ..Located::between(kind, ends, at.spot)
             });
         }
-        Ok(Events { located, bound })
+        Ok(Some(Events { located, bound }))
     }
 
     fn give_up(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, reason: &str) {

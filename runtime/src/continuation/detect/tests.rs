@@ -30,6 +30,11 @@ impl Watched for Point {
         let near = |mu: &&f64| (mu.abs() - 1.0).abs() < 1e-9;
         Some(self.multipliers.iter().filter(near).count())
     }
+
+    fn same_regime(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|point| point.multipliers[2]);
+        (own < 0.25) == (others < 0.25)
+    }
 }
 
 /// (1 + μ₁) (1 + μ₂) (1 + μ₃).
@@ -109,6 +114,27 @@ fn one_direction_does_not_stand_for_three() {
     assert!(found.unexplained.is_empty(), "{:?}", found.unexplained);
     let kinds: Vec<Kind> = found.located.iter().map(|at| at.kind).collect();
     assert_eq!(kinds, [Kind::BranchPoint, Kind::Flip, Kind::Flip]);
+}
+
+/// Where another regime begins a multiplier jumps over −1: nothing doubles there.
+#[test]
+fn a_jump_into_another_regime_and_back_is_no_flip() {
+    let found = Along {
+        multipliers: |r| match r {
+            ..0.4 => [-0.5, 0.0, 0.0],
+            ..0.6 => [-1.5, 0.0, 0.5],
+            _ => [-1.5, 0.0, 0.0],
+        },
+        known: true,
+    };
+    let found = found.findings();
+    assert!(found.unexplained.is_empty(), "{:?}", found.unexplained);
+    let seen: Vec<(Kind, f64)> = found.located.iter().map(|at| (at.kind, at.r)).collect();
+    assert_eq!(seen.len(), 2, "{seen:?}");
+    for ((kind, r), expected) in seen.into_iter().zip([0.4, 0.6]) {
+        assert_eq!(kind, Kind::VanishingSegment);
+        assert!((r - expected).abs() < 1e-8, "{r}, not {expected}");
+    }
 }
 
 #[test]

@@ -48,7 +48,8 @@ pub(in crate::shooting) fn cross(
         // So near to it an orbit may lie beyond for its errors.
         let level = way.abs() <= NOISE * accuracy * last.r.abs();
         let apart = last.apart(&found.orbit);
-        let ahead = slope.is_some_and(|slope| slope * way > 0.0);
+        // As the branch leads to it, so it leads on from the last orbit.
+        let ahead = slope.is_some_and(|slope| slope * way > 0.0) && last.heading.slope * way > 0.0;
         let met = apart <= CLOSE && comes_near(orbits, &found.orbit);
         met || apart <= REACH && (level || ahead)
     };

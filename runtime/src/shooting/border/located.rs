@@ -7,7 +7,7 @@ use super::candidate::Border;
 use super::problem::BorderProblem;
 use super::sides::Sides;
 use crate::bifurcation::{Kind, floquet};
-use crate::continuation::{ZeroProblem, correct_at};
+use crate::continuation::{SETTLED, ZeroProblem, correct_at};
 use crate::field::Work;
 use crate::flow::Want;
 use crate::integrate::Tolerance;
@@ -22,8 +22,6 @@ const TRIED: usize = 4;
 const SHARPER: [f64; 2] = [0.02, 0.002];
 /// What is reported over what two runs differ by: they share part of their errors.
 const DOUBT: f64 = 2.0;
-/// Part of the accuracy that an error cannot be less than: two runs may agree by chance.
-const SETTLED: f64 = 0.01;
 
 /// An orbit on a border.
 pub(in crate::shooting) struct Edge {

@@ -1,7 +1,7 @@
 //! Where a doubled orbit meets the one that it doubles: a flip of that one.
 
 use crate::bifurcation::test_function::flip;
-use crate::continuation::Located;
+use crate::continuation::{Located, SETTLED};
 use crate::shooting::{Guess, Orbit, Search, converge};
 use crate::study::orbit::Sought;
 
@@ -11,8 +11,6 @@ const STEP: f64 = 1e-6;
 const SECANTS: usize = 8;
 /// Distance, relative to r, beyond which a flip is another one.
 const NEAR: f64 = 1e-3;
-/// Part of the accuracy that an error cannot be less than: two runs may agree by chance.
-const SETTLED: f64 = 0.01;
 /// Share of the accuracy at which it is found once more, and what is reported over what both differ by.
 const AGAIN: f64 = 0.1;
 const DOUBT: f64 = 2.0;

@@ -52,10 +52,7 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         label,
         after: found.after,
         r: along.value(found.r),
-        error: found
-            .error
-            .is_finite()
-            .then(|| along.error(found.r, found.error)),
+        error: along.error(found),
         period: found.point.period,
         multipliers: found.point.floquet.multipliers.clone(),
         state: found.point.place.state.clone(),

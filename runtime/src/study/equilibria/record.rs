@@ -61,6 +61,9 @@ pub struct SpecialEquilibrium {
     pub after: usize,
     /// The design variable, in the user's own values.
     pub r: f64,
+    /// Its estimated error; none where that could not be measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
     /// Where.
     pub state: Vec<f64>,
     /// Eigenvalues there.

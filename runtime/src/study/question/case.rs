@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::choice::choose;
 use super::dynamics::Dynamics;
 use crate::bifurcation::Kind;
+use crate::continuation::Located;
 use crate::field::{Design, Smoothing};
 use crate::model::{Model, ModelInfo, ParamId};
 
@@ -199,13 +200,14 @@ impl Along {
         (0..=last).map(value).collect()
     }
 
-    /// An error of a family's r, in the user's own values.
+    /// The estimated error of r at a special point, in the user's own values; `None` where it could not be measured.
     #[must_use]
-    pub(in crate::study) fn error(&self, r: f64, error: f64) -> f64 {
-        match self.design {
-            Design::Smoothing => r.exp() * error,
-            Design::Parameter(_) | Design::None => error,
-        }
+    pub(in crate::study) fn error<P>(&self, at: &Located<P>) -> Option<f64> {
+        let own = match self.design {
+            Design::Smoothing => at.r.exp() * at.error,
+            Design::Parameter(_) | Design::None => at.error,
+        };
+        own.is_finite().then_some(own)
     }
 
     /// The share of the way done at the user's value `value`, between 0 and 1.

@@ -10,15 +10,12 @@ use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{digits, followed, heading, number, timed};
+use crate::app::text::{certain, followed, heading, number, timed};
 use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::report::chart::{Chart, Drawn};
 use crate::report::{Axis, Figure, Panel};
 use crate::study::{BranchRecord, Case, OrbitRecord, Special};
-
-/// Digits of special points at most.
-const SHOWN: usize = 10;
 
 /// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
 /// states.
@@ -82,20 +79,14 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
         .column("special", |one: &Special| one.label.clone())
         .column("kind", |one| one.kind.to_string())
         .column(followed(info, &branch.along), |one| {
-            number(one.r, certain(one))
+            number(one.r, certain(one.r, one.error))
         })
         .column(timed(info, "period", "s"), |one| {
             // It is known less well than what it was located in.
-            number(one.period, certain(one).clamp(5, SHOWN) - 1)
+            number(one.period, certain(one.r, one.error).max(5) - 1)
         })
         .column("", remark)
         .text(&branch.special)
-}
-
-/// Digits of the design variable at a special point: ten, or as many as its error leaves.
-fn certain(one: &Special) -> usize {
-    let relative = one.error.map(|error| error / one.r.abs());
-    relative.map_or(SHOWN, digits).min(SHOWN)
 }
 
 /// The extent of the states that are shown, and the period; amplitudes and phases, each pair in a row.
