@@ -8,6 +8,7 @@ mod arrival;
 mod candidate;
 mod crossing;
 mod hit;
+mod image;
 mod located;
 mod mirror;
 mod problem;
