@@ -35,6 +35,19 @@ model! {
     }
 }
 
+model! {
+    /// A mass on rough ground, shaken through its spring: Den Hartog 1931, here with a peak at rest.
+    struct Shaken {
+        state x = 0.0;
+        state v = 0.0;
+        param omega = 0.6;
+        drive phi at omega;
+        friction F = CoulombStatic { static_level: 0.3, kinetic_level: 0.2 } opposing v;
+        der(x) = v;
+        der(v) = cos(phi) - x + F;
+    }
+}
+
 /// The branch along a parameter, others as given.
 pub(crate) fn branch<M: Model<N>, const N: usize>(
     given: &[(ParamId<M>, f64)],
@@ -75,9 +88,10 @@ fn are(branch: &BranchRecord, wanted: &[(&str, f64)], tolerance: f64) {
 #[test]
 fn a_branch_turns_at_a_graze_and_goes_on_with_the_other_word() {
     let found = branch(&[], Pendulum::shaft, (2.5, 4.0), |_| {});
-    are(&found, &[("GS1", 3.060_655_570)], 1e-9);
+    let hopf = 4.0 * 2.0_f64.ln();
+    are(&found, &[("GS1", 3.060_655_570), ("HB1", hopf)], 1e-9);
     let last = found.points.last().expect("points");
-    assert!((last.r.expect("a value") / (4.0 * 2.0_f64.ln()) - 1.0).abs() < 1e-5);
+    assert!((last.r.expect("a value") / hopf - 1.0).abs() < 1e-5);
     assert!(found.unlocated().is_none(), "{:?}", found.ended);
 }
 
@@ -120,6 +134,33 @@ fn where_friction_drops_both_sides_end() {
     }
     let found = branch(&[], Torn::above, (0.3, 0.1), |_| {});
     are(&found, &[("SS1", 0.168_454_065_2)], 1e-9);
+    assert!(matches!(
+        found.ended.ending,
+        Ending::At(Kind::SwitchingSliding, _)
+    ));
+}
+
+/// Both halves of a symmetric orbit come to their border at once. Den Hartog 1931: of continuous sliding, with the amplitude
+/// c and T = π/ω, s = −f sin T / (ω (1 + cos T)) and c² + s² = (1 − ω²)⁻²; at its turning points the ground would have to
+/// hold c ω², and does so from the limit at rest on.
+#[test]
+fn a_symmetric_orbit_ends_where_both_halves_would_stick() {
+    let held = |omega: f64| {
+        let turn = std::f64::consts::PI / omega;
+        let s = 0.2 * turn.sin() / (omega * (1.0 + turn.cos()));
+        omega.powi(2) * ((1.0 - omega * omega).powi(-2) - s * s).sqrt()
+    };
+    let (mut low, mut high) = (0.47_f64, 0.5);
+    while high - low > 1e-15 {
+        let middle = 0.5 * (low + high);
+        if held(middle) < 0.3 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let found = branch(&[], Shaken::omega, (0.55, 0.4), |_| {});
+    are(&found, &[("SS1", high)], 1e-9);
     assert!(matches!(
         found.ended.ending,
         Ending::At(Kind::SwitchingSliding, _)

@@ -1,6 +1,7 @@
 //! The events of an orbit once around, and which of them belong to a border.
 
 use super::candidate::{BRIEF, Border, Condition};
+use super::change::Change;
 use crate::field::exact::Mode;
 use crate::flow::{EventKind, FlowError};
 use crate::motion::{Event, Flow, Modes};
@@ -39,13 +40,6 @@ pub(super) struct Around<'a> {
     ends: Vec<f64>,
     /// The events at which modes change, in the order of time.
     switches: Vec<usize>,
-}
-
-/// The change at an event: what comes next, if that belongs to it.
-struct Change {
-    modes: [Modes; 2],
-    /// Which switches are part of it.
-    own: Vec<usize>,
 }
 
 impl<'a> Around<'a> {
@@ -105,19 +99,26 @@ impl<'a> Around<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
-        border.mirror = self.mirror(index, &change.own);
-        let (mut own, count) = (change.own.clone(), change.own.len().max(1));
-        if border.mirror.is_some() {
-            own.extend(change.own.iter().filter_map(|i| self.image(*i)));
-        }
-        for part in own.chunks(count) {
-            if let [first, .., last] = part {
-                let ends = [first, last].map(|i| self.orbit.events[*i].time);
+        let Change {
+            modes,
+            own,
+            at_once,
+        } = change;
+        border.mirror = self.mirror(index, &own[..at_once]);
+        let images: Vec<usize> = match border.mirror {
+            Some(_) => own.iter().filter_map(|i| self.image(*i)).collect(),
+            None => Vec::new(),
+        };
+        for part in [&own, &images] {
+            if let [first, .., last] = part[..] {
+                let ends = [first, last].map(|i| self.orbit.events[i].time);
                 border.brief.push(ends);
             }
         }
-        border.modes = change.modes;
-        (border.held, border.calm) = self.held(event, &own, border.turn());
+        let images = images.iter().take(at_once);
+        let held: Vec<usize> = own[..at_once].iter().chain(images).copied().collect();
+        border.modes = modes;
+        (border.held, border.calm) = self.held(event, &held, border.turn());
         Ok(Some(border))
     }
 
@@ -173,35 +174,24 @@ impl<'a> Around<'a> {
         let event = &self.orbit.events[index];
         let [before, after] = around.map(Clone::clone);
         if !event.kind.is_switch() {
-            return Some(Change {
-                modes: [before, after],
-                own: Vec::new(),
-            });
+            return Some(Change::at_once([before, after], Vec::new()));
         }
         if matches!(event.kind, EventKind::Impact { .. }) {
-            return Some(Change {
-                modes: [before, after],
-                own: vec![index],
-            });
+            return Some(Change::at_once([before, after], vec![index]));
         }
         let own = before.get(event.contact);
         if drops {
             let touches =
                 own == Some(&Mode::Stick) || after.get(event.contact) == Some(&Mode::Stick);
-            return touches.then_some(Change {
-                modes: [before, after],
-                own: vec![index],
-            });
+            return touches.then(|| Change::at_once([before, after], vec![index]));
         }
         if own == Some(&Mode::Rest) {
             return self.lifted(index, before);
         }
         let next = self.next(index)?;
         let back = self.around(&self.orbit.events[next])?[1];
-        (back == &before).then(|| Change {
-            modes: [before.clone(), before],
-            own: vec![index, next],
-        })
+        let modes = [before.clone(), before];
+        (back == &modes[0]).then(|| Change::at_once(modes, vec![index, next]))
     }
 
     /// What belongs to a reaction that vanishes: the flight, and the impacts after it, until the gap is closed again.
@@ -216,7 +206,7 @@ impl<'a> Around<'a> {
                 .map(|[_, after]| after);
             if after == Some(&before) {
                 let modes = [before.clone(), before];
-                return (last != index).then_some(Change { modes, own });
+                return (last != index).then(|| Change::at_once(modes, own));
             }
         }
         None
@@ -233,20 +223,23 @@ impl<'a> Around<'a> {
         let event = &self.orbit.events[index];
         let [before, after] = around.map(Clone::clone);
         let landed = matches!(event.kind, EventKind::Landing { .. });
-        if landed == (rate > 0.0) || drops && !landed {
-            return Some(Change {
-                modes: [before, after],
-                own: vec![index],
-            });
+        if landed == (rate > 0.0) {
+            return Some(Change::at_once([before, after], vec![index]));
         }
         let next = self.next(index)?;
         let last = self.around(&self.orbit.events[next])?[1].clone();
         let contact = event.contact;
         let other =
             self.orbit.events[next].contact == contact && last.get(contact) != before.get(contact);
+        let (after, at_once) = if drops && !landed {
+            (after, 1)
+        } else {
+            (last, 2)
+        };
         other.then(|| Change {
-            modes: [before, last],
+            modes: [before, after],
             own: vec![index, next],
+            at_once,
         })
     }
 

@@ -6,6 +6,7 @@
 mod around;
 mod arrival;
 mod candidate;
+mod change;
 mod crossing;
 mod hit;
 mod image;
