@@ -182,11 +182,8 @@ impl Reader<'_> {
         let unit = value::unit_if_stated(input)?;
         input.parse::<Token![=]>()?;
         let number = Some(value::number(input)?);
-        let bounds = if bounded {
-            value::bounds_if_stated(input)?
-        } else {
-            None
-        };
+        let bounds = bounded.then(|| value::bounds_if_stated(input));
+        let bounds = bounds.transpose()?.flatten();
         let single = names.len() == 1;
         let value = |name: Ident| {
             let bounds = bounds.clone().map(|bounds| match single {

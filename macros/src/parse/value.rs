@@ -24,7 +24,7 @@ pub(super) fn number(input: ParseStream) -> syn::Result<Number> {
     let sign: Option<Token![-]> = input.parse()?;
     if let Ok(name) = input.fork().call(Ident::parse_any) {
         let message = format!(
-            "expected a number such as `1.0`: `{name}` is a name, and the program sets values by `--set`"
+            "expected a number such as `1.0`, not the name `{name}`: starts, defaults and bounds are numbers"
         );
         return Err(input.error(message));
     }

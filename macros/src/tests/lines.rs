@@ -138,7 +138,7 @@ fn what_belongs_elsewhere_is_shown_the_way() {
         (
             "state v: m/s = 0.0",
             "state v: m/s = v_dr",
-            "`v_dr` is a name",
+            "not the name `v_dr`",
         ),
         (
             "state v: m/s",
