@@ -243,8 +243,8 @@ mod tests {
         ];
         let path = numbers(&smooth(&knots));
         // Two humps that meet in a corner.
-        assert_eq!(path[..8], [0.0, 0.0, 3.0, 3.0, 6.0, 3.0, 9.0, 0.0]);
-        assert_eq!(path[8..], [12.0, 3.0, 15.0, 3.0, 18.0, 0.0]);
+        assert_eq!(path[..8], [0.0, 0.0, 2.12, 2.12, 6.88, 2.12, 9.0, 0.0]);
+        assert_eq!(path[8..], [11.12, 2.12, 15.88, 2.12, 18.0, 0.0]);
     }
 
     #[test]
