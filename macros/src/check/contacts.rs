@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 
 use super::dimension::Dimension;
+use super::resolve::meanings;
 use super::units::Units;
 use crate::errors::Errors;
 use crate::formula::{Formula, Kind};
@@ -34,6 +35,14 @@ pub(super) fn check_contacts(written: &Declaration, units: &Units, errors: &mut 
 fn check_friction(written: &Declaration, units: &Units, friction: &Friction, errors: &mut Errors) {
     let (name, speed) = (&friction.name, &friction.speed);
     let known = errors.len();
+    if rests(written, friction) {
+        let message = format!(
+            "friction opposes a speed, but `{speed}` reads no state, so that the contact of `{name}` would never start or stop \
+             sliding: write its relative speed, such as `opposing v - v_belt`"
+        );
+        errors.at(speed, message);
+        return;
+    }
     let by_unit = units.measure(speed, errors) == Some(Dimension::LENGTH);
     if errors.len() > known {
         return;
@@ -50,6 +59,16 @@ fn check_friction(written: &Declaration, units: &Units, friction: &Friction, err
          `opposing {instead}`"
     );
     errors.at(speed, message);
+}
+
+/// Whether what a friction opposes never changes, as far as all of it is known.
+fn rests(written: &Declaration, friction: &Friction) -> bool {
+    let speed = friction.speed.unabbreviated(&meanings(written));
+    let moves = |name: &Ident| {
+        let fixed = written.params().any(|param| param.name == *name);
+        !fixed && name != &friction.name
+    };
+    written.broken().next().is_none() && !speed.names().into_iter().any(moves)
 }
 
 /// A state that friction opposes, and its rate, if the rate of each that it opposes is another state on which the same

@@ -61,6 +61,11 @@ impl Reader<'_> {
     pub(super) fn argument(&mut self, input: ParseStream) -> syn::Result<Ident> {
         let inside;
         parenthesized!(inside in input);
+        if inside.peek2(token::Paren) {
+            return Err(inside.error(
+                "equations are of first order: give the rate a state of its own, with `der(x) = v;` and `der(v) = ...;`",
+            ));
+        }
         let name = name(&inside)?;
         let name = self.element_if_indexed(name, &inside, false)?;
         if inside.is_empty() {

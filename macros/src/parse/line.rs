@@ -53,6 +53,11 @@ impl Reader<'_> {
         let mut rate = None;
         let (line, name, formula): (fn(Rule) -> Line, _, _) = match text.as_str() {
             "let" => {
+                if input.peek(Token![mut]) {
+                    return Err(input.error(
+                        "a `let` line is a formula: it follows the states by itself, without `mut`",
+                    ));
+                }
                 let name = self.declared(input)?;
                 no_unit(&name, input)?;
                 (Line::Let, name, self.moving_side(input)?)
@@ -169,14 +174,16 @@ impl Reader<'_> {
         line: fn(Value) -> Line,
     ) -> syn::Result<Vec<Line>> {
         let names = self.names(input)?;
+        if input.peek(Token![,]) {
+            return Err(input.error(
+                "each state and each parameter has a line of its own, or declare an array: `x[2]`",
+            ));
+        }
         let unit = value::unit_if_stated(input)?;
         input.parse::<Token![=]>()?;
         let number = Some(value::number(input)?);
-        let bounds = if bounded {
-            value::bounds_if_stated(input)?
-        } else {
-            None
-        };
+        let bounds = bounded.then(|| value::bounds_if_stated(input));
+        let bounds = bounds.transpose()?.flatten();
         let single = names.len() == 1;
         let value = |name: Ident| {
             let bounds = bounds.clone().map(|bounds| match single {
@@ -197,7 +204,7 @@ impl Reader<'_> {
 
     /// The right side of a line in which, in a law, the internal state and its kinks may stand.
     fn moving_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
-        input.parse::<Token![=]>()?;
+        value::equals(input)?;
         let grammar = match self.place.grammar {
             grammar @ (Grammar::Model | Grammar::Press) => grammar,
             Grammar::Law | Grammar::Memory => Grammar::Memory,
@@ -212,7 +219,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn right_side(&mut self, input: ParseStream) -> syn::Result<Formula> {
-        input.parse::<Token![=]>()?;
+        value::equals(input)?;
         self.formula(input)
     }
 

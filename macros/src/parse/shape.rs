@@ -156,7 +156,12 @@ pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
 }
 
 /// Words with which people begin lines, and what to write instead.
-const OTHERS: [(&str, &str); 5] = [
+const OTHERS: [(&str, &str); 7] = [
+    ("pub", "states and parameters are public without it"),
+    (
+        "fn",
+        "a formula has a name by `let stretch = x - x_0;`, and a force that depends on a speed is a law, by `friction_law!`",
+    ),
     (
         "const",
         "a number that does not change is a `param`: `param g: m/s^2 = 9.81;`",
@@ -185,6 +190,8 @@ pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStr
         format!("did you mean `{near}`?")
     } else if let Some((_, advice)) = OTHERS.iter().find(|(other, _)| *other == word) {
         (*advice).to_owned()
+    } else if let Some(home) = home(&word, grammar) {
+        format!("it belongs to `{home}`")
     } else if word.starts_with('d') && input.peek(Token![/]) {
         "a rate of change is written `der(x) = v;`".to_owned()
     } else if grammar == Grammar::Model && input.peek(Token![=]) {
@@ -198,6 +205,20 @@ pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStr
         written.span(),
         format!("`{word}` does not begin a line; {advice}"),
     )
+}
+
+/// The macro of which this word begins a line, if it is another one.
+fn home(word: &str, grammar: Grammar) -> Option<&'static str> {
+    let homes = [
+        (Grammar::Model, "model!"),
+        (Grammar::Law, "friction_law!"),
+        (Grammar::Press, "press_law!"),
+    ];
+    let mut others = homes
+        .into_iter()
+        .filter(|(other, _)| keywords(*other).any(|keyword| keyword == word));
+    let own = keywords(grammar).any(|keyword| keyword == word);
+    others.next().filter(|_| !own).map(|(_, home)| home)
 }
 
 fn listed(grammar: Grammar) -> String {

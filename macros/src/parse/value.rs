@@ -10,9 +10,24 @@ use crate::arithmetic;
 use crate::formula::Number;
 use crate::syntax::{Bound, Bounds, Unit, UnitFactor};
 
+/// `=`
+pub(super) fn equals(input: ParseStream) -> syn::Result<()> {
+    input.parse::<Token![=]>()?;
+    match input.peek(Token![=]) {
+        true => Err(input.error("a line says by one `=` what its left side is")),
+        false => Ok(()),
+    }
+}
+
 /// `["-"] literal`
 pub(super) fn number(input: ParseStream) -> syn::Result<Number> {
     let sign: Option<Token![-]> = input.parse()?;
+    if let Ok(name) = input.fork().call(Ident::parse_any) {
+        let message = format!(
+            "expected a number such as `1.0`, not the name `{name}`: starts, defaults and bounds are numbers"
+        );
+        return Err(input.error(message));
+    }
     if !input.peek(Lit) {
         return Err(input.error("expected a number such as `1.0`"));
     }
@@ -145,6 +160,9 @@ fn factor(input: ParseStream, divides: bool) -> syn::Result<UnitFactor> {
     let mut exponent = 1;
     if input.parse::<Option<Token![^]>>()?.is_some() {
         let negative = input.parse::<Option<Token![-]>>()?.is_some();
+        if !input.peek(LitInt) {
+            return Err(input.error("the power of a unit is a whole number, as in `m^2`"));
+        }
         let magnitude: i32 = input.parse::<LitInt>()?.base10_parse()?;
         exponent = if negative { -magnitude } else { magnitude };
     }

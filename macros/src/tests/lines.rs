@@ -120,3 +120,51 @@ fn one_macro_declares_one_struct() {
         ["model `M` has no state: add `state x = 1.0;`"]
     );
 }
+
+#[test]
+fn what_belongs_elsewhere_is_shown_the_way() {
+    let first = |told: Vec<String>| told.first().cloned().unwrap_or_default();
+    for (text, replacement, way) in [
+        (
+            "state v: m/s = 0.0",
+            "pub state v: m/s = 0.0",
+            "are public without it",
+        ),
+        (
+            "state v: m/s = 0.0",
+            "state v, w: m/s = 0.0",
+            "a line of its own",
+        ),
+        (
+            "state v: m/s = 0.0",
+            "state v: m/s = v_dr",
+            "not the name `v_dr`",
+        ),
+        (
+            "state v: m/s",
+            "state v: m/s^0.5",
+            "is a whole number, as in `m^2`",
+        ),
+        ("der(x) = v;", "der(x) == v;", "by one `=`"),
+        ("der(v) =", "der(der(x)) =", "are of first order"),
+        ("let stretched", "let mut stretched", "without `mut`"),
+        (
+            "opposing v - v_dr",
+            "opposing v_dr - 1.0",
+            "would never start or stop",
+        ),
+    ] {
+        let told = first(of_belt(text, replacement));
+        assert!(told.contains(way), "{replacement}: {told}");
+    }
+    let told = first(of_model("stick = 1.0;"));
+    assert_eq!(
+        told,
+        "`stick` does not begin a line; it belongs to `friction_law!`"
+    );
+    let told = first(of_law("der(z) = w; friction = 1.0;"));
+    assert_eq!(
+        told,
+        "`friction` does not begin a line; it belongs to `model!`"
+    );
+}

@@ -30,7 +30,7 @@ pub(super) struct Subject {
 /// A periodic orbit with one period of its motion.
 pub(super) struct Cycle {
     pub(super) orbit: OrbitRecord,
-    pub(super) path: Vec<Vec<f64>>,
+    pub(super) motion: Trajectory,
 }
 
 impl Subject {
@@ -88,8 +88,8 @@ impl Subject {
     fn drawn(&self, case: &Case) -> Result<Cycle, ReproduceError> {
         let orbit = self.entry.orbit(case).map_err(self.missing(case))?;
         let motion = self.motion(&orbit, ACCURACY);
-        let path = motion.map_err(self.missing(case))?.states;
-        Ok(Cycle { orbit, path })
+        let motion = motion.map_err(self.missing(case))?;
+        Ok(Cycle { orbit, motion })
     }
 
     /// One period of an orbit.

@@ -121,14 +121,16 @@ fn ends(copies: &Copies, rests: &[EquilibriaRecord]) -> Vec<Vec<String>> {
         };
         let first = &copy.cycle.orbit;
         let last = branch.points.last()?;
+        let [end, why] = branch.ending();
         Some(vec![
             power(*exponent),
             decimals(1.0 / first.period, 7),
             decimals(first.max_abs[0], 6),
             decimals(v_bif, 7),
-            branch.ending("*v*_{dr}"),
+            end,
             decimals(1.0 / last.period, 5),
             decimals(last.max_abs[0], 4),
+            why,
         ])
     });
     rows.collect()

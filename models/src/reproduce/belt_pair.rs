@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use stickslip::field::Kernel;
 use stickslip::report::numerals::{decimals, duration};
-use stickslip::report::{Axis, Curve, Manuscript, Panel, Section};
+use stickslip::report::{Axis, Coordinate, Manuscript, Panel, Section, traced};
 use stickslip::study::parallel;
 
 use super::ReproduceError;
@@ -78,11 +78,11 @@ pub(super) fn section() -> Result<Section, ReproduceError> {
 fn panels(found: &[Found], ends: [f64; 2]) -> impl Iterator<Item = Panel> {
     let axis = move |label| Axis::new(label).from(ends[0], ends[1]);
     found.iter().map(move |one| {
-        let path = one.cycle.path.iter().map(|state| [state[0], state[2]]);
+        let plane = [0, 2].map(Coordinate::State);
         let (v_dr, count) = (one.asked.v_dr, one.cycle.orbit.period_count);
         Panel::new(axis("*X*_{1}"), axis("*X*_{2}"))
             .titled(format!("*V*_{{dr}} = {v_dr}, period {count}"))
-            .curve(Curve::smooth("", 0, path.collect()))
+            .curve(traced("", 0, &one.cycle.motion, plane))
     })
 }
 

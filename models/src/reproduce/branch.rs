@@ -49,9 +49,9 @@ impl Branch {
         }
     }
 
-    /// Where it ends along `name`, and why.
-    pub(super) fn ending(&self, name: &str) -> String {
-        format!("{name} = {}: {}", short(self.end), self.why)
+    /// Where it ends, and why.
+    pub(super) fn ending(&self) -> [String; 2] {
+        [short(self.end), self.why.to_owned()]
     }
 
     /// What it cost along `name`, beside what it cost in the thesis, as a row of a table.

@@ -2,8 +2,8 @@
 
 use stickslip::bifurcation::Stability;
 use stickslip::field::{Kernel, Smoothing};
-use stickslip::report::Curve;
 use stickslip::report::numerals::power;
+use stickslip::report::{Coordinate, Curve, traced};
 use stickslip::study::{Dynamics, OrbitRecord, parallel};
 
 use super::ReproduceError;
@@ -71,9 +71,13 @@ impl Member {
     }
 
     /// The orbit at the beginning, in the plane of the first two states.
-    pub(super) fn plane(&self) -> Vec<[f64; 2]> {
-        let path = self.cycle.path.iter();
-        path.map(|state| [state[0], state[1]]).collect()
+    pub(super) fn plane(&self, label: &str, series: usize) -> Curve {
+        traced(
+            label,
+            series,
+            &self.cycle.motion,
+            [0, 1].map(Coordinate::State),
+        )
     }
 
     /// What the branches along `name` cost.
@@ -128,7 +132,7 @@ impl Copies {
 
     /// The orbits at the beginning, in the plane of the first two states.
     pub(super) fn planes(&self) -> Vec<Curve> {
-        self.curves(|one, series| Curve::smooth(&one.label, series, one.plane()))
+        self.curves(|one, series| one.plane(&one.label, series))
     }
 
     /// The largest magnitude of the first state along the branches.

@@ -134,13 +134,16 @@ fn ends(copies: &Copies) -> Vec<Vec<String>> {
         };
         let first = &copy.cycle.orbit;
         let last = down.points.last()?;
+        let ([low, below], [high, above]) = (down.ending(), up.ending());
         Some(vec![
             power(*exponent),
             decimals(1.0 / first.period, 7),
             decimals(first.max_abs[0], 6),
-            down.ending("*η*"),
+            low,
             decimals(last.max_abs[0], 4),
-            up.ending("*η*"),
+            below,
+            high,
+            above,
         ])
     });
     rows.collect()

@@ -27,7 +27,7 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
         .curves(
             "3.1",
             [vec![
-                Curve::smooth("limit cycle", 0, cycles.plane()),
+                cycles.plane("limit cycle", 0),
                 Curve::points("unstable equilibrium", 2, Marker::Cross, vec![[0.0, 0.0]]),
             ]],
         )

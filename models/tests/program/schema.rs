@@ -5,7 +5,14 @@ use serde_json::Value;
 use crate::{stickslip, words};
 
 /// One line for each form of a document.
-const LINES: [&str; 28] = [
+const LINES: [&str; 35] = [
+    "branch drill-string --along eta=4..6 --and zeta=0.05..0.06",
+    "models drill-string",
+    "laws hertz",
+    "laws --speed 0.1",
+    "simulate forced-belt --time 20 --section phi=0",
+    "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 20 --areas",
+    "map belt-oscillator --along v_dr=0.1..0.4:2 --and delta=2..3:2 multiplier",
     "models",
     "models belt-pair",
     "models bristle-oscillator",

@@ -6,7 +6,10 @@ use std::path::Path;
 use crate::{stickslip, words};
 
 /// Columns that hold words.
-const WORDS: [&str; 10] = [
+const WORDS: [&str; 13] = [
+    "kind",
+    "reason",
+    "word",
     "direction",
     "stability",
     "mode",
@@ -19,7 +22,12 @@ const WORDS: [&str; 10] = [
     "cancelling",
 ];
 
-const LINES: [&str; 12] = [
+const LINES: [&str; 17] = [
+    "map belt-oscillator --along v_dr=0.1..0.4:2 --and delta=2..3:2 motion",
+    "map belt-oscillator --along v_dr=0.1..0.4:2 --and delta=2..3:2 multiplier",
+    "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 20",
+    "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 5 --along v_dr=0.2..0.4 --values 2",
+    "simulate forced-belt --time 20 --smooth arctan:1e3",
     "laws",
     "laws belt-pair",
     "simulate belt-pair --time 5",

@@ -1,9 +1,10 @@
 //! Why the program does not do what it was asked.
 
 use std::fmt;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 
 use super::text::number;
+use super::width::fitted;
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
 use crate::shooting::OrbitError;
@@ -91,7 +92,12 @@ impl Failure {
 
     /// Prints the message on stderr; if nobody listens, so be it.
     pub(super) fn report(&self) {
-        let _ = writeln!(std::io::stderr(), "error: {self}");
+        let mut stderr = std::io::stderr();
+        let message = format!("error: {self}\n");
+        let _ = match stderr.is_terminal() {
+            true => write!(stderr, "{}", fitted(&message)),
+            false => write!(stderr, "{message}"),
+        };
     }
 }
 

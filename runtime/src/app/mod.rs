@@ -2,7 +2,7 @@
 
 mod answer;
 mod arguments;
-mod chart;
+mod axis;
 mod command;
 mod commands;
 mod document;

@@ -1,5 +1,6 @@
 //! Tables as data: what is typeset as a number is one, of one unit in each column.
 
+use super::symbols::spelt;
 use super::{Table, text};
 
 /// What a cell of a column of numbers says.
@@ -32,7 +33,29 @@ pub(super) fn rows(table: &Table) -> Vec<Vec<String>> {
         }
     }
     let row = |i: usize| columns.iter().map(|column| column[i].clone()).collect();
-    (0..=table.rows.len()).map(row).collect()
+    let rows = (0..=table.rows.len()).map(row);
+    rows.map(|row: Vec<String>| row.iter().map(|cell| ascii(cell)).collect())
+        .collect()
+}
+
+/// A text in the letters that every program reads, whatever it takes the file to be written in.
+pub(super) fn ascii(text: &str) -> String {
+    let letter = |letter: char| match letter {
+        '−' | '–' => "-".to_owned(),
+        '×' => "x".to_owned(),
+        'µ' => "u".to_owned(),
+        '′' => "'".to_owned(),
+        '″' => "''".to_owned(),
+        '≤' => "<=".to_owned(),
+        '≥' => ">=".to_owned(),
+        '≈' => "~".to_owned(),
+        '→' => "->".to_owned(),
+        '\u{a0}' | '\u{202f}' => " ".to_owned(),
+        '₀'..='₉' => (letter as u32 - '₀' as u32).to_string(),
+        other if other.is_ascii() => other.to_string(),
+        other => spelt(other).unwrap_or_else(|| "?".to_owned()),
+    };
+    text.chars().map(letter).collect()
 }
 
 /// A head that no column has yet: if need be with what the one before is of, `a, thesis` before `here`.
@@ -54,9 +77,11 @@ fn numbers(head: String, cells: Vec<Cell>) -> Vec<Vec<String>> {
         .any(|cell| matches!(cell, Cell::Number(_, "s")));
     let spoken = cells.iter().any(|cell| matches!(cell, Cell::Words(_)));
     let unit = if timed { " (s)" } else { "" };
+    let counted = cells.iter().any(|cell| matches!(cell, Cell::Number(..)));
+    let beside = if counted { ", words" } else { "" };
     let (mut values, mut words) = (
         vec![format!("{head}{unit}")],
-        vec![format!("{head}, words")],
+        vec![format!("{head}{beside}")],
     );
     for cell in cells {
         let (value, word) = match cell {
@@ -67,9 +92,8 @@ fn numbers(head: String, cells: Vec<Cell>) -> Vec<Vec<String>> {
         values.push(value);
         words.push(word);
     }
-    std::iter::once(values)
-        .chain(spoken.then_some(words))
-        .collect()
+    let values = (counted || !spoken).then_some(values);
+    values.into_iter().chain(spoken.then_some(words)).collect()
 }
 
 /// What a cell says: `−8.597 × 10^{−4}`, `1 234` with thin spaces, `18 µs`, `–`.
@@ -142,9 +166,27 @@ mod tests {
         let expected = [
             ["a, thesis", "a, here", "a, here, words", "time (s)", "of x"],
             ["-0.58", "8.597e-4", "", "1.5", "stable"],
-            ["1e5", "1234", "", "18e-6", "−1"],
+            ["1e5", "1234", "", "18e-6", "-1"],
             ["", "", "all 3 orbits stable", "", ""],
         ];
         assert_eq!(rows(&table), expected);
+    }
+
+    #[test]
+    fn a_column_without_numbers_is_one_of_words() {
+        let cells = ["about 20", "–"].map(read).into_iter().collect();
+        assert_eq!(
+            numbers("thesis".to_owned(), cells),
+            [["thesis", "about 20", ""]]
+        );
+    }
+
+    #[test]
+    fn every_letter_has_plain_ones() {
+        assert_eq!(
+            ascii("−0.5 × ζθ → T″, x₁ ≤ 3 µs"),
+            "-0.5 x zetatheta -> T'', x1 <= 3 us"
+        );
+        assert_eq!(ascii("Ω, ς, ω, é"), "Omega, sigma, omega, ?");
     }
 }

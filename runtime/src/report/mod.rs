@@ -11,6 +11,7 @@ mod pdf;
 mod special;
 pub mod symbols;
 mod text;
+mod traced;
 pub(crate) mod whole;
 mod written;
 
@@ -19,6 +20,7 @@ use std::path::PathBuf;
 
 pub use figure::{Axis, Curve, Figure, Inset, Marker, Panel, SHADES, Shape};
 pub use manuscript::Manuscript;
+pub use traced::{Coordinate, traced};
 pub use written::{Report, Written};
 
 /// A section.

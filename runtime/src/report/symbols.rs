@@ -72,3 +72,16 @@ fn greek(name: &str) -> Option<char> {
     let code = place as u32 + u32::from(place > 16);
     char::from_u32(code + if capital { 0x391 } else { 0x3b1 })
 }
+
+/// The name of a Greek letter, if this is one.
+pub(super) fn spelt(letter: char) -> Option<String> {
+    let code = letter as u32;
+    let capital = (0x391..=0x3a9).contains(&code);
+    let place = code.checked_sub(if capital { 0x391 } else { 0x3b1 })?;
+    let name = GREEK.get((place - u32::from(place > 17)) as usize)?;
+    let (first, rest) = name.split_at(1);
+    Some(match capital {
+        true => first.to_uppercase() + rest,
+        false => (*name).to_owned(),
+    })
+}

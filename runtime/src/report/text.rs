@@ -121,10 +121,12 @@ fn convert(text: &str, dialect: &Dialect) -> String {
     out
 }
 
-/// Whether the `*` with which `rest` begins opens emphasis: not that of a product, as in `N*m`.
+/// Whether the `*` with which `rest` begins opens emphasis, as in `2*ζ*`: not that of a product, as in `N*m` or `m^2*s`.
 fn begins_emphasis(text: &str, rest: &str) -> bool {
-    let before = text[..text.len() - rest.len()].chars().next_back();
-    !before.is_some_and(char::is_alphanumeric) && rest[1..].contains('*')
+    let before = &text[..text.len() - rest.len()];
+    let before = before.trim_end_matches(|c: char| c.is_ascii_digit());
+    let joined = |c: char| c.is_alphanumeric() || c == '^';
+    !before.chars().next_back().is_some_and(joined) && rest[1..].contains('*')
 }
 
 /// A number for a drawing: two decimals, no trailing zeros.
@@ -150,9 +152,15 @@ mod tests {
 
     #[test]
     fn a_product_of_units_is_no_emphasis() {
-        for text in ["T (N*m)", "T, c (N*m*s)", "F (N*m), G (N*m)", "2 * x"] {
+        for text in [
+            "T (N*m)",
+            "T, c (N*m*s)",
+            "F (N*m), G (kg*m^2*s*K)",
+            "2 * x",
+        ] {
             assert_eq!(svg(text), text);
         }
         assert_eq!(html("*M* in N*m"), "<em>M</em> in N*m");
+        assert_eq!(html("2*ζ* + 4*ε*"), "2<em>ζ</em> + 4<em>ε</em>");
     }
 }

@@ -116,18 +116,24 @@ fn save(path: &Path, content: impl AsRef<[u8]>) -> Result<(), ReportError> {
     whole::write(path, content).map_err(failed(path))
 }
 
-/// One row for each point: its curve, x and y.
+/// One row for each point: its curve, if any has a name, x and y. What a corner says twice is one row.
 fn save_panel(path: &Path, panel: &Panel) -> Result<(), ReportError> {
-    let [x, y] = [&panel.x, &panel.y].map(|axis| text::plain(&axis.label));
+    let axes = [&panel.x, &panel.y].map(|axis| data::ascii(&text::plain(&axis.label)));
+    let named = panel.curves.iter().any(|curve| !curve.label.is_empty());
+    let row = |label: &str, cells: [String; 2]| {
+        let label = named.then(|| label.to_owned());
+        label.into_iter().chain(cells).collect::<Vec<_>>()
+    };
     let rows = panel.curves.iter().flat_map(|curve| {
-        let label = text::plain(&curve.label);
-        let points = curve.points.iter();
-        points.map(move |[x, y]| [label.clone(), x.to_string(), y.to_string()])
+        let label = data::ascii(&text::plain(&curve.label));
+        let mut points = curve.points.clone();
+        points.dedup();
+        let cells = points
+            .into_iter()
+            .map(|point| point.map(|value| value.to_string()));
+        cells.map(|cells| row(&label, cells)).collect::<Vec<_>>()
     });
-    save_rows(
-        path,
-        std::iter::once(["curve".to_owned(), x, y]).chain(rows),
-    )
+    save_rows(path, std::iter::once(row("curve", axes)).chain(rows))
 }
 
 fn save_table(path: &Path, table: &Table) -> Result<(), ReportError> {

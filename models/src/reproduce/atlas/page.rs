@@ -89,7 +89,7 @@ fn system(pair: &Subject, atlas: &Atlas, marked: &[&Special]) -> Value {
     let all: Vec<(&str, &BranchRecord)> = atlas.branches().collect();
     let name = match atlas.dynamics {
         Dynamics::Exact => "exact".to_owned(),
-        other => format!("smoothed, {other}"),
+        other => format!("smoothed by {}", other.to_string().replace(':', ", ε = ")),
     };
     json!({ "name": name, "branches": parallel(&all, |leaf| branch(pair, leaf, marked)) })
 }

@@ -74,7 +74,7 @@ fn knots(curve: &Curve, frame: &View) -> Vec<Knot> {
     points
         .map(|(i, point)| Knot {
             place: frame.place(*point),
-            direction: known(i, point),
+            directions: [known(i, point); 2],
         })
         .collect()
 }

@@ -14,13 +14,16 @@ const SLIGHT: f64 = 0.9995;
 const ASIDE: f64 = 0.5;
 const LEAST: f64 = 0.2;
 
+/// By how much more than the line turns at a place its known direction there may differ from what is seen, rad.
+const DOUBT: f64 = 0.05;
+
 type Vector = [f64; 2];
 
-/// A place of a line, and its direction there if that is known.
+/// A place of a line, and its directions there as it comes and as it goes on, if they are known.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Knot {
     pub(super) place: Vector,
-    pub(super) direction: Option<Vector>,
+    pub(super) directions: [Option<Vector>; 2],
 }
 
 /// A smooth line through these, with gaps where there is no place.
@@ -34,7 +37,7 @@ fn run(knots: &[Knot]) -> String {
     for knot in knots {
         match distinct.last_mut() {
             Some(last) if length(difference(knot.place, last.place)) < SAME => {
-                last.direction = last.direction.or(knot.direction);
+                last.directions[1] = knot.directions[1];
             }
             _ => distinct.push(*knot),
         }
@@ -78,21 +81,26 @@ fn headings(knots: &[Knot]) -> Vec<[Vector; 2]> {
         .windows(2)
         .map(|pair| difference(pair[1].place, pair[0].place))
         .collect();
-    let inner = |i: usize| between(chords[i - 1], chords[i], knots[i].direction);
+    let inner = |i: usize| between(chords[i - 1], chords[i], knots[i].directions);
     let mut all = vec![[unit(chords[0]); 2]; last + 1];
     for i in 1..last {
         all[i] = inner(i);
     }
-    let begin = end(chords[0], all[1][0], knots[0].direction, last > 1);
+    let begin = end(chords[0], all[1][0], knots[0].directions[1], last > 1);
     all[0] = [begin; 2];
     let before = all[last - 1][1];
-    let finish = end(chords[last - 1], before, knots[last].direction, last > 1);
+    let finish = end(
+        chords[last - 1],
+        before,
+        knots[last].directions[0],
+        last > 1,
+    );
     all[last] = [finish; 2];
     all
 }
 
-/// The tangents between two chords.
-fn between(before: Vector, after: Vector, known: Option<Vector>) -> [Vector; 2] {
+/// The tangents between two chords: where only one side is known, the other one is straight.
+fn between(before: Vector, after: Vector, known: [Option<Vector>; 2]) -> [Vector; 2] {
     let weights = [length(after), length(before)];
     let [from, to] = [unit(before), unit(after)];
     // The tangent of the parabola, its parameter being the length of the chords.
@@ -104,9 +112,18 @@ fn between(before: Vector, after: Vector, known: Option<Vector>) -> [Vector; 2] 
         CORNER
     };
     match known {
-        Some(known) => [towards(known, parabola); 2],
-        None if dot(from, to) < straight => [from, to],
-        None => [unit(parabola); 2],
+        [None, None] if dot(from, to) < straight => [from, to],
+        [None, None] => [unit(parabola); 2],
+        [Some(one), Some(other)] if one == other => {
+            let known = towards(one, parabola);
+            // A rate in a thin layer magnifies every error of a state: what its neighbours contradict is not believed.
+            let believed = angle(known, unit(parabola)) <= angle(from, to) + DOUBT;
+            [if believed { known } else { unit(parabola) }; 2]
+        }
+        [one, other] => [
+            one.map_or(from, |one| towards(one, from)),
+            other.map_or(to, |other| towards(other, to)),
+        ],
     }
 }
 
@@ -140,6 +157,11 @@ fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
+/// The angle between two unit vectors.
+fn angle(a: Vector, b: Vector) -> f64 {
+    (a[0] * b[1] - a[1] * b[0]).atan2(dot(a, b)).abs()
+}
+
 fn length(vector: Vector) -> f64 {
     vector[0].hypot(vector[1])
 }
@@ -156,7 +178,7 @@ mod tests {
     fn line(places: &[Vector]) -> Vec<f64> {
         let knot = |&place: &Vector| Knot {
             place,
-            direction: None,
+            directions: [None; 2],
         };
         numbers(&smooth(&places.iter().map(knot).collect::<Vec<_>>()))
     }
@@ -190,7 +212,7 @@ mod tests {
     fn known_directions_are_kept() {
         let knot = |x: f64| Knot {
             place: [x, x * x * x / 100.0],
-            direction: Some([-1.0, -3.0 * x * x / 100.0]),
+            directions: [Some([-1.0, -3.0 * x * x / 100.0]); 2],
         };
         let path = numbers(&smooth(&[knot(0.0), knot(5.0), knot(10.0)]));
         assert_eq!(path[3], 0.0, "level at 0");
@@ -204,6 +226,42 @@ mod tests {
     fn a_corner_stays_a_corner() {
         let path = line(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]]);
         assert_eq!(middles(&path), [[5.0, 0.0], [10.0, 5.0]]);
+    }
+
+    #[test]
+    fn a_place_said_twice_has_a_direction_for_each_side() {
+        let knot = |x: f64, direction: Vector| Knot {
+            place: [x, 0.0],
+            directions: [Some(direction), Some(direction)],
+        };
+        let (up, down) = ([1.0, 1.0], [1.0, -1.0]);
+        let knots = [
+            knot(0.0, up),
+            knot(9.0, down),
+            knot(9.0, up),
+            knot(18.0, down),
+        ];
+        let path = numbers(&smooth(&knots));
+        // Two humps that meet in a corner.
+        assert_eq!(path[..8], [0.0, 0.0, 2.12, 2.12, 6.88, 2.12, 9.0, 0.0]);
+        assert_eq!(path[8..], [11.12, 2.12, 15.88, 2.12, 18.0, 0.0]);
+    }
+
+    #[test]
+    fn a_direction_that_its_neighbours_contradict_is_not_believed() {
+        let knot = |x: f64, slope: f64| Knot {
+            place: [x, 0.0],
+            directions: [Some([1.0, slope]); 2],
+        };
+        let path = |slope| {
+            numbers(&smooth(&[
+                knot(0.0, 0.0),
+                knot(9.0, slope),
+                knot(18.0, 0.0),
+            ]))
+        };
+        assert_eq!(path(0.3)[5], 0.0);
+        assert!(path(0.04)[5] != 0.0);
     }
 
     #[test]

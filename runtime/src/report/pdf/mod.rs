@@ -116,19 +116,30 @@ impl Page {
     fn rectangle(&mut self, node: Node<'_, '_>, size: [f32; 2]) {
         let [x, y, width, height] = corners(node, size);
         self.content.save_state();
-        let filled = colour(node, "fill");
+        let inked = self.ink(node);
         let stroked = self.pen(node);
+        self.content.rect(x, y, width, height);
+        self.paint(inked, stroked);
+        self.content.restore_state();
+    }
+
+    /// With what an area is filled; false if it is not.
+    fn ink(&mut self, node: Node<'_, '_>) -> bool {
+        let filled = colour(node, "fill");
         if let Some([red, green, blue]) = filled {
             self.content.set_fill_rgb(red, green, blue);
         }
-        self.content.rect(x, y, width, height);
-        match (filled, stroked) {
-            (Some(_), true) => self.content.fill_nonzero_and_stroke(),
-            (Some(_), false) => self.content.fill_nonzero(),
-            (None, true) => self.content.stroke(),
-            (None, false) => self.content.end_path(),
+        filled.is_some()
+    }
+
+    /// Ends an outline.
+    fn paint(&mut self, inked: bool, stroked: bool) {
+        match (inked, stroked) {
+            (true, true) => self.content.fill_nonzero_and_stroke(),
+            (true, false) => self.content.fill_nonzero(),
+            (false, true) => self.content.stroke(),
+            (false, false) => self.content.end_path(),
         };
-        self.content.restore_state();
     }
 
     fn path(&mut self, node: Node<'_, '_>) {
@@ -142,10 +153,10 @@ impl Page {
                 .clip_nonzero()
                 .end_path();
         }
-        if self.pen(node) {
-            outline::trace(node.attribute("d").unwrap_or_default(), &mut self.content);
-            self.content.stroke();
-        }
+        let inked = self.ink(node);
+        let stroked = self.pen(node);
+        outline::trace(node.attribute("d").unwrap_or_default(), &mut self.content);
+        self.paint(inked, stroked);
         self.content.restore_state();
     }
 
@@ -200,6 +211,18 @@ mod tests {
         }
         // A cubic for each stretch of the line, and four for each circle, in the legend, too.
         assert_eq!(text.matches(" c\n").count(), 2 + 4 * 4);
+    }
+
+    #[test]
+    fn tiles_are_filled_with_their_shades() {
+        let tiles = Curve::tiles("low", None, 0, [2, 1], vec![[0.0, 0.0], [1.0, 0.0]]);
+        let panel = Panel::new(Axis::new("x"), Axis::new("y")).curve(tiles);
+        let bytes = Figure::new("1", "", "").panel(panel).pdf().unwrap();
+        let text = String::from_utf8_lossy(&bytes);
+        let shade = "0.26666668 0.003921569 0.32941177 rg";
+        // In the panel and in the legend; each tile ends with a closed outline, and areas with their paint.
+        assert_eq!(text.matches(shade).count(), 2, "{text}");
+        assert!(text.matches("h\nf\n").count() >= 2, "{text}");
     }
 
     #[test]

@@ -20,6 +20,8 @@ pub(super) struct Point<'a> {
     flow: &'a dyn Flow,
     state: &'a [f64],
     modes: &'a Modes,
+    /// The modes in which the motion comes here, and those in which it goes on; none on the side of an impact.
+    sides: [Option<&'a Modes>; 2],
     /// How far the phase of a drive has turned before.
     turned: f64,
     pub(super) time: f64,
@@ -33,12 +35,28 @@ impl Point<'_> {
         values.map(move |(j, value)| value + if phase == Some(j) { self.turned } else { 0.0 })
     }
 
+    /// The rates of the states, as the motion comes and as it goes on; NaN where they are not determined, and on the side
+    /// of an impact.
+    pub(super) fn rates(&self) -> [Vec<f64>; 2] {
+        self.sides.map(|modes| {
+            let velocity = modes.and_then(|modes| self.flow.velocity(&self.place(modes)).ok());
+            velocity.map_or_else(
+                || vec![f64::NAN; self.state.len()],
+                |velocity| velocity.f.as_slice().to_vec(),
+            )
+        })
+    }
+
+    fn place(&self, modes: &Modes) -> Place {
+        Place {
+            state: self.state.to_vec(),
+            modes: modes.clone(),
+        }
+    }
+
     /// All that is known there.
     pub(super) fn row(&self) -> Result<Row, FlowError> {
-        let (forces, observables) = self.flow.read(&Place {
-            state: self.state.to_vec(),
-            modes: self.modes.clone(),
-        })?;
+        let (forces, observables) = self.flow.read(&self.place(self.modes))?;
         Ok(Row {
             time: self.time,
             state: self.values().collect(),
@@ -92,12 +110,16 @@ impl Stretch<'_> {
         places: impl Iterator<Item = (f64, &'s [f64])>,
     ) -> impl Iterator<Item = Point<'s>> {
         let mut clock = Clock::new(&self.passage.segments);
-        places.map(move |(time, state)| Point {
-            flow: self.flow,
-            state,
-            modes: clock.modes(time).unwrap_or(&self.from.modes),
-            turned: self.turned,
-            time: self.since + time,
+        places.map(move |(time, state)| {
+            let sides = clock.sides(time);
+            Point {
+                flow: self.flow,
+                state,
+                modes: clock.modes().unwrap_or(&self.from.modes),
+                sides,
+                turned: self.turned,
+                time: self.since + time,
+            }
         })
     }
 }
@@ -154,20 +176,49 @@ struct Clock<'a> {
     segments: &'a [Segment],
     /// When the first of them ends.
     end: f64,
+    /// When it was asked last.
+    asked: f64,
 }
 
 impl<'a> Clock<'a> {
     fn new(segments: &'a [Segment]) -> Self {
         let end = segments.first().map_or(0.0, |segment| segment.duration);
-        Self { segments, end }
+        Self {
+            segments,
+            end,
+            asked: f64::NEG_INFINITY,
+        }
     }
 
-    /// Those at a time, no earlier than the last one.
-    fn modes(&mut self, time: f64) -> Option<&'a Modes> {
-        while time > self.end && self.segments.len() > 1 {
-            self.segments = &self.segments[1..];
-            self.end += self.segments[0].duration;
-        }
+    /// Those now.
+    fn modes(&self) -> Option<&'a Modes> {
         self.segments.first().map(|segment| &segment.modes)
+    }
+
+    /// Those before and after a time, no earlier than the last one: none on the side of an impact, whose instant is asked for
+    /// twice, before it and after it.
+    fn sides(&mut self, time: f64) -> [Option<&'a Modes>; 2] {
+        while time > self.end && self.segments.len() > 1 {
+            self.pass();
+        }
+        let ends = self.end - time <= INSTANT * self.end;
+        let next = self.segments.get(1).filter(|_| ends);
+        let struck = next.is_some_and(|next| next.impact.is_some());
+        let after = struck && time == self.asked;
+        self.asked = time;
+        match next {
+            Some(_) if after => {
+                self.pass();
+                [None, self.modes()]
+            }
+            Some(_) if struck => [self.modes(), None],
+            Some(next) => [self.modes(), Some(&next.modes)],
+            None => [self.modes(); 2],
+        }
+    }
+
+    fn pass(&mut self) {
+        self.segments = &self.segments[1..];
+        self.end += self.segments[0].duration;
     }
 }

@@ -12,6 +12,9 @@ use crate::study::error::StudyError;
 use crate::study::question::Case;
 use crate::study::system::System;
 
+/// Numbers up to which rates are kept: curves through more points need none.
+const DRAWN: usize = 1 << 17;
+
 /// A motion as it is reported, whatever model it belongs to; one row for each time.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trajectory {
@@ -23,6 +26,9 @@ pub struct Trajectory {
     pub observables: Vec<Vec<f64>>,
     /// The friction force of each contact at each time.
     pub forces: Vec<Vec<f64>>,
+    /// The rates of the states at each time, as the motion comes and as it goes on: others where it has a corner, NaN on the
+    /// side of an impact. Nothing if there are so many times that a curve needs no rates.
+    pub rates: Vec<[Vec<f64>; 2]>,
     /// Smallest value of each state.
     pub min: Vec<f64>,
     /// Largest value of each state.
@@ -229,12 +235,23 @@ impl Record {
         }
         if self.motion.samples.is_multiple_of(self.motion.every) {
             self.motion.push(point.row()?);
+            self.rates(point);
             if self.motion.numbers() > self.limits.numbers {
                 self.motion.halve();
             }
         }
         self.motion.samples += 1;
         Ok(())
+    }
+
+    /// Keeps the rates at the last row, as long as there are few rows.
+    fn rates(&mut self, point: &Point<'_>) {
+        let (rows, rates) = (self.motion.times.len(), &mut self.motion.rates);
+        if 2 * rows * self.motion.min.len() > DRAWN {
+            *rates = Vec::new();
+        } else if rates.len() + 1 == rows {
+            rates.push(point.rates());
+        }
     }
 
     /// What is left of it.

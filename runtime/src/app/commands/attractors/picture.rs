@@ -1,6 +1,6 @@
 //! Basins in a plane of two states, or shares along what is followed.
 
-use crate::app::chart::{along_axis, axis};
+use crate::app::axis::{along_axis, axis};
 use crate::app::text::brief;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::rc::Rc;
 
 use crate::app::answer::Answer;
-use crate::app::chart::{along_axis, axis, headed_axis};
+use crate::app::axis::{along_axis, axis, headed_axis};
 use crate::app::commands::orbit;
 use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};

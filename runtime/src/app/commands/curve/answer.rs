@@ -1,7 +1,7 @@
 //! A curve in all forms.
 
 use crate::app::answer::Answer;
-use crate::app::chart::along_axis;
+use crate::app::axis::along_axis;
 use crate::app::document::{Document, named};
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{followed, heading, number, states, timed, work};

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::app::answer::Answer;
-use crate::app::chart::{along_axis, axis};
+use crate::app::axis::{along_axis, axis};
 use crate::app::document::{Document, columns, logarithm};
 use crate::app::section::unmet;
 use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};

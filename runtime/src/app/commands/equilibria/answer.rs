@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::proof;
 use crate::app::answer::Answer;
-use crate::app::chart::{along_axis, axis};
+use crate::app::axis::{along_axis, axis};
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{certain, followed, heading, number, states, time_unit, timed};

@@ -1,6 +1,6 @@
 //! A map as tiles: of kinds a colour each, of values a shade.
 
-use crate::app::chart::along_axis;
+use crate::app::axis::along_axis;
 use crate::app::text::{brief, number};
 use crate::field::Design;
 use crate::model::ModelInfo;

@@ -1,11 +1,11 @@
 //! A motion as a figure.
 
-use crate::app::chart::axis;
+use crate::app::axis::axis;
 use crate::app::show::{Kind, Quantity, family};
 use crate::app::text::timed;
 use crate::model::ModelInfo;
 use crate::report::symbols::typeset;
-use crate::report::{Axis, Curve, Figure, Marker, Panel};
+use crate::report::{Axis, Coordinate, Curve, Figure, Marker, Panel, traced};
 use crate::study::{Envelope, Trajectory};
 
 /// Curves that one panel may hold and still be read.
@@ -62,6 +62,14 @@ fn against_time(info: &ModelInfo, motion: &Trajectory, group: &[&Quantity]) -> P
         } else {
             String::new()
         };
+        if one.of == Kind::State && !motion.rates.is_empty() {
+            return traced(
+                label,
+                series,
+                motion,
+                [Coordinate::Time, Coordinate::State(one.index)],
+            );
+        }
         Curve::line(label, series, thinned(motion, one))
     });
     panel.curves(curves)
@@ -93,13 +101,11 @@ fn pair<'a>(info: &ModelInfo, shown: &'a [Quantity]) -> Option<[&'a Quantity; 2]
 
 fn plane(motion: &Trajectory, pair: [&Quantity; 2]) -> Panel {
     let [x, y] = pair.map(|one| axis(one.name, one.unit));
-    let rows = motion.states.iter();
-    let point = |state: &Vec<f64>| Some([*state.get(pair[0].index)?, *state.get(pair[1].index)?]);
-    let points = rows.filter_map(point).collect();
+    let path = traced("", 0, motion, pair.map(|one| Coordinate::State(one.index)));
     Panel::new(x, y).curve(if motion.every == 1 {
-        Curve::line("", 0, points)
+        path
     } else {
         // What lies between two rows of many is not known any more.
-        Curve::points("", 0, Marker::Dot, points)
+        Curve::points("", 0, Marker::Dot, path.points)
     })
 }
