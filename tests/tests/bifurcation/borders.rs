@@ -42,7 +42,7 @@ model! {
         state v = 0.0;
         param omega = 0.6;
         drive phi at omega;
-        friction F = CoulombStatic { static_level: 0.3, kinetic_level: 0.2 } opposing v;
+        friction F = CoulombStatic { static_level: 0.5, kinetic_level: 0.2 } opposing v;
         der(x) = v;
         der(v) = cos(phi) - x + F;
     }
@@ -150,16 +150,16 @@ fn a_symmetric_orbit_ends_where_both_halves_would_stick() {
         let s = 0.2 * turn.sin() / (omega * (1.0 + turn.cos()));
         omega.powi(2) * ((1.0 - omega * omega).powi(-2) - s * s).sqrt()
     };
-    let (mut low, mut high) = (0.47_f64, 0.5);
+    let (mut low, mut high) = (0.55_f64, 0.62);
     while high - low > 1e-15 {
         let middle = 0.5 * (low + high);
-        if held(middle) < 0.3 {
+        if held(middle) < 0.5 {
             low = middle;
         } else {
             high = middle;
         }
     }
-    let found = branch(&[], Shaken::omega, (0.55, 0.4), |_| {});
+    let found = branch(&[], Shaken::omega, (0.65, 0.5), |_| {});
     are(&found, &[("SS1", high)], 1e-9);
     assert!(matches!(
         found.ended.ending,
