@@ -21,10 +21,12 @@ const BEYOND: f64 = 1.2;
 const ROUNDING: f64 = 1e-11;
 /// An orbit is symmetric to this share of its extents.
 const CLOSE: f64 = 1e-5;
+/// And to this one for sure: one beside a branch point where it is lost differs by more.
+const SURE: f64 = 1e-7;
 
 /// A symmetry of order two: states change signs and places in pairs, and the phase of a drive moves by half a turn.
 #[derive(Debug, Clone, PartialEq)]
-struct Symmetry {
+pub(super) struct Symmetry {
     /// Which state each one becomes.
     place: Vec<usize>,
     /// And with which sign.
@@ -41,7 +43,7 @@ impl Symmetry {
     }
 
     /// What it makes of a state.
-    fn of(&self, y: &[f64]) -> Vec<f64> {
+    pub(super) fn of(&self, y: &[f64]) -> Vec<f64> {
         let mut image = self.linear(y);
         if let Some(phase) = self.phase {
             image[phase] += PI;
@@ -49,7 +51,8 @@ impl Symmetry {
         image
     }
 
-    fn matrix(&self) -> DMatrix<f64> {
+    /// What it makes of directions.
+    pub(super) fn matrix(&self) -> DMatrix<f64> {
         let order = self.sign.len();
         DMatrix::from_fn(order, order, |i, j| {
             if j == self.place[i] {
@@ -134,10 +137,7 @@ impl Orbit {
     pub(crate) fn loses_symmetry(&self, family: &Family) -> Result<bool, FlowError> {
         let flow = family.at(self.r)?;
         let drive = flow.phase();
-        let mut candidates = Symmetry::all(flow.order(), drive);
-        for state in self.around() {
-            candidates.retain(|one| commutes(flow.as_ref(), one, &state));
-        }
+        let candidates = self.symmetries(flow.as_ref());
         if candidates.is_empty() {
             return Ok(false);
         }
@@ -146,9 +146,9 @@ impl Orbit {
         let start = &self.place.state;
         for one in &candidates {
             let image = one.of(start);
-            let (map, fixed) = if self.are_one(&image, start, drive) {
+            let (map, fixed) = if self.are_one(&image, start, drive, CLOSE) {
                 (&whole.derivatives, 1.0)
-            } else if self.are_one(&image, &half.end.state, drive) {
+            } else if self.are_one(&image, &half.end.state, drive, CLOSE) {
                 (&half.derivatives, -1.0)
             } else {
                 continue;
@@ -159,6 +159,30 @@ impl Orbit {
             }
         }
         Ok(false)
+    }
+
+    /// The symmetry that the orbit has after half its period, if it has one.
+    pub(super) fn mirrored(&self, flow: &dyn Flow) -> Option<Symmetry> {
+        let candidates = self.symmetries(flow);
+        let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
+        let half = if candidates.is_empty() {
+            None
+        } else {
+            flow.advance(begin, 0.5 * self.period, Want::default()).ok()
+        }?;
+        let image = |one: &Symmetry| one.of(&begin.state);
+        candidates
+            .into_iter()
+            .find(|one| self.are_one(&image(one), &half.end.state, flow.phase(), SURE))
+    }
+
+    /// The symmetries of the field.
+    fn symmetries(&self, flow: &dyn Flow) -> Vec<Symmetry> {
+        let mut candidates = Symmetry::all(flow.order(), flow.phase());
+        for state in self.around() {
+            candidates.retain(|one| commutes(flow, one, &state));
+        }
+        candidates
     }
 
     /// States in the box of the orbit, and a little beyond.
@@ -175,15 +199,15 @@ impl Orbit {
         })
     }
 
-    /// Whether two states are one, to a share of the orbit's extents.
-    fn are_one(&self, p: &[f64], q: &[f64], drive: Option<usize>) -> bool {
+    /// Whether two states are one, to this share of the orbit's extents.
+    fn are_one(&self, p: &[f64], q: &[f64], drive: Option<usize>, share: f64) -> bool {
         let magnitude = self.magnitude();
         (0..p.len()).all(|j| {
             let mut apart = p[j] - q[j];
             if drive == Some(j) {
                 apart -= TAU * (apart / TAU).round();
             }
-            apart.abs() <= CLOSE * magnitude[j]
+            apart.abs() <= share * magnitude[j]
         })
     }
 }

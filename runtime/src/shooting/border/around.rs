@@ -5,6 +5,7 @@ use crate::field::exact::Mode;
 use crate::flow::{EventKind, FlowError};
 use crate::motion::{Event, Flow, Modes};
 use crate::shooting::Orbit;
+use crate::shooting::symmetry::Symmetry;
 
 /// Share of the period along which the rate of a guard is compared with itself.
 const AHEAD: f64 = 1e-5;
@@ -18,7 +19,7 @@ const FLAT: f64 = 1e-9;
 /// # Errors
 /// The forces are not determined at an event.
 pub fn borders(flow: &dyn Flow, orbit: &Orbit) -> Result<Vec<Border>, FlowError> {
-    let around = Around::of(orbit);
+    let around = Around::of(flow, orbit);
     let mut found = Vec::new();
     for event in 0..orbit.events.len() {
         for condition in [Condition::Touch, Condition::Edge] {
@@ -30,8 +31,10 @@ pub fn borders(flow: &dyn Flow, orbit: &Orbit) -> Result<Vec<Border>, FlowError>
 }
 
 /// An orbit once around.
-struct Around<'a> {
-    orbit: &'a Orbit,
+pub(super) struct Around<'a> {
+    pub(super) orbit: &'a Orbit,
+    /// The symmetry that it has after half a period.
+    pub(super) symmetry: Option<Symmetry>,
     /// When each stretch ends.
     ends: Vec<f64>,
     /// The events at which modes change, in the order of time.
@@ -46,7 +49,7 @@ struct Change {
 }
 
 impl<'a> Around<'a> {
-    fn of(orbit: &'a Orbit) -> Self {
+    fn of(flow: &dyn Flow, orbit: &'a Orbit) -> Self {
         let mut end = 0.0;
         let mut sum = |duration: f64| {
             end += duration;
@@ -57,6 +60,7 @@ impl<'a> Around<'a> {
         let switches = all.filter(|i| orbit.events[*i].kind.is_switch());
         Self {
             orbit,
+            symmetry: orbit.mirrored(flow),
             ends,
             switches: switches.collect(),
         }
@@ -85,14 +89,15 @@ impl<'a> Around<'a> {
             held: [0.0; 2],
             calm: 0.0,
             away: f64::INFINITY,
-            brief: None,
+            brief: Vec::new(),
+            mirror: None,
         };
         let Some(rate) = self.approach(flow, &mut border, event)? else {
             return Ok(None);
         };
         let change = match condition {
             Condition::Touch => self.touched(index, [before, after], drops),
-            Condition::Edge => self.crossed(index, [before, after], rate),
+            Condition::Edge => self.crossed(index, [before, after], (rate, drops)),
         };
         let Some(change) = change.filter(|_| border.away <= NEAR) else {
             return Ok(None);
@@ -100,11 +105,19 @@ impl<'a> Around<'a> {
         if condition == Condition::Edge {
             border.happens = matches!(event.kind, EventKind::Landing { .. });
         }
-        if let [first, .., last] = change.own[..] {
-            border.brief = Some([first, last].map(|i| self.orbit.events[i].time));
+        border.mirror = self.mirror(index, &change.own);
+        let (mut own, count) = (change.own.clone(), change.own.len().max(1));
+        if border.mirror.is_some() {
+            own.extend(change.own.iter().filter_map(|i| self.image(*i)));
+        }
+        for part in own.chunks(count) {
+            if let [first, .., last] = part {
+                let ends = [first, last].map(|i| self.orbit.events[*i].time);
+                border.brief.push(ends);
+            }
         }
         border.modes = change.modes;
-        (border.held, border.calm) = self.held(event, &change.own);
+        (border.held, border.calm) = self.held(event, &own, border.turn());
         Ok(Some(border))
     }
 
@@ -210,12 +223,17 @@ impl<'a> Around<'a> {
     }
 
     /// What belongs to an arrival at the edge of where a contact can stick: on its way out, a stick before it goes on is
-    /// brief; on its way in, a slip before it sticks.
-    fn crossed(&self, index: usize, around: [&Modes; 2], rate: f64) -> Option<Change> {
+    /// brief; on its way in, a slip before it sticks, where nothing drops.
+    fn crossed(
+        &self,
+        index: usize,
+        around: [&Modes; 2],
+        (rate, drops): (f64, bool),
+    ) -> Option<Change> {
         let event = &self.orbit.events[index];
         let [before, after] = around.map(Clone::clone);
         let landed = matches!(event.kind, EventKind::Landing { .. });
-        if landed == (rate > 0.0) {
+        if landed == (rate > 0.0) || drops && !landed {
             return Some(Change {
                 modes: [before, after],
                 own: vec![index],
@@ -240,7 +258,7 @@ impl<'a> Around<'a> {
     }
 
     /// The modes before and after an event.
-    fn around(&self, event: &Event) -> Option<[&'a Modes; 2]> {
+    pub(super) fn around(&self, event: &Event) -> Option<[&'a Modes; 2]> {
         let segments = &self.orbit.segments;
         let near = BRIEF * 1e-6 * self.orbit.period;
         let modes = |i: usize| &segments[i % segments.len()].modes;
@@ -253,14 +271,15 @@ impl<'a> Around<'a> {
         })
     }
 
-    /// Shares of the period, from the event on, between which others happen: half of the way to the next and from the last;
-    /// and the middle of the longest stretch without any.
-    fn held(&self, event: &Event, own: &[usize]) -> ([f64; 2], f64) {
+    /// Shares of the period, from the event on and up to this one, between which others happen: half of the way to the next
+    /// and from the last; and the middle of the longest stretch without any.
+    fn held(&self, event: &Event, own: &[usize], turn: f64) -> ([f64; 2], f64) {
         let period = self.orbit.period;
         let others = self.switches.iter().filter(|other| !own.contains(other));
         let ahead =
             |i: &usize| (self.orbit.events[*i].time - event.time).rem_euclid(period) / period;
-        let mut times: Vec<f64> = others.map(ahead).chain([0.0, 1.0]).collect();
+        let others = others.map(ahead).filter(|time| *time < turn);
+        let mut times: Vec<f64> = others.chain([0.0, turn]).collect();
         times.sort_by(f64::total_cmp);
         let middle = |gap: &[f64]| 0.5 * (gap[0] + gap[1]);
         let length = |gap: &&[f64]| gap[1] - gap[0];
@@ -268,6 +287,6 @@ impl<'a> Around<'a> {
             .windows(2)
             .max_by(|a, b| length(a).total_cmp(&length(b)));
         let ends = [&times[..2], &times[times.len() - 2..]].map(middle);
-        (ends, longest.map_or(0.5, middle))
+        (ends, longest.map_or(0.5 * turn, middle))
     }
 }

@@ -1,5 +1,6 @@
 //! Where an orbit comes near to another order of events, and how the motion around that is divided.
 
+use super::mirror::Mirror;
 use crate::bifurcation::Kind;
 use crate::field::exact::Mode;
 use crate::motion::{Modes, Place};
@@ -37,8 +38,10 @@ pub struct Border {
     pub(super) calm: f64,
     /// Distance in time, as a share of the period.
     pub(super) away: f64,
-    /// When the short stretch begins and ends that belongs to it, if there is one.
-    pub(super) brief: Option<[f64; 2]>,
+    /// When the short stretches begin and end that belong to it and to its image, if there are any.
+    pub(super) brief: Vec<[f64; 2]>,
+    /// Its mirror image, if the orbit is its own after half a period.
+    pub(super) mirror: Option<Mirror>,
 }
 
 impl Border {
@@ -52,8 +55,14 @@ impl Border {
 
     /// Whether what is short of it is all that the words of these orbits differ by.
     pub(super) fn parts(&self, orbit: &Orbit, other: &Orbit) -> bool {
-        let without = |brief| orbit.without(brief).has_word_of(other, 1);
-        self.brief.is_some_and(without)
+        let without = |orbit: Orbit, brief: &[f64; 2]| orbit.without(*brief);
+        let long = self.brief.iter().fold(orbit.clone(), without);
+        !self.brief.is_empty() && long.has_word_of(other, 1)
+    }
+
+    /// Share of the period after which the motion is back, or its image.
+    pub(super) fn turn(&self) -> f64 {
+        if self.mirror.is_some() { 0.5 } else { 1.0 }
     }
 
     /// The mode in which the contact comes to it.
@@ -62,6 +71,12 @@ impl Border {
             .get(self.contact)
             .copied()
             .unwrap_or(Mode::Stick)
+    }
+
+    /// The mode in which it goes on.
+    pub(super) fn after(&self) -> Mode {
+        let own = self.modes[1].get(self.contact);
+        own.copied().unwrap_or(Mode::Stick)
     }
 
     /// What it is called; `rate` is that of the force's way to its limit, at an edge.
@@ -83,7 +98,15 @@ impl Border {
         }
     }
 
-    /// The same with its contact held.
+    /// The place of a state in the modes in which it goes on.
+    pub(super) fn going(&self, state: &[f64]) -> Place {
+        Place {
+            state: state.to_vec(),
+            modes: self.modes[1].clone(),
+        }
+    }
+
+    /// The place of a state in the modes in which the motion comes to it, but with its contact held.
     pub(super) fn stuck(&self, state: &[f64]) -> Place {
         let mut place = self.coming(state);
         place.modes[self.contact] = Mode::Stick;

@@ -112,8 +112,13 @@ fn read(
     let slopes = at.jacobian.rows(order, 2).into_owned();
     let sides = Sides::of(problem, flow.as_ref(), (state, period), &slopes).ok()?;
     let border = problem.border.clone();
-    let mut passage = flow.advance(&sides.start, period, Want::EXTREMA).ok()?;
-    passage.derivatives = Some(sides.map(border.happens).clone());
+    let on = border.going(state);
+    let passage = match &border.mirror {
+        Some(mirror) => mirror.around(&*flow, (&sides.start, &on), (border.calm, period)),
+        None => flow.advance(&sides.start, period, Want::EXTREMA),
+    };
+    let mut passage = passage.ok()?;
+    passage.derivatives = Some(sides.map(border.happens));
     let residual = at.residual.norm();
     let shot = Shot {
         begins: vec![0.0],

@@ -4,10 +4,13 @@
 //! equations that are smooth on both sides of it, and what its return maps are on both sides says where it continues.
 
 mod around;
+mod arrival;
 mod candidate;
 mod crossing;
 mod hit;
+mod image;
 mod located;
+mod mirror;
 mod problem;
 mod sheet;
 mod sides;

@@ -67,19 +67,19 @@ impl<S: Sheet> BorderProblem<S> {
         DVector::from_vec([self.border.state.as_slice(), &[self.period, p]].concat())
     }
 
-    /// Once around: held in its mode up to half of the way to the next event, and from half of the way from the last one.
+    /// Once around, or to its image and mirrored: held in its mode up to half of the way to the next event, and from half of
+    /// the way from the last one.
     pub(super) fn round(
         &mut self,
         flow: &dyn Flow,
         state: &[f64],
         period: f64,
     ) -> Result<Round, FlowError> {
-        let [before, after] = self.border.modes.clone();
+        let before = self.border.modes[0].clone();
+        let mirror = self.border.mirror.clone();
+        let before = mirror.as_ref().map_or(before, |one| one.modes[0].clone());
         let ([first, last], calm) = (self.border.held, self.border.calm);
-        let start = Place {
-            state: state.to_vec(),
-            modes: after,
-        };
+        let start = self.border.going(state);
         let lead = flow.glide(&start, first * period)?;
         let out = self.on(flow, lead, (calm - first) * period)?;
         let calm = self.on(flow, flow.glide(&out.0, 0.0)?, (last - calm) * period)?;
@@ -89,8 +89,12 @@ impl<S: Sheet> BorderProblem<S> {
                 wanted: spelt(&before),
             });
         }
-        let (end, rest) = flow.glide(&calm.0, (1.0 - last) * period)?;
+        let (end, rest) = flow.glide(&calm.0, (self.border.turn() - last) * period)?;
         let back = (end, chain(&calm.1, &rest));
+        let back = match mirror {
+            Some(mirror) => mirror.turned(back),
+            None => back,
+        };
         Ok(Round { out, back })
     }
 
@@ -174,7 +178,7 @@ impl<S: Sheet> BorderProblem<S> {
 
 /// The derivatives of one motion after another. The motion's own velocity is carried into itself, so that
 /// with any share of the time the end moves at its velocity there.
-fn chain(first: &Derivatives, second: &Derivatives) -> Derivatives {
+pub(super) fn chain(first: &Derivatives, second: &Derivatives) -> Derivatives {
     Derivatives {
         state: &second.state * &first.state,
         design: &second.design + &second.state * &first.design,
@@ -252,7 +256,7 @@ impl<S: Sheet> ZeroProblem for BorderProblem<S> {
                 let own = f64::from(i == j);
                 linearisation.jacobian[(i, j)] = (derivatives.state[(i, j)] - own) / unit;
             }
-            linearisation.jacobian[(i, order)] = derivatives.time[i] / unit;
+            linearisation.jacobian[(i, order)] = self.border.turn() * derivatives.time[i] / unit;
             linearisation.jacobian[(i, order + 1)] = derivatives.design[i] / unit;
             linearisation.design[i] = across[i] / unit;
         }

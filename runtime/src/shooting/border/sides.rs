@@ -12,8 +12,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::arrival::{Arrival, along};
 use super::candidate::{Border, Condition};
-use super::problem::{BorderProblem, Round};
+use super::problem::{BorderProblem, chain};
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::linear::svd;
@@ -28,6 +29,8 @@ pub(super) struct Sides {
     pub(super) start: Place,
     /// The field there.
     pub(super) velocity: DVector<f64>,
+    /// Share of the period that the maps take: half of it where they lead to a mirror image.
+    turn: f64,
     /// The side on which the event does not happen, and that on which it does.
     maps: [Derivatives; 2],
     /// How the number that decides between the sides depends on the start, and on r.
@@ -66,12 +69,13 @@ impl Sides {
             state,
             period,
             guard: row(0),
+            limit: row(1),
         };
         let arrival = Arrival::of(&round);
         let leaps = [passing.leap(false)?, passing.leap(true)?];
         let number = match border.condition {
             Condition::Touch => arrival.slope(&passing.guard),
-            Condition::Edge => passing.on_surface(&arrival)?.slope(&row(1)),
+            Condition::Edge => passing.on_surface(&arrival)?.slope(&passing.limit),
         };
         let happens = match border.condition {
             Condition::Touch => -1.0,
@@ -84,6 +88,7 @@ impl Sides {
         };
         Ok(Self {
             kick,
+            turn: border.turn(),
             velocity: flow.velocity(&start)?.f,
             maps: leaps.map(|leap| arrival.through(&leap, &round)),
             start,
@@ -93,8 +98,13 @@ impl Sides {
     }
 
     /// The return map on the side where the event happens, or on the other.
-    pub(super) fn map(&self, happens: bool) -> &Derivatives {
-        &self.maps[usize::from(happens)]
+    pub(super) fn map(&self, happens: bool) -> Derivatives {
+        let map = &self.maps[usize::from(happens)];
+        if self.turn < 1.0 {
+            chain(map, map)
+        } else {
+            map.clone()
+        }
     }
 
     /// Whether the return map on this side has no derivative.
@@ -142,7 +152,7 @@ impl Sides {
         scale: &DVector<f64>,
         r_scale: f64,
     ) -> DMatrix<f64> {
-        let (map, order) = (self.map(happens), self.velocity.len());
+        let (map, order) = (&self.maps[usize::from(happens)], self.velocity.len());
         let n = order + 1;
         let mut matrix = DMatrix::zeros(n + 1, n + 1);
         for i in 0..order {
@@ -150,7 +160,7 @@ impl Sides {
                 let own = f64::from(i == j);
                 matrix[(i, j)] = (map.state[(i, j)] - own) * scale[j] / scale[i];
             }
-            matrix[(i, order)] = self.velocity[i] * scale[order] / scale[i];
+            matrix[(i, order)] = self.turn * self.velocity[i] * scale[order] / scale[i];
             matrix[(i, n)] = map.design[i] * r_scale / scale[i];
             matrix[(order, i)] = phase[i] * scale[i];
         }
@@ -160,48 +170,15 @@ impl Sides {
     }
 }
 
-/// How the arrival at the border depends on the start and on r.
-struct Arrival {
-    state: DMatrix<f64>,
-    design: DVector<f64>,
-}
-
-impl Arrival {
-    fn of(Round { back, .. }: &Round) -> Self {
-        Self {
-            state: back.1.state.clone(),
-            design: back.1.design.clone(),
-        }
-    }
-
-    /// How a number depends on the start and on r that has these slopes at the border.
-    fn slope(&self, (along, by_r): &(DVector<f64>, f64)) -> (DVector<f64>, f64) {
-        (self.state.tr_mul(along), along.dot(&self.design) + by_r)
-    }
-
-    /// Past the border and back to the start.
-    fn through(&self, leap: &Self, round: &Round) -> Derivatives {
-        let lead = &round.out.1;
-        let passed = &leap.state * &self.design + &leap.design;
-        Derivatives {
-            state: &lead.state * &leap.state * &self.state,
-            design: &lead.state * passed + &lead.design,
-            time: lead.time.clone(),
-            trace: 0.0,
-            factors: Vec::new(),
-            lost: 0,
-        }
-    }
-}
-
 /// The passage at the border itself.
 struct Passing<'a> {
     border: &'a Border,
     flow: &'a dyn Flow,
     state: &'a [f64],
     period: f64,
-    /// Slopes of the guard of the mode in which the contact comes.
+    /// Slopes of the guard of the mode in which the contact comes, and of the second number that vanishes.
     guard: (DVector<f64>, f64),
+    limit: (DVector<f64>, f64),
 }
 
 impl Passing<'_> {
@@ -215,7 +192,17 @@ impl Passing<'_> {
         match self.border.condition {
             Condition::Edge => {
                 let (before, held) = self.fields(self.state)?;
-                Ok(self.along(&nothing, &(held - &before), &before))
+                let landed = along(&self.guard, &nothing, &(&held - &before), &before);
+                if self.border.after() == Mode::Stick {
+                    return Ok(landed);
+                }
+                // Where friction drops, a brief stick has a release of its own.
+                let after = self.flow.velocity(&self.border.going(self.state))?.f;
+                Ok(if happens {
+                    along(&self.limit, &landed, &(&after - &held), &held)
+                } else {
+                    along(&self.guard, &nothing, &(after - &before), &before)
+                })
             }
             Condition::Touch if happens && self.border.is_graze() => {
                 let coming = self.border.coming(self.state);
@@ -228,7 +215,7 @@ impl Passing<'_> {
                     .collect();
                 let (before, held) = self.fields(&earlier)?;
                 let push = held - before;
-                Ok(self.along(&nothing, &-&push, &push))
+                Ok(along(&self.guard, &nothing, &-&push, &push))
             }
             Condition::Touch => Ok(nothing),
         }
@@ -263,20 +250,9 @@ impl Passing<'_> {
         Ok((coming, self.flow.velocity(&self.border.stuck(state))?.f))
     }
 
-    /// What comes, carried by `push` onto the surface to which `towards` leads: y + push g / (g_y towards), times its sign.
-    fn along(&self, from: &Arrival, push: &DVector<f64>, towards: &DVector<f64>) -> Arrival {
-        let (gradient, by_r) = &self.guard;
-        let rate = gradient.dot(towards);
-        let (along, by_r) = from.slope(&(gradient.clone(), *by_r));
-        Arrival {
-            state: &from.state + push * along.transpose() / rate,
-            design: &from.design + push * (by_r / rate),
-        }
-    }
-
     /// The arrival where the guard has fallen.
     fn on_surface(&self, arrival: &Arrival) -> Result<Arrival, FlowError> {
         let (before, _) = self.fields(self.state)?;
-        Ok(self.along(arrival, &-&before, &before))
+        Ok(along(&self.guard, arrival, &-&before, &before))
     }
 }

@@ -143,10 +143,29 @@ impl System {
         let found = places
             .iter()
             .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
-        let none = StudyError::NoEquilibrium {
-            starts: places.len(),
+        found
+            .map(|first| first.place)
+            .ok_or_else(|| self.none(case, &*flow, &places))
+    }
+
+    /// Why no equilibrium can be followed that was looked for from these places.
+    fn none(&self, case: &Case, flow: &dyn Flow, places: &[Vec<f64>]) -> StudyError {
+        let sets = if self.touches(case) {
+            sticking_sets(flow, places, &sticking_modes(flow, self.info()))
+        } else {
+            Vec::new()
         };
-        found.map(|first| first.place).ok_or(none)
+        let modes: Vec<String> = sets
+            .iter()
+            .filter(|set| set.dimension > 0)
+            .filter_map(|set| spelt(self.info(), &set.modes))
+            .collect();
+        if modes.is_empty() {
+            let starts = places.len();
+            return StudyError::NoEquilibrium { starts };
+        }
+        let modes = modes.join(", ");
+        StudyError::OnlySets { modes }
     }
 
     /// The exact system of which a case asks a smooth copy.
