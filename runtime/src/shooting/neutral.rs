@@ -50,30 +50,33 @@ fn sharply(
     (at.residual.norm() <= CLOSED).then_some((problem, z, at))
 }
 
-/// Whether a motion that comes back has neighbours that do so as well, whatever they are.
-pub(super) fn is_neutral(family: &Family, r: f64, guess: &Guess) -> bool {
-    sharply(family, r, guess).is_some_and(|(problem, _, at)| {
-        let shot = &at.extra;
-        let (monodromy, _) = shot.monodromy();
-        let multipliers = floquet(&monodromy, &shot.velocity.f, None, 0, &[], 0, NEUTRAL);
-        let one = Complex::new(1.0, 0.0);
-        let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
-        multipliers.multipliers.iter().any(near) && !drifts(&at, &problem.scale())
+/// The motion that comes back nearest to a guess, if it has neighbours that do so as well, whatever they are.
+///
+/// A motion that misses closing in a direction in which no correction of its start or its period helps goes on in that
+/// direction, however slowly: then neither it nor its neighbours are periodic.
+pub(super) fn neutral(family: &Family, r: f64, guess: &Guess) -> Option<Guess> {
+    let (mut problem, z, at) = sharply(family, r, guess)?;
+    let z = z + correction(&at, &problem.scale())?;
+    let at = problem.evaluate(&z, r).ok()?;
+    let shot = &at.extra;
+    let (monodromy, _) = shot.monodromy();
+    let multipliers = floquet(&monodromy, &shot.velocity.f, None, 0, &[], 0, NEUTRAL);
+    let one = Complex::new(1.0, 0.0);
+    let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
+    let closes = at.residual.norm() <= DRIFT && multipliers.multipliers.iter().any(near);
+    closes.then(|| Guess {
+        place: shot.start.clone(),
+        period: shot.period,
+        ..guess.clone()
     })
 }
 
-/// Whether a motion misses closing in a direction in which no correction of its start or its period helps: slowly, it
-/// goes on in that direction, and neither it nor its neighbours are periodic.
-fn drifts(at: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
-    let Some(svd) = svd(scaled(at, scale)) else {
-        return false;
-    };
-    let (Some(left), values) = (svd.u, svd.singular_values) else {
-        return false;
-    };
-    let lost = (0..values.len()).filter(|i| values[*i] <= SUSPECT * values.max());
-    lost.map(|i| left.column(i).dot(&at.residual).abs())
-        .any(|drift| drift > DRIFT)
+/// Newton's correction, of the least size, in those directions that are not neutral.
+fn correction(at: &Linearisation<Shot>, scale: &DVector<f64>) -> Option<DVector<f64>> {
+    let svd = svd(scaled(at, scale))?;
+    let least = SUSPECT * svd.singular_values.max();
+    let found = svd.solve(&-&at.residual, least).ok()?;
+    Some(found.component_mul(scale))
 }
 
 /// The conditions that single out the orbit of a guess among its neighbours; none if they are no orbits, or the guess is

@@ -5,7 +5,7 @@ use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
 use super::guess::{Guess, Settled, settle};
 use super::least::parts;
-use super::neutral::is_neutral;
+use super::neutral::neutral;
 use super::orbit::Orbit;
 use super::stay::stays;
 use crate::integrate::Tolerance;
@@ -185,11 +185,13 @@ impl Failed {
         };
         self.count += 1;
         self.magnitude = Some(guess.magnitude.clone());
-        if self.count == 1 && is_neutral(family, r, guess) {
+        if self.count == 1
+            && let Some(one) = neutral(family, r, guess)
+        {
             let flow = family.at(r).ok()?;
             return Some(Err(OrbitError::NotIsolated {
-                state: flow.values(&guess.place.state),
-                period: guess.period,
+                state: flow.values(&one.place.state),
+                period: one.period,
             }));
         }
         let newton = matches!(error, OrbitError::Newton(_));

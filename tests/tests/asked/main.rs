@@ -1,6 +1,7 @@
 //! A branch says the same, however it is asked.
 
 mod answer;
+mod doubled;
 mod question;
 
 use std::sync::Mutex;
@@ -10,11 +11,11 @@ use answer::{Answer, compare};
 use question::Question;
 use stickslip_tests::random::Random;
 
-/// Branches that are drawn, if nothing else is said: `ASKED=500`.
-const BRANCHES: usize = 24;
-/// Share of the answers that may end with a warning, and share that may say something else: there should be none.
+/// Branches that are drawn, if nothing else is said. Each costs some four seconds of one core, so that 500 of them, as
+/// `ASKED=500` asks for, take half an hour of it.
+const BRANCHES: usize = 60;
+/// Share of the answers that may end with a warning; none may say something else.
 const UNDECIDED: f64 = 0.02;
-const DIFFERENT: f64 = 0.02;
 
 /// What came of many random branches.
 #[derive(Debug, Default)]
@@ -108,12 +109,7 @@ fn branches_say_the_same_however_they_are_asked() {
         tally.answers,
         tally.differ.len()
     );
-    let differ = tally.differ.len();
-    assert!(
-        differ as f64 <= DIFFERENT * tally.answers as f64,
-        "{:#?}",
-        tally.differ
-    );
+    assert!(tally.differ.is_empty(), "{:#?}", tally.differ);
     assert!(
         undecided as f64 <= UNDECIDED * tally.answers as f64,
         "{:#?}",

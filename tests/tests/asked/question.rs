@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use stickslip::field::Design;
 use stickslip::model;
-use stickslip::study::{Along, Beginning, Case, Dynamics, System};
+use stickslip::study::{Along, Beginning, Case, Dynamics, Switch, System};
 use stickslip_models::friction::Weakening;
 use stickslip_models::{BeltOscillator, BeltPair, DrillString, ForcedBelt, VanDerPol};
 use stickslip_tests::random::Random;
@@ -145,6 +145,17 @@ impl Question {
             other.case.beginning = Beginning::At(r);
             other
         })
+    }
+
+    /// The same with the branches that leave it at flips.
+    pub(crate) fn with_doubled(&self) -> Self {
+        let mut other = self.clone();
+        other.case.switch = Switch {
+            flips: true,
+            depth: 1,
+            ..Switch::default()
+        };
+        other
     }
 
     fn begin(&self, state: &[f64], period: f64) -> Self {

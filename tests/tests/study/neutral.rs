@@ -3,7 +3,9 @@
 use stickslip::field::Design;
 use stickslip::model;
 use stickslip::model::Model;
-use stickslip::study::{Along, Case, Dynamics, OrbitRecord, System};
+use stickslip::shooting::OrbitError;
+use stickslip::study::{Along, Case, Dynamics, OrbitRecord, StudyError, System};
+use stickslip_models::BeltPair;
 use stickslip_models::friction::{Coulomb, Jenkins};
 
 model! {
@@ -117,4 +119,27 @@ fn what_lies_anywhere_is_held_where_it_is() {
         orbit.floquet.stability,
         stickslip::bifurcation::Stability::Stable
     );
+}
+
+/// Two masses swing against each other a million times while they swing together once: what is called periodic comes back
+/// to where it was, and does not drift with the slow one.
+#[test]
+fn what_is_called_periodic_comes_back() {
+    let model = system::<BeltPair, 4>();
+    let mut case = Case::declared(model.info(), Dynamics::Exact);
+    case.parameters[BeltPair::alpha.index] = 1e12;
+    let error = model.orbit(&case).expect_err("no orbit attracts");
+    let StudyError::Orbit(OrbitError::NotIsolated { state, period }) = error else {
+        assert!(!error.to_string().contains("is periodic"), "{error}");
+        return;
+    };
+    case.start = Some(state.iter().copied().collect());
+    case.accuracy = 1e-12;
+    let motion = model.motion(&case, period).expect("a motion");
+    let last = motion.states.last().expect("its end");
+    for j in 0..4 {
+        let extent = motion.max[j] - motion.min[j];
+        let gap = (last[j] - state[j]).abs();
+        assert!(gap <= 1e-8 * extent, "state {j}: {gap} of {extent}");
+    }
 }
