@@ -12,3 +12,4 @@ mod penalty;
 mod rest;
 mod squeal;
 mod valve;
+mod walls;

@@ -10,9 +10,10 @@ use crate::equilibrium::{
     EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, follow, prove, settings,
     starts, sticking_sets,
 };
+use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
-use crate::motion::{Family, Flow, Place};
+use crate::motion::{Family, Flow, Modes, Place};
 use crate::study::ended::Ended;
 use crate::study::error::StudyError;
 use crate::study::label::labels;
@@ -91,7 +92,7 @@ impl System {
         Ok(EquilibriaRecord {
             along,
             special,
-            ended: ended(self.info(), &walked, along),
+            ended: ended(self.info(), &walked, along, &first.modes),
             work,
             points,
         })
@@ -142,11 +143,28 @@ impl System {
         let r = self.beginning(case);
         let found = places
             .iter()
-            .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
+            .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop())
+            .map(|first| first.place)
+            .or_else(|| self.resting(case, &*flow, &places));
         let none = StudyError::NoEquilibrium {
             starts: places.len(),
         };
-        found.map(|first| first.place).ok_or(none)
+        found.ok_or(none)
+    }
+
+    /// The first single state, none of whose contacts sticks, that rests on what does not give way.
+    fn resting(&self, case: &Case, flow: &dyn Flow, places: &[Vec<f64>]) -> Option<Place> {
+        if !self.touches(case) {
+            return None;
+        }
+        let mut modes = sticking_modes(flow, self.info());
+        modes.retain(|modes| !modes.contains(&Mode::Stick));
+        let sets = sticking_sets(flow, places, &modes).into_iter();
+        let mut single = sets.filter(|set| set.dimension == 0);
+        single.next().map(|set| Place {
+            state: set.state,
+            modes: set.modes,
+        })
     }
 
     /// The exact system of which a case asks a smooth copy.
@@ -211,13 +229,20 @@ fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<S
 }
 
 /// Why a branch ended: the contact whose way of sliding ends is named.
-fn ended(info: &ModelInfo, walked: &Walked<EquilibriumPoint, FlowError>, along: Along) -> Ended {
+fn ended(
+    info: &ModelInfo,
+    walked: &Walked<EquilibriumPoint, FlowError>,
+    along: Along,
+    modes: &Modes,
+) -> Ended {
     let mut ended = Ended::of(&walked.ending, along);
     if let Ending::At(Kind::BoundaryEquilibrium, _) = walked.ending {
         let margin = walked.points.last().and_then(EquilibriumPoint::margin);
         let contact = margin.map_or(usize::MAX, |(contact, _)| contact);
         let name = info.contact(contact).unwrap_or("?");
-        ended.reason = if contact < info.contacts.len() {
+        ended.reason = if modes.get(contact) == Some(&Mode::Rest) {
+            format!("the reaction of `{name}` reaches zero, and with it this contact ends")
+        } else if contact < info.contacts.len() {
             format!(
                 "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
             )
