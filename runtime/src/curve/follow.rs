@@ -40,7 +40,7 @@ pub fn follow(
     let family = plane.along_p(q).with_magnitude(&guess.magnitude);
     let (mut orbit_problem, z) = problem(family, p, &guess, 1).map_err(Failure::Evaluation)?;
     orbit_problem
-        .float(&orbit.place, p)
+        .float(&guess.place, p)
         .map_err(Failure::Evaluation)?;
     let plane = Plane {
         family: plane.family.with_magnitude(&guess.magnitude),

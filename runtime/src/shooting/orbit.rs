@@ -17,6 +17,8 @@ pub struct Orbit {
     pub r: f64,
     /// Its start: on the default section, the first state least; with a drive, where its phase begins.
     pub place: Place,
+    /// Where shooting begins instead, if a contact switches just there.
+    pub calm: Option<Place>,
     /// Its minimal period.
     pub period: f64,
     /// Largest value of each state, from the dense motion.
@@ -89,15 +91,20 @@ impl Solution<'_> {
     }
 }
 
-/// The start of the orbit if it lies on the default section; else the lowest of its minima of the first state.
-fn section_place(family: &Family, solution: &Solution<'_>) -> Place {
+/// The start of the orbit if it lies on the default section, else the lowest of its minima of the first state; and a place
+/// at which shooting had better begin, if a contact switches just there.
+fn section_place(family: &Family, solution: &Solution<'_>) -> (Place, Option<Place>) {
     let (shot, start) = (solution.shot, solution.start());
     if shot.starts_on_section() {
-        return start;
+        let switches = shot.switches_at(0.0);
+        return (start, switches.then(|| shot.passages[0].calm.place.clone()));
     }
     let lowest = shot.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
-    let place = lowest.and_then(|(_, state)| family.at(solution.r).ok()?.place(&state).ok());
-    place.unwrap_or(start)
+    let place = lowest.and_then(|(time, state)| {
+        let place = family.at(solution.r).ok()?.place(&state).ok()?;
+        Some((place, shot.switches_at(time).then(|| start.clone())))
+    });
+    place.unwrap_or((start, None))
 }
 
 impl Orbit {
@@ -109,6 +116,7 @@ impl Orbit {
             r,
             residual,
         } = solution;
+        let (place, calm) = section_place(family, &solution);
         let (min, max) = shot.extent();
         let passages = shot.passages.iter();
         let segments = shot.stretches();
@@ -122,7 +130,8 @@ impl Orbit {
             r,
             pins: shot.pins.clone(),
             division: shot.division(z),
-            place: section_place(family, &solution),
+            place,
+            calm,
             period: z[z.len() - 1],
             max,
             min,
@@ -162,7 +171,7 @@ impl Orbit {
     pub fn guess(&self) -> Guess {
         let division = self.division.clone();
         let first = division.as_ref().map(|division| &division.starts[0]);
-        let place = first.unwrap_or(&self.place).clone();
+        let place = first.or(self.calm.as_ref()).unwrap_or(&self.place).clone();
         Guess {
             pins: through(&self.pins, &place.state),
             place,

@@ -9,7 +9,7 @@ use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Family, Modes, Place, Velocity};
+use crate::motion::{Family, Modes, Place, Velocity};
 
 /// A start is left for a calmer one whose field turns this many times more slowly.
 const HASTE: f64 = 4.0;
@@ -251,12 +251,7 @@ impl OrbitProblem {
             (squares(&bend) / squares(&velocity.f)).sqrt()
         };
         let there = flow.velocity(&place)?;
-        let near = |event: &Event| {
-            let share = event.time / shot.period;
-            (event.kind.is_switch() || event.mode.is_of_press())
-                && !(MARGIN..=1.0 - MARGIN).contains(&share)
-        };
         let hasty = haste(&shot.velocity) > HASTE * haste(&there).max(1.0 / shot.period);
-        Ok((hasty || passage.events.iter().any(near)).then_some(place))
+        Ok((hasty || shot.switches_near(0.0, MARGIN)).then_some(place))
     }
 }

@@ -143,6 +143,24 @@ impl Shot {
         joined
     }
 
+    /// Whether a contact switches within this share of the period from a time, in a motion of one segment.
+    pub(super) fn switches_near(&self, time: f64, share: f64) -> bool {
+        let near = |event: &Event| {
+            let turns = (event.time - time) / self.period;
+            (event.kind.is_switch() || event.mode.is_of_press())
+                && (turns - turns.round()).abs() < share
+        };
+        match self.passages.as_slice() {
+            [passage] => passage.events.iter().any(near),
+            _ => false,
+        }
+    }
+
+    /// Whether a contact switches at that very time: the mode in which a motion comes back then is one of rounding.
+    pub(super) fn switches_at(&self, time: f64) -> bool {
+        self.switches_near(time, INSTANT)
+    }
+
     /// Φ once around, and ∫ tr J.
     pub(crate) fn monodromy(&self) -> (DMatrix<f64>, f64) {
         let order = self.start.state.len();

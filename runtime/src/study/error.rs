@@ -22,6 +22,14 @@ pub enum StudyError {
         /// From how many places it was looked for.
         starts: usize,
     },
+    /// All that rests is held by friction.
+    #[error(
+        "no equilibrium stands alone that could be followed: what rests are sets of states that friction holds ({modes}); without a range they are listed with their bounds, and a smooth copy has single equilibria"
+    )]
+    OnlySets {
+        /// The modes of their contacts, as they are spelt.
+        modes: String,
+    },
     /// A driven model never rests.
     #[error("`{model}` has no equilibrium: its drive `{phase}` never stands still")]
     Driven {

@@ -4,11 +4,28 @@ use stickslip::bifurcation::Stability;
 use stickslip::continuation::{Settings, Stop};
 use stickslip::field::Design;
 use stickslip::integrate::Tolerance;
+use stickslip::model;
 use stickslip::model::Model;
 use stickslip::shooting::{Orbit, OrbitBranch, OrbitError, Search, closest};
+use stickslip_models::friction::Coulomb;
 use stickslip_models::{BeltOscillator, DrillString};
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{self, Subject};
+
+use crate::borders::branch;
+
+model! {
+    /// A mass that is driven by its own speed and held back by the ground.
+    struct Driven {
+        state x = 1.2;
+        state v = 0.0;
+        param zeta = 0.1;
+        param level = 0.2 where level >= 0.0;
+        friction F = Coulomb { level: level } opposing v;
+        der(x) = v;
+        der(v) = 2 * zeta * v - x + F;
+    }
+}
 
 on_every_reference_system! {
     a_branch_there_and_back_closes,
@@ -153,4 +170,34 @@ fn a_motion_that_comes_to_rest_is_reported_so() {
         matches!(found, Err(OrbitError::Equilibrium { .. })),
         "{found:?}"
     );
+}
+
+/// Friction reverses just where the first state is least, and orbits are said to begin. Between two turning points the
+/// motion is linear about ∓level, and grows by g = exp(π ζ/√(1 − ζ²)): A = g (A − level) − level.
+#[test]
+fn a_branch_may_begin_where_friction_reverses() {
+    let found = branch(&[], Driven::zeta, (0.1, 0.3), |case| {
+        case.start = Some(vec![-1.3, 0.0]);
+        case.period = Some(6.3);
+    });
+    let ended = found.points.last().and_then(|point| point.r);
+    assert_eq!(ended, Some(0.3), "{}", found.ended.reason);
+    for point in &found.points {
+        let zeta = point.r.expect("a value");
+        let root = (1.0 - zeta * zeta).sqrt();
+        let g = (std::f64::consts::PI * zeta / root).exp();
+        let amplitude = 0.2 * (g + 1.0) / (g - 1.0);
+        let all = [
+            (point.period, std::f64::consts::TAU / root),
+            (point.max[0], amplitude),
+            (point.min[0], -amplitude),
+            (point.floquet.multipliers[0].re, g * g),
+        ];
+        for (value, right) in all {
+            assert!(
+                (value / right - 1.0).abs() < 1e-7,
+                "{zeta}: {value}, {right}"
+            );
+        }
+    }
 }

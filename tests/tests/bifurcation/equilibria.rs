@@ -13,6 +13,8 @@ use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::{Model, ParamId};
 use stickslip::motion::{Family, Place};
+use stickslip::study::{Along, Case, Dynamics, StudyError, System};
+use stickslip_models::friction::Coulomb;
 use stickslip_models::{BeltOscillator, BeltPair, DrillString};
 
 model! {
@@ -24,6 +26,18 @@ model! {
         param b = 1.0;
         der(x) = a - (b + 1) * x + powi(x, 2) * y;
         der(y) = b * x - powi(x, 2) * y;
+    }
+}
+
+model! {
+    /// A mass that is held by a spring and by the ground.
+    struct Held {
+        state x = 1.0;
+        state v = 0.0;
+        param k = 1.0;
+        friction F = Coulomb { level: 0.1 } opposing v;
+        der(x) = v;
+        der(v) = F - k * x;
     }
 }
 
@@ -349,4 +363,19 @@ fn proof() {
         );
         assert!(prove(&field, &[slip * share]).is_err());
     }
+}
+
+/// Where friction holds whatever rests, there are sets of equilibria and none to follow: their modes are told.
+#[test]
+fn only_sets_of_rest() {
+    let system = System::of::<Held, 2>();
+    let mut case = Case::declared(system.info(), Dynamics::Exact);
+    let design = Design::Parameter(Held::k.index);
+    let (from, to) = (1.0, 2.0);
+    case.along = Some(Along { design, from, to });
+    let refused = system.equilibria_along(&case).expect_err("a set");
+    let StudyError::OnlySets { modes } = refused else {
+        panic!("{refused}");
+    };
+    assert_eq!(modes, "stick(F)");
 }

@@ -28,7 +28,7 @@ pub enum ContactError {
     },
     /// Sliding friction turns the reaction that causes it around.
     #[error(
-        "no reaction keeps contact {contact} closed while it slides: with the friction that it causes, a unit of it changes          the rate of the gap by {compliance:e}, which Painlevé's condition wants above 0"
+        "no reaction keeps contact {contact} closed while it slides: with the friction that it causes, a unit of it changes the rate of the gap by {compliance:e}, which Painlevé's condition wants above 0"
     )]
     Painleve {
         /// The press.
@@ -38,7 +38,7 @@ pub enum ContactError {
     },
     /// Friction that is not proportional to a reaction, up to a constant.
     #[error(
-        "the friction of contact {contact} does not grow in proportion to the reaction of contact {press}, which does not          give way: that is solved for by linear equations, and `level: mu * N` is a law that it can be solved with"
+        "the friction of contact {contact} does not grow in proportion to the reaction of contact {press}, which does not give way: that is solved for by linear equations, and `level: mu * N` is a law that it can be solved with"
     )]
     Bent {
         /// Which.

@@ -143,28 +143,42 @@ impl System {
         let r = self.beginning(case);
         let found = places
             .iter()
-            .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop())
-            .map(|first| first.place)
-            .or_else(|| self.resting(case, &*flow, &places));
-        let none = StudyError::NoEquilibrium {
-            starts: places.len(),
-        };
-        found.ok_or(none)
+            .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
+        match found {
+            Some(first) => Ok(first.place),
+            None => self.resting(case, &*flow, &places),
+        }
     }
 
     /// The first single state, none of whose contacts sticks, that rests on what does not give way.
-    fn resting(&self, case: &Case, flow: &dyn Flow, places: &[Vec<f64>]) -> Option<Place> {
-        if !self.touches(case) {
-            return None;
+    fn resting(
+        &self,
+        case: &Case,
+        flow: &dyn Flow,
+        places: &[Vec<f64>],
+    ) -> Result<Place, StudyError> {
+        let sets = if self.touches(case) {
+            sticking_sets(flow, places, &sticking_modes(flow, self.info()))
+        } else {
+            Vec::new()
+        };
+        let stands = |set: &&StickingSet| set.dimension == 0 && !set.modes.contains(&Mode::Stick);
+        if let Some(single) = sets.iter().find(stands) {
+            return Ok(Place {
+                state: single.state.clone(),
+                modes: single.modes.clone(),
+            });
         }
-        let mut modes = sticking_modes(flow, self.info());
-        modes.retain(|modes| !modes.contains(&Mode::Stick));
-        let sets = sticking_sets(flow, places, &modes).into_iter();
-        let mut single = sets.filter(|set| set.dimension == 0);
-        single.next().map(|set| Place {
-            state: set.state,
-            modes: set.modes,
-        })
+        let sets = sets.iter().filter(|set| set.dimension > 0);
+        let modes: Vec<String> = sets
+            .filter_map(|set| spelt(self.info(), &set.modes))
+            .collect();
+        if modes.is_empty() {
+            let starts = places.len();
+            return Err(StudyError::NoEquilibrium { starts });
+        }
+        let modes = modes.join(", ");
+        Err(StudyError::OnlySets { modes })
     }
 
     /// The exact system of which a case asks a smooth copy.
