@@ -22,9 +22,12 @@ fn lowest(values: &[f64; LOOKS + 1]) -> (f64, f64) {
     (theta, values[k] - (left - right).powi(2) / (8.0 * bend))
 }
 
-/// Where along [0, 1] a height falls below zero that is above it at both ends, if it turns in between.
-fn dip(height: impl Fn(f64) -> f64) -> Option<f64> {
-    let [first, after, before, last] = [0.0, NEAR_END, 1.0 - NEAR_END, 1.0].map(&height);
+/// Both ends of a step, and places beside them.
+const ENDS: [f64; 4] = [0.0, NEAR_END, 1.0 - NEAR_END, 1.0];
+
+/// Where along [0, 1] a height falls below zero that is above it at both ends, if it turns in between; with its values at
+/// [`ENDS`].
+fn dip([first, after, before, last]: [f64; 4], height: impl Fn(f64) -> f64) -> Option<f64> {
     if !(first > 0.0 && last > 0.0 && after < first && before < last) {
         return None;
     }
@@ -52,11 +55,13 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             });
             heights
         };
-        let first = heights(0.0);
+        let ends = ENDS.map(heights);
         (0..M::INFO.contacts.len()).any(|contact| {
-            let first = first.as_ref()[contact];
-            let side = if edge > 0.0 { 1.0 } else { first.signum() };
-            dip(|theta| side * heights(theta).as_ref()[contact] - edge).is_some()
+            let ends = ends.each_ref().map(|heights| heights.as_ref()[contact]);
+            let side = if edge > 0.0 { 1.0 } else { ends[0].signum() };
+            let height = |value: f64| side * value - edge;
+            let along = |theta: f64| height(heights(theta).as_ref()[contact]);
+            dip(ends.map(height), along).is_some()
         })
     }
 
@@ -65,7 +70,10 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     pub fn touches(&self, along: impl Fn(f64) -> [f64; N]) -> Option<f64> {
         let height = |press: usize, theta: f64| self.height(press, &along(theta)) - 1.0;
         let mut presses = 0..M::INFO.presses.len();
-        presses.find_map(|press| dip(|theta| height(press, theta)))
+        presses.find_map(|press| {
+            let along = |theta| height(press, theta);
+            dip(ENDS.map(along), along)
+        })
     }
 
     /// The gap of a press, in widths of its layer.

@@ -265,7 +265,7 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
             return self.stops.guard(guard, y, |state| self.free(y)[state]);
         }
         if index < Self::BORDERS {
-            return self.height(index / 2, y) - if index % 2 == 0 { 1.0 } else { -1.0 };
+            return self.height(index / 2, y) - if index.is_multiple_of(2) { 1.0 } else { -1.0 };
         }
         if index < self.corners {
             return memory::corner::<M, N>(&self.values, index - Self::BORDERS, y);
