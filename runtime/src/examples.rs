@@ -1,6 +1,6 @@
 //! Small systems for the unit tests of this crate, each the simplest with the trait that is tested.
 
-use stickslip::{friction_law, model};
+use stickslip::{friction_law, model, press_law};
 
 friction_law! {
     /// Weakening with speed, from a level that may lie below the limit at rest.
@@ -172,5 +172,24 @@ model! {
         der(v5) = f5 - f6 + pull * -1.85;
         der(v6) = f6 - f7 + pull * 2.22;
         der(v7) = f7 + pull * -2.59;
+    }
+}
+
+press_law! {
+    /// A spring beside a damper.
+    pub(crate) struct Bumper {
+        param stiffness: N/m where stiffness > 0.0;
+        param damping: N*s/m where damping >= 0.0;
+
+        force(d, v) = stiffness * d + damping * v;
+    }
+}
+
+press_law! {
+    /// What does not give way.
+    pub(crate) struct Wall {
+        param restitution: 1 where 0.0 <= restitution <= 1.0;
+
+        rebound(v) = restitution * v;
     }
 }

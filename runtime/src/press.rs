@@ -30,6 +30,12 @@ pub trait PressLaw<D: Scalar> {
         D::from(0.0)
     }
 
+    /// The same with its derivative as the fields of the law move; `along` holds the derivative of each.
+    #[inline]
+    fn rebound_along(&self, _along: &Self, _speed: D) -> [D; 2] {
+        [D::from(0.0); 2]
+    }
+
     /// Calls `visit` with the number of each parameter, in the order of declaration, and its value.
     #[inline]
     fn fields(&self, _visit: impl FnMut(usize, D)) {}

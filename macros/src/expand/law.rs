@@ -50,7 +50,7 @@ pub(super) fn tokens(law: &Law) -> TokenStream {
         }
         Force::Rigid(rebound) => {
             let kind = quote!(press::PressLaw<D>);
-            (kind, presses::rigid(law, rebound, &lift))
+            (kind, presses::rigid(law, rebound, lift))
         }
     };
     let fields = fields(&law.parameters);

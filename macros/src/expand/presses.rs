@@ -41,8 +41,13 @@ pub(super) fn items<'l>(law: &'l Law<'_>, force: &Whole, lift: Lift<'l>) -> Toke
 }
 
 /// A law that does not give way: it has no force of its own.
-pub(super) fn rigid(law: &Law, rebound: &Whole, lift: &Lift) -> TokenStream {
+pub(super) fn rigid<'l>(law: &'l Law<'_>, rebound: &Whole, lift: Lift<'l>) -> TokenStream {
     let (opening, formula) = (opening(law), lift.formula(&rebound.formula));
+    let mut tangents = tangents(law, lift);
+    let quantity = tangents.formula(&rebound.formula);
+    let by_fields = tangents.slope(&quantity.slopes, along(law));
+    let value = tangents.value(&quantity);
+    let lines = tangents.lines;
     quote! {
         #[inline]
         fn force(&self, _: D, _: D) -> D {
@@ -64,6 +69,13 @@ pub(super) fn rigid(law: &Law, rebound: &Whole, lift: &Lift) -> TokenStream {
         fn rebound(&self, __speed: D) -> D {
             #opening
             #formula
+        }
+
+        #[inline]
+        fn rebound_along(&self, __along: &Self, __speed: D) -> [D; 2] {
+            #opening
+            #lines
+            [#value, #by_fields]
         }
     }
 }

@@ -229,12 +229,12 @@ fn dynamics(
     if subject.exact {
         return refuse!("`--exact` and `--smooth {word}` exclude each other");
     }
-    if let Some(reason) = info.only_form().or_else(|| info.unsmoothed()) {
+    if let Some(reason) = info.only_form() {
         return refuse!("`--smooth {word}`: {reason}");
     }
-    if info.contacts.is_empty() {
+    if !info.touches() {
         return refuse!(
-            "`--smooth {word}`: `{}` has no friction that could be smoothed",
+            "`--smooth {word}`: `{}` has no contact that could be smoothed",
             info.command
         );
     }

@@ -10,7 +10,7 @@ use super::spectrum::Spectrum;
 use crate::continuation::{self, Failure, Monitor, Point, Reader, Settings, Walked};
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::motion::{Family, Place, Velocity};
+use crate::motion::{Family, Place, Velocity, sticking};
 
 /// A branch that has been followed, and what it cost.
 pub type Branch = (Walked<EquilibriumPoint, FlowError>, Work);
@@ -28,7 +28,7 @@ pub fn follow(
     let problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = DVector::from_column_slice(&from.state);
     let started = continuation::Branch::start(problem, z, settings)?;
-    let order = from.state.len();
+    let order = from.state.len().saturating_sub(sticking(&from.modes));
     Ok(continuation::follow(
         Equilibria { order },
         started,
@@ -65,13 +65,16 @@ impl Reader for Equilibria {
         let (place, velocity) = (problem.place(&point.z), &point.extra);
         let flow = problem.family.at(point.r);
         EquilibriumPoint {
-            spectrum: Spectrum::of(&velocity.jacobian),
+            spectrum: match sticking(&place.modes) {
+                0 => Spectrum::of(&velocity.jacobian),
+                lost => Spectrum::across(&velocity.jacobian, lost),
+            },
             residual: point.residual,
             margins: flow.map_or_else(|_| Vec::new(), |flow| flow.margins(&place)),
             state: place.state,
             r: point.r,
             slope: point.tangent[point.z.len()],
-            determinant: EquilibriumPoint::determinant_of(&velocity.jacobian),
+            determinant: problem.determinant(&point.z, point.r, velocity),
             critical: None,
         }
     }

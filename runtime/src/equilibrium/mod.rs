@@ -7,6 +7,7 @@ mod branch;
 mod krawczyk;
 mod newton;
 mod problem;
+mod resting;
 mod special;
 mod spectrum;
 mod starts;

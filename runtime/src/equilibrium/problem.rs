@@ -2,12 +2,16 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::EquilibriumPoint;
+use super::resting::{Rows, closed_gaps, rests};
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
+use crate::integrate::IntegrationError;
 use crate::motion::{Family, Modes, Place, Velocity};
 
-/// Unknowns are the states; the equations are their rates.
+/// Unknowns are the states; the equations are their rates, and where something rests on a press combinations of them and of
+/// its gap.
 #[derive(Debug, Clone)]
 pub struct EquilibriumProblem {
     /// The flows.
@@ -18,6 +22,8 @@ pub struct EquilibriumProblem {
     pub work: Work,
     magnitude: Vec<f64>,
     rates: Vec<f64>,
+    /// Of rates and gaps, where something rests: from the first evaluation.
+    combinations: Option<DMatrix<f64>>,
 }
 
 impl EquilibriumProblem {
@@ -31,6 +37,7 @@ impl EquilibriumProblem {
             work: Work::default(),
             magnitude: state.iter().map(usual).collect(),
             rates: vec![0.0; state.len()],
+            combinations: None,
         }
     }
 
@@ -53,6 +60,35 @@ impl EquilibriumProblem {
         }
     }
 
+    fn rows(&self, velocity: &Velocity) -> Rows {
+        let order = velocity.f.len();
+        Rows {
+            residual: DVector::from_fn(order, |i, _| velocity.f[i] / self.rate(i)),
+            jacobian: DMatrix::from_fn(order, order, |i, j| {
+                velocity.jacobian[(i, j)] / self.rate(i)
+            }),
+            design: DVector::from_fn(order, |i, _| velocity.design[i] / self.rate(i)),
+        }
+    }
+
+    fn with_gaps(&self, rows: Rows, z: &DVector<f64>, r: f64) -> Result<Rows, FlowError> {
+        let flow = self.family.at(r)?;
+        let gaps = closed_gaps(&*flow, &self.place(z))?;
+        Ok(rows.with(&gaps, &self.magnitude))
+    }
+
+    /// A number with the sign of the product of all eigenvalues, or of its negative: of those that contact leaves, where
+    /// something rests.
+    pub(super) fn determinant(&self, z: &DVector<f64>, r: f64, velocity: &Velocity) -> f64 {
+        let Some(combinations) = &self.combinations else {
+            return EquilibriumPoint::determinant_of(&velocity.jacobian);
+        };
+        let rows = self.with_gaps(self.rows(velocity), z, r);
+        rows.map_or(f64::NAN, |rows| {
+            rows.combined(combinations).jacobian.determinant()
+        })
+    }
+
     fn rate(&self, i: usize) -> f64 {
         if self.rates[i] > 0.0 && self.rates[i].is_finite() {
             self.rates[i]
@@ -60,6 +96,11 @@ impl EquilibriumProblem {
             1.0
         }
     }
+}
+
+fn not_finite(z: &DVector<f64>) -> FlowError {
+    let state = z.as_slice().to_vec().into();
+    IntegrationError::NotFinite { time: 0.0, state }.into()
 }
 
 /// A state below this is rounding error, and its usual magnitude unknown.
@@ -74,13 +115,19 @@ impl ZeroProblem for EquilibriumProblem {
         self.work.linearisations += 1;
         self.work.newton += 1;
         self.weigh(&velocity.jacobian);
-        let order = z.len();
+        let mut rows = self.rows(&velocity);
+        if rests(&self.modes) {
+            rows = self.with_gaps(rows, z, r)?;
+            if self.combinations.is_none() {
+                self.combinations = rows.combinations();
+            }
+            let combinations = self.combinations.as_ref().ok_or_else(|| not_finite(z))?;
+            rows = rows.combined(combinations);
+        }
         Ok(Linearisation {
-            residual: DVector::from_fn(order, |i, _| velocity.f[i] / self.rate(i)),
-            jacobian: DMatrix::from_fn(order, order, |i, j| {
-                velocity.jacobian[(i, j)] / self.rate(i)
-            }),
-            design: DVector::from_fn(order, |i, _| velocity.design[i] / self.rate(i)),
+            residual: rows.residual,
+            jacobian: rows.jacobian,
+            design: rows.design,
             extra: velocity,
         })
     }

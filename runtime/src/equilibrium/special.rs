@@ -17,7 +17,7 @@ pub struct EquilibriumPoint {
     pub spectrum: Spectrum,
     /// Norm of the residual.
     pub residual: f64,
-    /// Of each sliding contact, see [`Flow::margins`](crate::motion::Flow::margins).
+    /// Of each contact that slides, presses or bears, see [`Flow::margins`](crate::motion::Flow::margins).
     pub margins: Vec<(usize, f64)>,
     /// r-component of the unit tangent: changes sign at a fold.
     pub(super) slope: f64,
@@ -28,7 +28,7 @@ pub struct EquilibriumPoint {
 }
 
 impl EquilibriumPoint {
-    /// The least relative speed of a sliding contact the way it slides, and its number.
+    /// The least of these margins, and the number of its contact.
     #[must_use]
     pub fn margin(&self) -> Option<(usize, f64)> {
         let margins = self.margins.iter().copied();

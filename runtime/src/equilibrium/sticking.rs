@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
+use super::resting::closed_gaps;
 use crate::field::exact::Mode;
 use crate::linear::svd;
 use crate::motion::{Contacts, Flow, Modes, Place, Row, sticking};
@@ -119,26 +120,6 @@ impl Sought<'_> {
         self.flow.contacts(&self.place(state)).ok()
     }
 
-    /// The gaps of the presses at rest, which are closed.
-    fn gaps(&self, state: &[f64]) -> Option<Vec<Row>> {
-        let rests = |(i, mode): (usize, &Mode)| (*mode == Mode::Rest).then_some(i);
-        let resting: Vec<usize> = self.modes.iter().enumerate().filter_map(rests).collect();
-        if resting.is_empty() {
-            return Some(Vec::new());
-        }
-        let mut open = self.place(state);
-        for press in &resting {
-            open.modes[*press] = Mode::Open;
-        }
-        let all = self.flow.contacts(&open).ok()?.all;
-        Some(
-            resting
-                .iter()
-                .map(|press| all[*press].speed.clone())
-                .collect(),
-        )
-    }
-
     /// f = 0, w = 0 of the sticking contacts, closed gaps, and, for signs given, forces at the limit: as a matrix of slopes,
     /// and what is missing.
     fn equations(&self, state: &[f64], signs: &[f64]) -> Option<(DMatrix<f64>, DVector<f64>)> {
@@ -150,7 +131,10 @@ impl Sought<'_> {
         let held = stuck().zip(signs);
         let limits = held.map(|(contact, sign)| limit(&contact.force, &contact.stick, *sign));
         let speeds = stuck().map(|contact| contact.speed.clone());
-        let more: Vec<Row> = speeds.chain(self.gaps(state)?).chain(limits).collect();
+        let more: Vec<Row> = speeds
+            .chain(closed_gaps(self.flow, &self.place(state)).ok()?)
+            .chain(limits)
+            .collect();
         let order = f.len();
         let matrix = DMatrix::from_fn(order + more.len(), order, |i, j| {
             match i.checked_sub(order) {
@@ -194,6 +178,7 @@ fn limit(force: &Row, stick: &Row, sign: f64) -> Row {
     Row {
         value: force.value - stick.value * sign,
         slopes: slopes.map(|(force, stick)| force - stick * sign).collect(),
+        design: force.design - stick.design * sign,
     }
 }
 

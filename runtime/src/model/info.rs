@@ -185,16 +185,6 @@ impl ModelInfo {
         contacts.filter_map(move |(i, contact)| contact.presses.contains(&press).then_some(i))
     }
 
-    /// Why no smooth copy stands for the model, where none does.
-    #[must_use]
-    pub fn unsmoothed(&self) -> Option<String> {
-        let press = self.presses.first()?;
-        Some(format!(
-            "`{}` presses and lets go, and no smoothing rounds that yet",
-            press.name
-        ))
-    }
-
     /// Name and unit of the force of each contact, then of each press: the order in which motions report them.
     pub fn forces(&self) -> impl Iterator<Item = (&'static str, Option<Unit>)> {
         let rubs = self.contacts.iter().map(|one| (one.name, one.unit));

@@ -2,13 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// A number and its derivatives with respect to the states.
+/// A number and its derivatives with respect to the states and the design variable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// The number.
     pub value: f64,
     /// Its derivatives.
     pub slopes: Vec<f64>,
+    /// Its derivative with respect to the design variable.
+    pub design: f64,
 }
 
 /// One contact.

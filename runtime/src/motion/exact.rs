@@ -22,14 +22,35 @@ pub(crate) fn fixed_modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<
     Modes::from_fn(|i| modes.get(i).copied().unwrap_or(held.as_slice()[i]))
 }
 
+impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
+    /// The reaction of each press that bears what rests on it.
+    fn reactions(&self, at: &Place) -> Vec<(usize, f64)> {
+        let rests = |i: &usize| at.modes[*i] == Mode::Rest;
+        let resting: Vec<usize> = (0..at.modes.len()).filter(rests).collect();
+        if resting.is_empty() {
+            return Vec::new();
+        }
+        let place = place::<M, N>(at);
+        let known = self.system().linear(&place.state, &place.mode);
+        let reaction = |i: usize| {
+            known
+                .as_ref()
+                .map_or(f64::NAN, |known| row(&known.force.as_ref()[i]).value)
+        };
+        resting.into_iter().map(|i| (i, reaction(i))).collect()
+    }
+}
+
 fn modes<M: Model<N>, const N: usize>(modes: &Modes<M, N>) -> super::Modes {
     modes.as_slice().to_vec()
 }
 
 fn row<L: Lanes<N>, const N: usize>(lanes: &L) -> Row {
+    let (slopes, design) = lanes.slopes();
     Row {
         value: lanes.re(),
-        slopes: lanes.slopes().0.to_vec(),
+        slopes: slopes.to_vec(),
+        design,
     }
 }
 
@@ -102,6 +123,7 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
             .enumerate()
             .filter(|(_, sign)| *sign != 0.0)
             .map(|(i, sign)| (i, sign * speeds.as_ref()[i] - rounding.as_ref()[i]))
+            .chain(self.reactions(at))
             .collect()
     }
 

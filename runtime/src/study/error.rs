@@ -103,7 +103,7 @@ fn no_special(wanted: Option<&str>, labels: &[String]) -> String {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TradeError {
     /// The model has no contact.
-    #[error("`{model}` has no friction: there is nothing to trade")]
+    #[error("`{model}` has no contact: there is nothing to trade")]
     NoFriction {
         /// The model.
         model: &'static str,

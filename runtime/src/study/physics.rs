@@ -29,8 +29,8 @@ pub(super) trait Physics: Send + Sync {
     /// Its field over boxes: sliding in these modes, or else smooth.
     fn enclosure(&self, case: &Case, modes: Option<&[Mode]>) -> Box<dyn Enclosure>;
 
-    /// stick · G of each contact at a state, all of them held; the largest.
-    fn stiffness(&self, case: &Case, state: &[f64]) -> f64;
+    /// The fastest rate that a copy adds at a state: see [`Point::stiffness`](crate::study::trade::Point).
+    fn stiffness(&self, case: &Case, state: &[f64], copy: Smoothing) -> f64;
 
     /// The errors of the copy with this smoothing, predicted from the exact orbit.
     fn predict(
@@ -108,11 +108,25 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         })
     }
 
-    fn stiffness(&self, case: &Case, at: &[f64]) -> f64 {
+    fn stiffness(&self, case: &Case, at: &[f64], copy: Smoothing) -> f64 {
         let system = ExactSystem::<M, N>::new(&model(case), None);
-        let affine = system.affine(&fixed(at), &Modes::held());
-        let of = |i: usize| affine.compliance.as_ref()[i].as_ref()[i] * affine.stick.as_ref()[i];
-        (0..M::INFO.contacts.len()).map(of).fold(0.0, f64::max)
+        let at = fixed(at);
+        let held = system.affine(&at, &Modes::held());
+        let rubs = |i: usize| held.compliance.as_ref()[i].as_ref()[i] * held.stick.as_ref()[i];
+        let rubbing = (0..M::INFO.contacts.len()).map(rubs).fold(0.0, f64::max);
+        let rubbing = copy.steepness() * copy.sharpness() * rubbing;
+        if M::INFO.presses.is_empty() {
+            return rubbing;
+        }
+        let resting = Modes::from_fn(|i| match M::INFO.is_rigid(i) {
+            true => Mode::Rest,
+            false if i < M::INFO.contacts.len() => Mode::Loose,
+            false => Mode::Open,
+        });
+        let closed = system.affine(&at, &resting);
+        let walls = (0..resting.as_slice().len()).filter(|&i| M::INFO.is_rigid(i));
+        let wall = |i: usize| (copy.sharpness() * closed.compliance.as_ref()[i].as_ref()[i]).sqrt();
+        walls.map(wall).fold(rubbing, f64::max)
     }
 
     fn predict(
@@ -121,6 +135,9 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         orbit: &Orbit,
         copy: Smoothing,
     ) -> Result<Prediction, PredictError> {
+        if let Some(press) = M::INFO.presses.first() {
+            return Err(PredictError::Press { press: press.name });
+        }
         if const { Self::TOUCHES } {
             predict(&Rubbed::<M, N>::new(model(case)), orbit, copy)
         } else {

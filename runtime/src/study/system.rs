@@ -132,9 +132,9 @@ impl System {
         self.physics.enclosure(case, modes)
     }
 
-    /// stick · G of each contact at a state, all of them held; the largest.
-    pub(super) fn stiffness(&self, case: &Case, state: &[f64]) -> f64 {
-        self.physics.stiffness(case, state)
+    /// The fastest rate that a copy adds at a state: see [`Point::stiffness`](crate::study::trade::Point).
+    pub(super) fn stiffness(&self, case: &Case, state: &[f64], copy: Smoothing) -> f64 {
+        self.physics.stiffness(case, state, copy)
     }
 
     /// The errors of the copy with this smoothing, predicted from the exact orbit of the case.

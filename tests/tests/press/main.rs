@@ -2,10 +2,14 @@
 
 mod audit;
 mod bilinear;
+mod copies;
 mod derivatives;
 mod graze;
 mod hopf;
 mod impact;
 mod models;
+mod penalty;
 mod rest;
 mod squeal;
+mod valve;
+mod walls;

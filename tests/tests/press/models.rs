@@ -1,5 +1,7 @@
 //! Systems whose normal forces depend on their motion.
 
+use stickslip::field::{Design, SmoothField, Smoothing};
+use stickslip::flow::SmoothFlow;
 use stickslip::flow::exact::ExactFlow;
 use stickslip::integrate::Tolerance;
 use stickslip::model;
@@ -263,4 +265,20 @@ pub(crate) fn flow<M: Model<N>, const N: usize>(
     design: Option<usize>,
 ) -> ExactFlow<M, N> {
     ExactFlow::new(model, design.map(ParamId::new), TIGHT).unwrap()
+}
+
+pub(crate) fn copy<M: Model<N>, const N: usize>(
+    model: &M,
+    smoothing: Smoothing,
+    design: Design,
+) -> SmoothFlow<M, N> {
+    let field = SmoothField::new(model, Some(smoothing), design);
+    SmoothFlow::new(field.unwrap(), TIGHT)
+}
+
+/// How much smaller an error is at the second of two sizes.
+pub(crate) fn falls(sizes: [f64; 2], error: impl Fn(f64) -> f64) -> f64 {
+    let [coarse, fine] = sizes.map(error);
+    assert!(fine.abs() > 0.0);
+    coarse / fine
 }

@@ -1,6 +1,7 @@
-//! Whether a step goes through a friction layer and back without feeling it.
+//! Whether a step goes through a layer and back without feeling it.
 
 use super::SmoothField;
+use super::rules::Gaps;
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -9,14 +10,30 @@ const NEAR_END: f64 = 0.02;
 /// Parts of a step at whose ends it is looked for dips.
 const LOOKS: usize = 24;
 
-/// The least of these values, or of the parabola through the least and its neighbours.
-fn lowest(values: &[f64; LOOKS + 1]) -> f64 {
+/// Where the least of these values is, or that of the parabola through the least and its neighbours, and that itself.
+fn lowest(values: &[f64; LOOKS + 1]) -> (f64, f64) {
     let least = (0..=LOOKS).min_by(|&a, &b| values[a].total_cmp(&values[b]));
     let Some(k) = least.filter(|k| (1..LOOKS).contains(k)) else {
-        return values[0].min(values[LOOKS]);
+        return (0.0, values[0].min(values[LOOKS]));
     };
     let (left, right) = (values[k - 1] - values[k], values[k + 1] - values[k]);
-    values[k] - (left - right).powi(2) / (8.0 * (left + right).max(f64::MIN_POSITIVE))
+    let bend = (left + right).max(f64::MIN_POSITIVE);
+    let theta = (k as f64 + 0.5 * (left - right) / bend) / LOOKS as f64;
+    (theta, values[k] - (left - right).powi(2) / (8.0 * bend))
+}
+
+/// Both ends of a step, and places beside them.
+const ENDS: [f64; 4] = [0.0, NEAR_END, 1.0 - NEAR_END, 1.0];
+
+/// Where along [0, 1] a height falls below zero that is above it at both ends, if it turns in between; with its values at
+/// [`ENDS`].
+fn dip([first, after, before, last]: [f64; 4], height: impl Fn(f64) -> f64) -> Option<f64> {
+    if !(first > 0.0 && last > 0.0 && after < first && before < last) {
+        return None;
+    }
+    let at = |k: usize| height(k as f64 / LOOKS as f64);
+    let (theta, least) = lowest(&std::array::from_fn(at));
+    (least < 0.0).then_some(theta)
 }
 
 impl<M: Model<N>, const N: usize> SmoothField<M, N> {
@@ -38,17 +55,36 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             });
             heights
         };
-        let ends = [0.0, NEAR_END, 1.0 - NEAR_END, 1.0].map(heights);
+        let ends = ENDS.map(heights);
         (0..M::INFO.contacts.len()).any(|contact| {
-            let [first, after, before, last] = [0, 1, 2, 3].map(|k| ends[k].as_ref()[contact]);
-            let side = if edge > 0.0 { 1.0 } else { first.signum() };
+            let ends = ends.each_ref().map(|heights| heights.as_ref()[contact]);
+            let side = if edge > 0.0 { 1.0 } else { ends[0].signum() };
             let height = |value: f64| side * value - edge;
-            let outside = height(first) > 0.0 && height(last) > 0.0;
-            let turns = height(after) < height(first) && height(before) < height(last);
-            outside && turns && {
-                let at = |k: usize| height(heights(k as f64 / LOOKS as f64).as_ref()[contact]);
-                lowest(&std::array::from_fn(at)) < 0.0
-            }
+            let along = |theta: f64| height(heights(theta).as_ref()[contact]);
+            dip(ends.map(height), along).is_some()
         })
+    }
+
+    /// Where along [0, 1] a motion enters the layer in which a press sets in, if it leaves it again before the end.
+    #[must_use]
+    pub fn touches(&self, along: impl Fn(f64) -> [f64; N]) -> Option<f64> {
+        let height = |press: usize, theta: f64| self.height(press, &along(theta)) - 1.0;
+        let mut presses = 0..M::INFO.presses.len();
+        presses.find_map(|press| {
+            let along = |theta| height(press, theta);
+            dip(ENDS.map(along), along)
+        })
+    }
+
+    /// The gap of a press, in widths of its layer.
+    pub(super) fn height(&self, press: usize, y: &[f64; N]) -> f64 {
+        let (wanted, mut found) = (M::INFO.contacts.len() + press, f64::INFINITY);
+        let mut visit = Gaps(|contact, gap| {
+            if contact == wanted {
+                found = gap * self.rule.sharpness;
+            }
+        });
+        let _ = M::rhs(&self.values, *y, &mut visit);
+        found
     }
 }

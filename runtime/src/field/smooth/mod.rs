@@ -11,7 +11,7 @@ use crate::integrate::Tolerance;
 use crate::model::{Model, Rates};
 use crate::scalar::{Inline, Lanes};
 use num_dual::DualStruct;
-use rules::{Layer, LayerScale, Levels, Speeds, Terms};
+use rules::{Layer, LayerScale, Speeds, Terms, accept};
 
 /// What a derivative with respect to "the design variable" means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -34,7 +34,8 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
     rule: Smoothed<f64>,
     sloped: Sloped,
     magnitude: [f64; N],
-    /// Number of kinks of laws with internal state, the guards of their stops being the last.
+    /// Number of borders of layers of presses, and of kinks of laws with internal state, the guards of their stops being
+    /// the last.
     corners: usize,
     stops: Stops<N>,
 }
@@ -51,20 +52,20 @@ const UNUSED: Smoothing = Smoothing {
 };
 
 impl<M: Model<N>, const N: usize> SmoothField<M, N> {
+    /// Both borders of the layer in which each press sets in: there steps end.
+    const BORDERS: usize = 2 * M::INFO.presses.len();
+
     /// The field of `model`, with derivatives ∂/∂r for `design`.
     ///
     /// `smoothing` may be left out for models without friction only; models with friction then have no contact to ask.
     ///
     /// # Errors
-    /// The smoothing would falsify a law at these parameters, or a contact presses and lets go.
+    /// The smoothing would falsify a law at these parameters.
     pub fn new(
         model: &M,
         smoothing: Option<Smoothing>,
         design: Design,
     ) -> Result<Self, SmoothingError> {
-        if let Some(press) = M::INFO.presses.first() {
-            return Err(SmoothingError::Press { press: press.name });
-        }
         let values = model.values();
         let smoothing = smoothing.unwrap_or(UNUSED);
         accept::<M, N>(&values, &smoothing)?;
@@ -84,7 +85,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
                 seed: moves * sign * sharpness,
             },
             magnitude: memory::bounded::<M, N>(&values, [1.0; N]),
-            corners: memory::corners::<M, N>(&values) + stops.guards(),
+            corners: Self::BORDERS + memory::corners::<M, N>(&values) + stops.guards(),
             stops,
         })
     }
@@ -263,8 +264,11 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         if let Some(guard) = self.guard_number(index) {
             return self.stops.guard(guard, y, |state| self.free(y)[state]);
         }
+        if index < Self::BORDERS {
+            return self.height(index / 2, y) - if index.is_multiple_of(2) { 1.0 } else { -1.0 };
+        }
         if index < self.corners {
-            return memory::corner::<M, N>(&self.values, index, y);
+            return memory::corner::<M, N>(&self.values, index - Self::BORDERS, y);
         }
         let index = index - self.corners;
         let places = self.smoothing.kernel.kinks();
@@ -282,19 +286,4 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
             value
         }
     }
-}
-
-/// A smoothing must not turn a law into another one.
-fn accept<M: Model<N>, const N: usize>(
-    values: &M::Params<f64>,
-    smoothing: &Smoothing,
-) -> Result<(), SmoothingError> {
-    let mut levels = Levels {
-        verdict: Ok(()),
-        smoothing,
-        contacts: M::INFO.contacts,
-    };
-    let start = std::array::from_fn(|i| M::INFO.states[i].start);
-    let _ = M::rhs(values, start, &mut levels);
-    levels.verdict
 }

@@ -3,6 +3,7 @@
 use super::{SmoothField, Smoothed};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
+use crate::press::PressLaw;
 use crate::scalar::Inline;
 
 impl<M: Model<N>, const N: usize> SmoothField<M, N> {
@@ -38,6 +39,14 @@ struct Recording<M: Model<N>, const N: usize> {
 impl<M: Model<N>, const N: usize> ContactRule<f64> for Recording<M, N> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, speed: f64) -> f64 {
         let force = self.rule.force(contact, law, speed);
+        if let Some(place) = self.forces.as_mut().get_mut(contact) {
+            *place = force;
+        }
+        force
+    }
+
+    fn press<L: PressLaw<f64>>(&mut self, contact: usize, law: &L, gap: f64, rate: f64) -> f64 {
+        let force = self.rule.press(contact, law, gap, rate);
         if let Some(place) = self.forces.as_mut().get_mut(contact) {
             *place = force;
         }

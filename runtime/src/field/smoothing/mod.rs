@@ -1,14 +1,18 @@
 //! Smooth copies of set-valued friction: chosen at use, never part of a model.
 
+mod press;
+mod ramp;
 mod refusal;
 mod sloped;
 
+pub(super) use press::rebounds;
 pub use refusal::SmoothingError;
 pub(super) use sloped::Sloped;
 
 use std::fmt;
 
 use crate::friction::{ContactRule, FrictionLaw};
+use crate::press::PressLaw;
 use crate::scalar::Scalar;
 use crate::words::words;
 
@@ -175,6 +179,11 @@ impl<D: Scalar> ContactRule<D> for Smoothed<D> {
             return -bump(law, z, speed);
         }
         -law.slip(speed.abs()) * self.kernel.sign(z)
+    }
+
+    #[inline]
+    fn press<L: PressLaw<D>>(&mut self, _contact: usize, law: &L, gap: D, rate: D) -> D {
+        self.pressing(law, gap, rate)
     }
 }
 

@@ -23,13 +23,18 @@ pub enum SmoothingError {
         /// The word given for the size.
         word: String,
     },
-    /// A contact presses and lets go, which no kernel smooths.
+    /// A press gives no way, and how much it gives back depends on the speed of approach.
     #[error(
-        "`{press}` presses and lets go, and no smoothing rounds that yet: ask for the exact dynamics"
+        "`{press}` has no smooth copy: its restitution changes with the speed of approach ({slow} at 0.001, {fast} at \
+         1000), and a copy keeps one number"
     )]
-    Press {
+    Rebound {
         /// The force.
         press: &'static str,
+        /// Restitution after a slow approach.
+        slow: f64,
+        /// The same after a fast one.
+        fast: f64,
     },
     /// A sign type would drop the static peak of the law, or a bump has none to stand on.
     #[error("{}", unsuited(*.kernel, law, contact, *.stick, *.slip))]

@@ -2,6 +2,7 @@
 
 use super::{Kernel, bump_of};
 use crate::friction::{ForceSlopes, FrictionLaw, LawSlopes, SlopeRule};
+use crate::press::{GapSlopes, PressLaw};
 
 /// [`Smoothed`](super::Smoothed) with derivatives, among them that along its own size.
 #[derive(Debug, Clone, Copy)]
@@ -37,6 +38,18 @@ impl SlopeRule for Sloped {
             by_design: steep * speed * self.seed,
         }
     }
+
+    #[inline]
+    fn press<L: PressLaw<f64>>(
+        &mut self,
+        _contact: usize,
+        law: &L,
+        along: &L,
+        gap: f64,
+        rate: f64,
+    ) -> GapSlopes {
+        self.pressing(law, along, gap, rate)
+    }
 }
 
 impl Sloped {
@@ -66,7 +79,7 @@ impl Sloped {
 impl Kernel {
     /// φ(z) and φ'(z). Not for bumps.
     #[inline]
-    fn sign_and_rate(self, z: f64) -> (f64, f64) {
+    pub(super) fn sign_and_rate(self, z: f64) -> (f64, f64) {
         let square = z * z;
         let within = |rate: f64| if z.abs() < 1.0 { rate } else { 0.0 };
         match self {

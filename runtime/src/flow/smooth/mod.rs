@@ -6,6 +6,7 @@ mod inside;
 mod laws;
 mod record;
 mod rest;
+mod unfelt;
 
 pub(super) use rest::check_stops;
 
@@ -14,7 +15,7 @@ use std::ops::ControlFlow;
 use super::{Factor, Flow, FlowError, Passage, Place, Velocity, Want, countable};
 use crate::field::{Field, SmoothField, Work};
 use crate::integrate::explicit::{Settings, integrate};
-use crate::integrate::{Accepted, IntegrationError, RADAU_5, Radau, Tolerance};
+use crate::integrate::{IntegrationError, RADAU_5, Radau, Tolerance};
 use crate::model::Model;
 use record::Record;
 
@@ -105,22 +106,24 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
         let mut switched = false;
         let outcome = if record.want.derivatives {
             integrate(field, settings, from, span, &mut work, |step| {
+                let felt = self.feel(step);
                 record.motion = *step.end();
                 record.explicit_step(field, step);
                 let span = (record.since + step.time(), step.length());
                 let kept = M::INFO.moving.then(|| step.dense());
-                let kept = kept.map_or(Ok(()), |dense| self.keep_laws(span, |t| dense.state(t)));
+                let kept = kept.map_or(felt, |dense| self.keep_laws(span, |t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
                 self.watch(record, switched, (kept, &mut verdict))
             })
             .map(|motion| motion.state)
         } else {
             integrate(field, settings, from.state, span, &mut work, |step| {
+                let felt = self.feel(step);
                 record.motion.state = *step.end();
                 record.explicit_step(field, step);
                 let span = (record.since + step.time(), step.length());
                 let kept = M::INFO.moving.then(|| step.dense());
-                let kept = kept.map_or(Ok(()), |dense| self.keep_laws(span, |t| dense.state(t)));
+                let kept = kept.map_or(felt, |dense| self.keep_laws(span, |t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
                 self.watch(record, switched, (kept, &mut verdict))
             })
@@ -210,11 +213,6 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
             record.time = time;
         }
         outcome
-    }
-
-    /// Whether a step has gone through a friction layer and back without feeling it: friction would add energy.
-    fn jumps<const S: usize>(&self, step: &Accepted<N, S>) -> bool {
-        !M::INFO.contacts.is_empty() && self.field.dips(|theta| step.inside(theta))
     }
 
     fn check_direction(&self, record: &Record<N>) -> Result<(), FlowError> {

@@ -10,9 +10,10 @@ use crate::equilibrium::{
     EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, follow, prove, settings,
     starts, sticking_sets,
 };
+use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
-use crate::motion::{Family, Flow, Place};
+use crate::motion::{Family, Flow, Modes, Place};
 use crate::study::ended::Ended;
 use crate::study::error::StudyError;
 use crate::study::label::labels;
@@ -91,7 +92,7 @@ impl System {
         Ok(EquilibriaRecord {
             along,
             special,
-            ended: ended(self.info(), &walked, along),
+            ended: ended(self.info(), &walked, along, &first.modes),
             work,
             points,
         })
@@ -143,29 +144,41 @@ impl System {
         let found = places
             .iter()
             .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
-        found
-            .map(|first| first.place)
-            .ok_or_else(|| self.none(case, &*flow, &places))
+        match found {
+            Some(first) => Ok(first.place),
+            None => self.resting(case, &*flow, &places),
+        }
     }
 
-    /// Why no equilibrium can be followed that was looked for from these places.
-    fn none(&self, case: &Case, flow: &dyn Flow, places: &[Vec<f64>]) -> StudyError {
+    /// The first single state, none of whose contacts sticks, that rests on what does not give way.
+    fn resting(
+        &self,
+        case: &Case,
+        flow: &dyn Flow,
+        places: &[Vec<f64>],
+    ) -> Result<Place, StudyError> {
         let sets = if self.touches(case) {
             sticking_sets(flow, places, &sticking_modes(flow, self.info()))
         } else {
             Vec::new()
         };
+        let stands = |set: &&StickingSet| set.dimension == 0 && !set.modes.contains(&Mode::Stick);
+        if let Some(single) = sets.iter().find(stands) {
+            return Ok(Place {
+                state: single.state.clone(),
+                modes: single.modes.clone(),
+            });
+        }
+        let sets = sets.iter().filter(|set| set.dimension > 0);
         let modes: Vec<String> = sets
-            .iter()
-            .filter(|set| set.dimension > 0)
             .filter_map(|set| spelt(self.info(), &set.modes))
             .collect();
         if modes.is_empty() {
             let starts = places.len();
-            return StudyError::NoEquilibrium { starts };
+            return Err(StudyError::NoEquilibrium { starts });
         }
         let modes = modes.join(", ");
-        StudyError::OnlySets { modes }
+        Err(StudyError::OnlySets { modes })
     }
 
     /// The exact system of which a case asks a smooth copy.
@@ -231,13 +244,20 @@ fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<S
 }
 
 /// Why a branch ended: the contact whose way of sliding ends is named.
-fn ended(info: &ModelInfo, walked: &Walked<EquilibriumPoint, FlowError>, along: Along) -> Ended {
+fn ended(
+    info: &ModelInfo,
+    walked: &Walked<EquilibriumPoint, FlowError>,
+    along: Along,
+    modes: &Modes,
+) -> Ended {
     let mut ended = Ended::of(&walked.ending, along);
     if let Ending::At(Kind::BoundaryEquilibrium, _) = walked.ending {
         let margin = walked.points.last().and_then(EquilibriumPoint::margin);
         let contact = margin.map_or(usize::MAX, |(contact, _)| contact);
         let name = info.contact(contact).unwrap_or("?");
-        ended.reason = if contact < info.contacts.len() {
+        ended.reason = if modes.get(contact) == Some(&Mode::Rest) {
+            format!("the reaction of `{name}` reaches zero, and with it this contact ends")
+        } else if contact < info.contacts.len() {
             format!(
                 "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
             )

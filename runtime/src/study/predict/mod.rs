@@ -33,6 +33,12 @@ pub enum PredictError {
     /// The exact orbit never sticks.
     #[error("the exact orbit never sticks, so that no release makes an error of leading order")]
     NeverSticks,
+    /// A contact presses and lets go.
+    #[error("`{press}` presses and lets go: what its copy gets wrong is measured, not predicted")]
+    Press {
+        /// Which.
+        press: &'static str,
+    },
     /// The copy would still be creeping when the exact contact sticks again.
     #[error(
         "with `{smoothing}` contact {contact} would not let go before the exact one sticks again: far from the \

@@ -33,8 +33,6 @@ pub(super) struct Copies<'a> {
     pub(super) case: &'a Case,
     pub(super) orbit: &'a Orbit,
     pub(super) truth: &'a Shooting,
-    /// stick · G.
-    pub(super) stiffness: f64,
 }
 
 /// A copy that has the orbit.
@@ -142,7 +140,9 @@ impl Copies<'_> {
         let family = self.family(smoothing, effort.tolerance);
         let point = Point {
             size: smoothing.size,
-            stiffness: smoothing.steepness() * smoothing.sharpness() * self.stiffness,
+            stiffness: self
+                .system
+                .stiffness(self.case, &self.orbit.place.state, smoothing),
             frequency,
             max_abs,
             resolution: shooting.resolution,

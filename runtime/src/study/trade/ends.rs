@@ -93,15 +93,15 @@ impl System {
     }
 }
 
-/// Whether a model has friction that can be smoothed.
+/// Whether a model has contacts that can be smoothed.
 ///
 /// # Errors
 /// It has none, or only laws with internal state.
 fn tradable(info: &ModelInfo) -> Result<(), TradeError> {
     let model = info.command;
-    match info.only_form().or_else(|| info.unsmoothed()) {
+    match info.only_form() {
         Some(reason) => Err(TradeError::OnlyForm { model, reason }),
-        None if info.contacts.is_empty() => Err(TradeError::NoFriction { model }),
+        None if !info.touches() => Err(TradeError::NoFriction { model }),
         None => Ok(()),
     }
 }

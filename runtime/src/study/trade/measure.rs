@@ -30,7 +30,6 @@ pub(super) fn trade(
         case,
         orbit,
         truth: &truth,
-        stiffness: system.stiffness(case, &orbit.place.state),
     };
     let first = precision::of(None, &family, &truth, &truth, scope);
     let mut all = Trade {

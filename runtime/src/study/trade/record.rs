@@ -64,7 +64,8 @@ pub struct Truth {
 pub struct Point {
     /// The size of the smoothing.
     pub size: f64,
-    /// ε φ'(0) · stick · G, the largest of all contacts.
+    /// The largest of ε φ'(0) · stick · G of all contacts that rub, and of the frequencies √(ε G) with which the copies of
+    /// walls swing.
     pub stiffness: f64,
     /// Error of the frequency, relative and signed: (3.8) is its magnitude.
     pub frequency: f64,

@@ -86,7 +86,7 @@ pub(super) fn strike(
     let law = built.law();
     if let Some(smoothing) = wish.smoothing {
         return refuse!(
-            "`--smooth {smoothing}`: `{}` presses and lets go, and no smoothing rounds that yet",
+            "`--smooth {smoothing}`: `{}` presses and lets go; copies are shown of laws of friction",
             law.name
         );
     }
