@@ -213,7 +213,7 @@ fn words_that_contradict() {
     refused(&[
         (
             "orbit van-der-pol --smooth arctan:1e5",
-            &["`van-der-pol` has no friction"],
+            &["`van-der-pol` has no contact"],
         ),
         (
             "orbit belt-oscillator --exact --smooth arctan:1e5",

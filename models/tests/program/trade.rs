@@ -54,7 +54,7 @@ fn an_accuracy_over_a_range_is_judged_at_its_worst_end() {
 #[test]
 fn what_cannot_be_traded_says_why() {
     for (line, part) in [
-        ("trade van-der-pol", "no friction"),
+        ("trade van-der-pol", "no contact"),
         ("trade belt-oscillator --smooth quartic:0.1", "never stick"),
         (
             "trade belt-oscillator --smooth arctan:1e5 --along smooth=1e2..1e3",

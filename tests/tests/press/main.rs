@@ -9,6 +9,7 @@ mod hopf;
 mod impact;
 mod models;
 mod penalty;
+mod rates;
 mod rest;
 mod squeal;
 mod valve;
