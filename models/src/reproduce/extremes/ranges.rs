@@ -189,7 +189,7 @@ pub fn ranges() -> Vec<Range> {
             belt_units,
         )
         .at(-12..=11, Digits(8))
-        .at(12..=12, Refused("not-isolated")),
+        .at(12..=12, Refused("not-settled")),
         parameter(DrillString::eta, "*η*", drill_string)
             .at(-8..=0, Digits(8))
             .at(1..=3, Refused("equilibrium")),
