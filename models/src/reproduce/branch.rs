@@ -32,8 +32,10 @@ impl Branch {
             (Some(fold), _) => (fold.r, "meets an unstable cycle (fold)"),
             (None, "reached-end") => (last, "end of the range"),
             (None, "equilibrium") => (last, VANISHES),
+            (None, "hopf") => (special, VANISHES),
             (None, "grazing-sliding") => (special, "comes to rest for an instant (grazing)"),
-            (None, _) => (last, "steps become too small"),
+            (None, "step-too-small") => (last, "steps become too small"),
+            (None, other) => (last, other),
         };
         let work = work(&record.points);
         let count = fold.map_or(record.points.len(), |fold| fold.after);

@@ -137,7 +137,7 @@ impl Orbit {
     pub(crate) fn loses_symmetry(&self, family: &Family) -> Result<bool, FlowError> {
         let flow = family.at(self.r)?;
         let drive = flow.phase();
-        let candidates = self.symmetries(flow.as_ref());
+        let candidates = self.symmetries(flow.as_ref(), Symmetry::all(flow.order(), drive));
         if candidates.is_empty() {
             return Ok(false);
         }
@@ -163,22 +163,16 @@ impl Orbit {
 
     /// The symmetry that the orbit has after half its period, if it has one.
     pub(super) fn mirrored(&self, flow: &dyn Flow) -> Option<Symmetry> {
-        let candidates = self.symmetries(flow);
         let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
-        let half = if candidates.is_empty() {
-            None
-        } else {
-            flow.advance(begin, 0.5 * self.period, Want::default()).ok()
-        }?;
-        let image = |one: &Symmetry| one.of(&begin.state);
-        candidates
-            .into_iter()
-            .find(|one| self.are_one(&image(one), &half.end.state, flow.phase(), SURE))
+        let half = flow.advance(begin, 0.5 * self.period, Want::default());
+        let (half, drive) = (half.ok()?.end.state, flow.phase());
+        let mut candidates = Symmetry::all(flow.order(), drive);
+        candidates.retain(|one| self.are_one(&one.of(&begin.state), &half, drive, SURE));
+        self.symmetries(flow, candidates).into_iter().next()
     }
 
-    /// The symmetries of the field.
-    fn symmetries(&self, flow: &dyn Flow) -> Vec<Symmetry> {
-        let mut candidates = Symmetry::all(flow.order(), flow.phase());
+    /// Those of the candidates that are symmetries of the field.
+    fn symmetries(&self, flow: &dyn Flow, mut candidates: Vec<Symmetry>) -> Vec<Symmetry> {
         for state in self.around() {
             candidates.retain(|one| commutes(flow, one, &state));
         }
