@@ -20,6 +20,10 @@ const FLAT: f64 = 1e-9;
 /// # Errors
 /// The forces are not determined at an event.
 pub fn borders(flow: &dyn Flow, orbit: &Orbit) -> Result<Vec<Border>, FlowError> {
+    // Without events there is no border, and no image of one to be looked for.
+    if orbit.events.is_empty() {
+        return Ok(Vec::new());
+    }
     let around = Around::of(flow, orbit);
     let mut found = Vec::new();
     for event in 0..orbit.events.len() {

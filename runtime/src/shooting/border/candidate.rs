@@ -65,6 +65,12 @@ impl Border {
         if self.mirror.is_some() { 0.5 } else { 1.0 }
     }
 
+    /// The modes in which the motion comes back to it, or to its image.
+    pub(super) fn arriving(&self) -> &Modes {
+        let mirror = self.mirror.as_ref();
+        &mirror.map_or(&self.modes, |mirror| &mirror.modes)[0]
+    }
+
     /// The mode in which the contact comes to it.
     pub(super) fn before(&self) -> Mode {
         self.modes[0]

@@ -75,23 +75,20 @@ impl<S: Sheet> BorderProblem<S> {
         state: &[f64],
         period: f64,
     ) -> Result<Round, FlowError> {
-        let before = self.border.modes[0].clone();
-        let mirror = self.border.mirror.clone();
-        let before = mirror.as_ref().map_or(before, |one| one.modes[0].clone());
         let ([first, last], calm) = (self.border.held, self.border.calm);
         let start = self.border.going(state);
         let lead = flow.glide(&start, first * period)?;
         let out = self.on(flow, lead, (calm - first) * period)?;
         let calm = self.on(flow, flow.glide(&out.0, 0.0)?, (last - calm) * period)?;
-        if calm.0.modes != before {
+        if calm.0.modes != *self.border.arriving() {
             return Err(FlowError::OtherMode {
                 found: spelt(&calm.0.modes),
-                wanted: spelt(&before),
+                wanted: spelt(self.border.arriving()),
             });
         }
         let (end, rest) = flow.glide(&calm.0, (self.border.turn() - last) * period)?;
         let back = (end, chain(&calm.1, &rest));
-        let back = match mirror {
+        let back = match &self.border.mirror {
             Some(mirror) => mirror.turned(back),
             None => back,
         };
