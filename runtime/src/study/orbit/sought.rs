@@ -159,10 +159,14 @@ impl Sought<'_> {
             let find = if seed.settles { settled } else { closest };
             match find(&self.family, r, &search) {
                 Ok(orbit) => return Ok(orbit),
-                Err(error) if telling.as_ref().is_none_or(|t| tells(t) <= tells(&error)) => {
-                    telling = Some(error);
+                Err(error) => {
+                    // Of failures that tell as much, that of the declared start is what was asked about.
+                    let meant = seed.start == self.search.start;
+                    let (least, own) = (telling.as_ref().map(tells), tells(&error));
+                    if least.is_none_or(|least| least < own || (least == own && meant)) {
+                        telling = Some(error);
+                    }
                 }
-                Err(_) => {}
             }
         }
         Err(telling.unwrap_or(OrbitError::NotSettled {
