@@ -14,7 +14,7 @@ use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
 use super::print::print;
-use super::spreadsheet::{Row, csv};
+use super::spreadsheet::{Head, csv};
 use super::width::{fitted, wrapped};
 use crate::report::whole;
 use crate::study::Ended;
@@ -109,7 +109,7 @@ impl Output {
     }
 
     /// A table in the folder, if there is one, that grows row by row.
-    pub(super) fn journal(&self, name: &str, head: Row) -> Journal {
+    pub(super) fn journal(&self, name: &str, head: &[Head]) -> Journal {
         Journal::new(self.path(&format!("{name}.csv")), head)
     }
 
@@ -155,6 +155,7 @@ impl Output {
     }
 }
 
+/// Writes all forms of an answer.
 fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
     let file = |name: &str, ending: &str| folder.join(format!("{name}.{ending}"));
     for (name, figure) in &answer.figures {
@@ -166,7 +167,8 @@ fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
         )?;
     }
     for (name, sheet) in &answer.sheets {
-        write(&file(name, "csv"), &csv(sheet())?)?;
+        let sheet = sheet();
+        write(&file(name, "csv"), csv(sheet.lines())?)?;
     }
     write(&file(answer.name, "json"), &json(&answer.document())?)
 }
@@ -196,6 +198,6 @@ fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
     whole::write(path, content).map_err(|error| unwritten(path, &error))
 }
 
-fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
+fn unwritten(path: &Path, error: &dyn Display) -> Failure {
     Failure::failed(format!("cannot write {}: {error}", path.display()))
 }
