@@ -14,6 +14,8 @@ mod journal;
 mod ledger;
 mod offer;
 mod output;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod passages;
 mod print;
 mod progress;
