@@ -20,8 +20,20 @@ pub(crate) fn folder(name: &str) -> PathBuf {
     folder
 }
 
+/// The program, which heeds signals even if whoever runs the tests ignores them, as a shell in the background does.
+fn heeding() -> Command {
+    let program = env!("CARGO_BIN_EXE_stickslip");
+    if cfg!(target_os = "linux") {
+        let mut heeding = Command::new("env");
+        heeding.args(["--default-signal=INT,HUP,TERM", program]);
+        heeding
+    } else {
+        Command::new(program)
+    }
+}
+
 pub(crate) fn start(line: &str, out: &Path) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_stickslip"))
+    heeding()
         .args(words(line))
         .arg("--out")
         .arg(out)

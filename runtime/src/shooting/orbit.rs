@@ -125,7 +125,7 @@ impl Orbit {
         let derivatives = passages.clone().filter_map(|p| p.derivatives.as_ref());
         let zeros = zeros.max(derivatives.map(|d| d.lost).max().unwrap_or(0));
         let (monodromy, trace) = shot.monodromy();
-        let trace = (segments.len() == shot.passages.len()).then_some(trace);
+        let trace = (segments.len() == 1).then_some(trace);
         Self {
             r,
             pins: shot.pins.clone(),
