@@ -34,7 +34,8 @@ impl System {
         };
         let values = diagram.all(along);
         let one = |hand: &mut Hand, number: usize, known: Option<Slice>| {
-            let slice = known.unwrap_or_else(|| cut.slice(values[number], hand));
+            let slice =
+                known.unwrap_or_else(|| cut.slice(values[number], &hand.state, &hand.scale));
             hand.take(&slice);
             slice
         };

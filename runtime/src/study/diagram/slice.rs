@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::Motion;
 use super::setting::Diagram;
-use super::sweep::Hand;
 use super::watched::Watched;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
@@ -69,9 +68,9 @@ pub(super) struct Cut<'a> {
 }
 
 impl Cut<'_> {
-    /// The slice at r, in the family's own count, with what it begins.
-    pub(super) fn slice(&self, r: f64, hand: &Hand) -> Slice {
-        match self.seen(r, &hand.state, &hand.scale) {
+    /// The slice at r, in the family's own count, from `start`; states are measured against `scale`.
+    pub(super) fn slice(&self, r: f64, start: &[f64], scale: &[f64]) -> Slice {
+        match self.seen(r, start, scale) {
             Ok((seen, lyapunov)) => Slice {
                 different: seen.different,
                 silence: seen.silence,
