@@ -58,9 +58,9 @@ impl Copies<'_> {
         let one = self.scope.kernels[kernel];
         let at = |size| Smoothing { kernel: one, size };
         let places = 0..self.scope.sizes(one).len();
-        let found = places.filter_map(|place| self.copy(kernel, place).as_ref().ok());
+        let mut found = places.filter_map(|place| self.copy(kernel, place).as_ref().ok());
         let mut points: Vec<Point> = found.clone().map(|(point, _)| point.clone()).collect();
-        let finest = found.last();
+        let finest = found.next_back();
         let mut finer = finest.map(|(point, shooting)| (at(point.size), shooting.clone()));
         let frequency_size = size(&points, accuracy, |p| p.frequency.abs()).ok_or(Lost::NoCopy)?;
         let goal = SHARE * accuracy;
