@@ -165,7 +165,10 @@ fn seven_shares_each_killed_twice_are_the_bytes_of_one_run() {
             "diagram",
             "diagram belt-pair --along v_dr=0.1..0.2 --values 70 --sweep fresh --settle 2000",
         ),
-        ("trade", "trade belt-pair --along v_dr=0.35..0.36"),
+        (
+            "trade",
+            "trade belt-oscillator --along v_dr=0.1..0.2 --accuracy 1e-3",
+        ),
     ] {
         let (whole, parts) = (folder("shared-killed-whole"), folder("shared-killed"));
         let one = ask(line, &whole);
