@@ -38,6 +38,10 @@ impl Finding for Slice {
 }
 
 impl Finding for Part {
+    fn is_of(&self, order: usize) -> bool {
+        Self::is_of(self, order)
+    }
+
     fn lasting(&self) -> Self {
         self.timeless()
     }

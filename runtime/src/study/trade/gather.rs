@@ -97,9 +97,9 @@ pub(super) fn gathered(
                 trade.need = exact.need;
             }
             (Task::Copy { kernel, place }, part) => {
-                curves[kernel].take(part, scope.smoothing(kernel, place).size);
+                curves[kernel].take(part, Some(scope.smoothing(kernel, place).size));
             }
-            (Task::Need { kernel, .. }, part) => curves[kernel].take(part, f64::NAN),
+            (Task::Need { kernel, .. }, part) => curves[kernel].take(part, None),
             (Task::Exact, _) => {}
         }
     }
@@ -138,14 +138,14 @@ impl Gathered {
     }
 
     /// Takes what was found; of a copy, at this size.
-    fn take(&mut self, part: Part, size: f64) {
+    fn take(&mut self, part: Part, size: Option<f64>) {
         self.begun = true;
         match part {
             Part::Copy(copied) => {
                 self.curve.points.push(copied.point);
                 self.precision.push(copied.precision);
             }
-            Part::Lost(reason) => self.curve.lost.push((size, reason)),
+            Part::Lost(reason) => self.curve.lost.extend(size.map(|size| (size, reason))),
             Part::Need(need) => self.curve.need = Some(*need),
             Part::Refused(reason) => self.curve.refused = Some(reason),
             Part::Exact(_) => {}

@@ -105,6 +105,16 @@ impl Scope {
 }
 
 impl Part {
+    /// Whether it can belong to a system with so many states.
+    #[must_use]
+    pub fn is_of(&self, order: usize) -> bool {
+        match self {
+            Self::Exact(exact) => exact.truth.max_abs.len() == order,
+            Self::Copy(copied) => copied.point.max_abs.len() == order,
+            Self::Lost(_) | Self::Need(_) | Self::Refused(_) => true,
+        }
+    }
+
     /// The same without times, which are measured and differ each time.
     #[must_use]
     pub fn timeless(&self) -> Self {
