@@ -144,7 +144,7 @@ fn a_trade_ends_with_what_is_there() {
     let line = "trade belt-oscillator --json --quiet";
     let answer = interrupted(line, &out, ("trade.csv", 3), "-TERM");
     let trade: Value = serde_json::from_str(&answer.stdout).unwrap();
-    assert_eq!(trade["interrupted"], true);
+    assert!(trade["interrupted"]["missing"].as_u64().unwrap() > 0);
     assert!(lines(&out.join("trade.csv")) >= 3);
     assert!(lines(&out.join("work-precision.csv")) >= 2);
 }

@@ -227,10 +227,7 @@ fn what_cannot_be_resumed_says_so() {
             "equilibria drill-string --along eta=4..6 --resume".to_owned(),
             "a `map` or `attractors` only",
         ),
-        (
-            "trade belt-oscillator --resume".to_owned(),
-            "a `map` or `attractors` only",
-        ),
+        ("trade belt-oscillator --resume".to_owned(), "--out DIR"),
     ] {
         let answer = stickslip(&words(&line));
         assert_eq!(answer.code, Some(2), "{line}: {}", answer.stderr);

@@ -61,6 +61,8 @@ fn every_table_is_read_as_numbers() {
             );
             if path.extension().is_some_and(|ending| ending == "csv") {
                 numbers(&path);
+                #[cfg(feature = "parquet")]
+                columns(&path);
                 tables += 1;
             }
         }
@@ -93,4 +95,40 @@ fn numbers(path: &Path) {
             );
         }
     }
+}
+
+/// The file of columns beside a table holds the same, numbers bit for bit; empty cells are null.
+#[cfg(feature = "parquet")]
+fn columns(path: &Path) {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+
+    let file = fs::File::open(path.with_extension("parquet")).unwrap();
+    let file = SerializedFileReader::new(file).unwrap();
+    let mut rows = file.get_row_iter(None).unwrap();
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let heads: Vec<String> = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let schema = file.metadata().file_metadata().schema_descr();
+    let names = schema.columns().iter().map(|column| column.name());
+    assert!(names.eq(heads.iter().map(String::as_str)), "{path:?}");
+    for cells in reader.records() {
+        let (cells, row) = (cells.unwrap(), rows.next().unwrap().unwrap());
+        for ((head, cell), (name, value)) in heads.iter().zip(&cells).zip(row.get_column_iter()) {
+            let same = match value {
+                Field::Null => cell.is_empty(),
+                Field::Double(x) => cell.parse::<f64>().unwrap().to_bits() == x.to_bits(),
+                Field::Long(n) => cell == n.to_string(),
+                Field::Bool(truth) => cell == truth.to_string(),
+                Field::Str(word) => WORDS.contains(&head.as_str()) && word == cell,
+                _ => false,
+            };
+            assert!(same && name == head, "{path:?}: {head}: {cell}: {value:?}");
+        }
+    }
+    assert!(rows.next().is_none(), "{path:?}");
 }

@@ -82,7 +82,11 @@ impl<'a> Answer<'a> {
         let figures = self.figures.iter();
         let figures =
             figures.flat_map(|(name, _)| ["svg", "pdf"].map(|end| format!("{name}.{end}")));
-        let sheets = self.sheets.iter().map(|(name, _)| format!("{name}.csv"));
+        let columnar = cfg!(feature = "parquet").then_some("parquet");
+        let sheets = self.sheets.iter().flat_map(|(name, _)| {
+            let endings = std::iter::once("csv").chain(columnar);
+            endings.map(move |end| format!("{name}.{end}"))
+        });
         let document = format!("{}.json", self.name);
         figures.chain(sheets).chain([document]).collect()
     }

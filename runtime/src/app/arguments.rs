@@ -92,7 +92,7 @@ impl Unresumable {
     pub(super) fn refuse(&self) -> Result<(), Failure> {
         if self.resume {
             return refuse!(
-                "`--resume` goes on with a `diagram`, a `branch`, a `map` or `attractors` only, which may take long: leave it out, and this is done anew"
+                "`--resume` goes on with a `diagram`, a `branch`, a `trade`, a `map` or `attractors` only, which may take long: leave it out, and this is done anew"
             );
         }
         Ok(())

@@ -13,7 +13,7 @@ use super::commands::{
 };
 use super::failure::Failure;
 use super::offer::App;
-use super::{shell, usage};
+use super::{question, shell, usage};
 
 /// A command that every program has.
 #[derive(Debug, Subcommand)]
@@ -86,6 +86,7 @@ pub(super) fn perform(
 
 /// Does what other words of a command line say.
 pub(super) fn again(app: &App, words: &[OsString]) -> Result<(), Failure> {
+    question::ask(words);
     let command = command(app, words.first());
     match command.clone().try_get_matches_from(words) {
         Ok(matches) => perform(app, words.first(), &matches),

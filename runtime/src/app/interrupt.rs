@@ -53,7 +53,7 @@ impl Work {
     /// It begins now, and should ask at each finding whether it shall go on: see [`verdict`]. If it is ended before it has
     /// an answer, the last words are printed.
     pub(super) fn begin(last_words: String) -> Self {
-        LazyLock::force(&SENTRY);
+        hear();
         LISTENS.store(false, Ordering::Relaxed);
         *held(&AT_WORK) = Some(Begun {
             since: SystemTime::now(),
@@ -73,6 +73,11 @@ impl Drop for Work {
 /// SIGUSR1.
 pub(super) fn is_continued() {
     CODE.store(CONTINUED, Ordering::Relaxed);
+}
+
+/// From now on who asks for an end is heard: before there is a file that shall be whole.
+pub(super) fn hear() {
+    LazyLock::force(&SENTRY);
 }
 
 /// Whether a computation shall go on.

@@ -5,7 +5,7 @@ use std::io::{Result, Seek, SeekFrom, Write};
 use std::path::PathBuf;
 
 use super::interrupt::growing;
-use super::spreadsheet::{Row, csv};
+use super::spreadsheet::{Head, Row, csv, names};
 use crate::report::whole;
 
 /// A table that is there as far as it has come, whatever ends the program.
@@ -17,10 +17,10 @@ pub(super) struct Journal {
 
 impl Journal {
     /// A table with this head; nothing is kept without a path.
-    pub(super) const fn new(path: Option<PathBuf>, head: Row) -> Self {
+    pub(super) fn new(path: Option<PathBuf>, head: &[Head]) -> Self {
         Self {
             path,
-            head,
+            head: names(head),
             file: None,
         }
     }

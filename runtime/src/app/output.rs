@@ -14,7 +14,7 @@ use super::failure::Failure;
 use super::interrupt::{growing, way_out};
 use super::journal::Journal;
 use super::print::print;
-use super::spreadsheet::{Row, csv};
+use super::spreadsheet::{Head, Spreadsheet, csv};
 use super::width::{fitted, wrapped};
 use crate::report::whole;
 use crate::study::Ended;
@@ -100,7 +100,8 @@ impl Output {
 
     /// Writes to the folder, if there is one, what is found beside the answer.
     pub(super) fn keep(&self, answer: &Answer<'_>) -> Result<(), Failure> {
-        self.out.iter().try_for_each(|folder| store(folder, answer))
+        let mut folders = self.out.iter();
+        folders.try_for_each(|folder| store(folder, answer, &self.subject))
     }
 
     /// The place of a file in the folder, if there is one.
@@ -109,7 +110,7 @@ impl Output {
     }
 
     /// A table in the folder, if there is one, that grows row by row.
-    pub(super) fn journal(&self, name: &str, head: Row) -> Journal {
+    pub(super) fn journal(&self, name: &str, head: &[Head]) -> Journal {
         Journal::new(self.path(&format!("{name}.csv")), head)
     }
 
@@ -155,7 +156,8 @@ impl Output {
     }
 }
 
-fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
+/// Writes all forms of an answer to a question with these fields.
+fn store(folder: &Path, answer: &Answer<'_>, subject: &Value) -> Result<(), Failure> {
     let file = |name: &str, ending: &str| folder.join(format!("{name}.{ending}"));
     for (name, figure) in &answer.figures {
         let (figure, path) = (figure(), file(name, "pdf"));
@@ -166,9 +168,22 @@ fn store(folder: &Path, answer: &Answer<'_>) -> Result<(), Failure> {
         )?;
     }
     for (name, sheet) in &answer.sheets {
-        write(&file(name, "csv"), &csv(sheet())?)?;
+        let sheet = sheet();
+        write(&file(name, "csv"), csv(sheet.lines())?)?;
+        columnar(&file(name, "parquet"), &sheet, subject)?;
     }
     write(&file(answer.name, "json"), &json(&answer.document())?)
+}
+
+#[cfg(feature = "parquet")]
+fn columnar(path: &Path, sheet: &Spreadsheet, subject: &Value) -> Result<(), Failure> {
+    let content = super::parquet::parquet(sheet, subject);
+    write(path, content.map_err(|error| unwritten(path, &error))?)
+}
+
+#[cfg(not(feature = "parquet"))]
+const fn columnar(_: &Path, _: &Spreadsheet, _: &Value) -> Result<(), Failure> {
+    Ok(())
 }
 
 /// Makes a folder, and makes sure before any work that files can be written to it.
@@ -196,6 +211,6 @@ fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
     whole::write(path, content).map_err(|error| unwritten(path, &error))
 }
 
-fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
+fn unwritten(path: &Path, error: &dyn Display) -> Failure {
     Failure::failed(format!("cannot write {}: {error}", path.display()))
 }

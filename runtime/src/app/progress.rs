@@ -50,11 +50,6 @@ impl Progress {
         interrupt::verdict()
     }
 
-    /// Says what was found last.
-    pub(super) fn say(&self, message: String) {
-        self.bar.set_message(message);
-    }
-
     /// Shows on what a search is working, after this message.
     pub(super) fn news(&self, message: &'static str) -> News {
         let bar = self.bar.clone();
@@ -101,7 +96,7 @@ impl<'a, T: 'static> Trail<'a, T> {
         Self {
             info: asked.info,
             along,
-            journal: asked.output.journal(name, columns.head()),
+            journal: asked.output.journal(name, &columns.head()),
             columns,
             progress,
         }

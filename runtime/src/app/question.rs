@@ -1,20 +1,39 @@
 //! What is asked, in words that are compared with those of another run.
 
+use std::ffi::OsString;
 use std::fmt::{Debug, Display};
+use std::sync::{Mutex, PoisonError};
 
 use super::failure::Failure;
 use crate::model::ModelInfo;
-use crate::study::Case;
+use crate::study::{Case, Rows};
 
 /// The way out of notes that do not help.
 pub(super) const ANEW: &str = "leave out `--resume` to begin anew";
 /// The name of the words with which it was asked, which may differ where the question does not.
 const COMMAND: &str = "the command line";
-/// The name of the number of items of a list.
-const ITEMS: &str = "the number of items";
+/// The names of the number of rows of a list, and of the items of each.
+const ROWS: &str = "the number of rows";
+const LENGTH: &str = "the items of each row";
 /// Options that say where and how, and not what: with a value, and without.
-const VALUED: [&str; 3] = ["--out", "--shard", "--threads"];
+const VALUED: [&str; 4] = ["--out", "--shard", "--threads", "--merged"];
 const BARE: [&str; 4] = ["--resume", "--json", "--quiet", "--partial"];
+
+/// The words with which this process is asked.
+static WORDS: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// From now on the process is asked with these words.
+pub(super) fn ask(words: &[OsString]) {
+    let words = words.iter().skip(1);
+    let words = words.map(|word| word.to_string_lossy().into_owned());
+    *WORDS.lock().unwrap_or_else(PoisonError::into_inner) = words.collect();
+}
+
+/// The words that say what is asked.
+pub(super) fn command() -> Vec<String> {
+    let words = WORDS.lock().unwrap_or_else(PoisonError::into_inner);
+    lasting(words.iter().cloned()).collect()
+}
 
 /// What is asked, as far as an answer depends on it: pairs of words.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -87,16 +106,19 @@ impl Question {
         serde_json::from_str(words).ok().map(Self)
     }
 
-    /// How many items its list has.
-    pub(super) fn count(&self) -> Option<usize> {
-        self.word(ITEMS)?.parse().ok()
+    /// The items of its list.
+    pub(super) fn rows(&self) -> Option<Rows> {
+        let number = |name| self.word(name)?.parse().ok();
+        let (count, length) = (number(ROWS)?, number(LENGTH)?);
+        Some(Rows { count, length })
     }
 
-    /// The same about a list of so many items, with the words of this process, by which it can be asked again.
-    pub(super) fn of_items(self, count: usize) -> Self {
-        let words: Vec<String> = lasting(std::env::args().skip(1)).collect();
-        let words = serde_json::to_string(&words).unwrap_or_default();
-        self.and(ITEMS, count).and(COMMAND, words)
+    /// The same about a list of such items, with the words of this process, by which it can be asked again.
+    pub(super) fn of_rows(self, rows: Rows) -> Self {
+        let words = serde_json::to_string(&command()).unwrap_or_default();
+        self.and(ROWS, rows.count)
+            .and(LENGTH, rows.length)
+            .and(COMMAND, words)
     }
 
     /// What it says of this.

@@ -8,7 +8,7 @@ use super::answer::Answer;
 use super::document::Document;
 use super::failure::{Failure, refuse};
 use super::request::{Request, state};
-use super::spreadsheet::{Columns, full};
+use super::spreadsheet::Columns;
 use super::text::{number, short, states, time_unit, timed, unit};
 use super::values::{Reading, one_of};
 use super::words::{both_sides, number as numeral};
@@ -118,7 +118,10 @@ pub(super) fn with_points<'a>(
     let direction = |point: &Crossing| if point.rising { "up" } else { "down" }.to_owned();
     let found = Rc::new(found);
     let [told, written] = [found.clone(), found.clone()];
-    let sheet = columns(info, |value| full(&value)).column("direction", direction);
+    let sheet = Columns::new()
+        .number(timed(info, "t", "s"), |point: &Crossing| point.time)
+        .numbers(states(info, ""), |point, j| point.state.get(j).copied())
+        .column("direction", direction);
     Ok(answer
         .words(move || describe(info, &section, &told))
         .part("section", move || document(info, &section, &written))

@@ -1,5 +1,7 @@
 //! Tables, as CSV and on the terminal.
 
+use std::fmt::Display;
+
 use nalgebra::Complex;
 
 use super::failure::Failure;
@@ -9,12 +11,61 @@ use crate::report::whole;
 /// A line of a table.
 pub(super) type Row = Vec<String>;
 
-/// A table of words and numbers, its head first.
-pub(super) type Spreadsheet = Vec<Row>;
+/// The head of a column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Head {
+    /// Its name, with its unit in parentheses.
+    pub(super) name: String,
+    /// What stands under it, where its cells are not empty.
+    pub(super) holds: Holds,
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Holds {
+    /// Words.
+    Words,
+    /// Numbers with all their digits.
+    Numbers,
+    /// Whole numbers.
+    Counts,
+    /// `true` and `false`.
+    Truths,
+}
+
+impl Holds {
+    /// The head of a column of this name that holds them.
+    pub(super) fn under(self, name: impl Into<String>) -> Head {
+        Head {
+            name: name.into(),
+            holds: self,
+        }
+    }
+}
+
+/// A table of words and numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Spreadsheet {
+    pub(super) head: Vec<Head>,
+    pub(super) rows: Vec<Row>,
+}
+
+impl Spreadsheet {
+    /// All lines, that of the names first.
+    pub(super) fn lines(&self) -> impl Iterator<Item = Row> + '_ {
+        std::iter::once(names(&self.head)).chain(self.rows.iter().cloned())
+    }
+}
 
 /// A table with this head.
-pub(super) fn headed(head: Row, rows: impl IntoIterator<Item = Row>) -> Spreadsheet {
-    std::iter::once(head).chain(rows).collect()
+pub(super) fn headed(head: Vec<Head>, rows: impl IntoIterator<Item = Row>) -> Spreadsheet {
+    let rows = rows.into_iter().collect();
+    Spreadsheet { head, rows }
+}
+
+/// The names in a head.
+pub(super) fn names(head: &[Head]) -> Row {
+    head.iter().map(|head| head.name.clone()).collect()
 }
 
 /// Rows as CSV.
@@ -27,7 +78,7 @@ where
 }
 
 /// A table described once: the head of each column, and what stands under it for a finding.
-pub(super) struct Columns<'a, T>(Vec<(String, Cell<'a, T>)>);
+pub(super) struct Columns<'a, T>(Vec<(Head, Cell<'a, T>)>);
 
 type Cell<'a, T> = Box<dyn Fn(&T) -> String + 'a>;
 
@@ -37,14 +88,20 @@ impl<'a, T: 'a> Columns<'a, T> {
     }
 
     /// One more column.
+    fn of(mut self, head: Head, cell: impl Fn(&T) -> String + 'a) -> Self {
+        self.0.push((head, Box::new(cell)));
+        self
+    }
+
+    /// One more column of words.
     pub(super) fn column<S: Into<String>>(
-        mut self,
+        self,
         head: impl Into<String>,
         cell: impl Fn(&T) -> S + 'a,
     ) -> Self {
-        let cell = move |finding: &T| cell(finding).into();
-        self.0.push((head.into(), Box::new(cell)));
-        self
+        self.of(Holds::Words.under(head), move |finding| {
+            cell(finding).into()
+        })
     }
 
     /// One more column of numbers with all their digits, empty where there is none.
@@ -53,10 +110,30 @@ impl<'a, T: 'a> Columns<'a, T> {
         head: impl Into<String>,
         value: impl Fn(&T) -> V + 'a,
     ) -> Self {
-        self.column(head, move |finding| optional(value(finding).into()))
+        self.of(Holds::Numbers.under(head), move |finding| {
+            optional(value(finding).into())
+        })
     }
 
-    /// One more column for each head, which `cell` is told the number of.
+    /// One more column of whole numbers.
+    pub(super) fn count<C: Display>(
+        self,
+        head: impl Into<String>,
+        count: impl Fn(&T) -> C + 'a,
+    ) -> Self {
+        self.of(Holds::Counts.under(head), move |finding| {
+            count(finding).to_string()
+        })
+    }
+
+    /// One more column of what is true or false.
+    pub(super) fn truth(self, head: impl Into<String>, truth: impl Fn(&T) -> bool + 'a) -> Self {
+        self.of(Holds::Truths.under(head), move |finding| {
+            truth(finding).to_string()
+        })
+    }
+
+    /// One more column of words for each head, which `cell` is told the number of.
     pub(super) fn each(
         self,
         heads: impl IntoIterator<Item = String>,
@@ -74,10 +151,13 @@ impl<'a, T: 'a> Columns<'a, T> {
         heads: impl IntoIterator<Item = String>,
         value: impl Fn(&T, usize) -> Option<f64> + Copy + 'a,
     ) -> Self {
-        self.each(heads, move |finding, j| optional(value(finding, j)))
+        let heads = heads.into_iter().enumerate();
+        heads.fold(self, |columns, (j, head)| {
+            columns.number(head, move |finding| value(finding, j))
+        })
     }
 
-    pub(super) fn head(&self) -> Row {
+    pub(super) fn head(&self) -> Vec<Head> {
         self.0.iter().map(|(head, _)| head.clone()).collect()
     }
 
@@ -99,13 +179,7 @@ impl<'a, T: 'a> Columns<'a, T> {
     where
         T: 'b,
     {
-        table(
-            &self
-                .sheet(findings)
-                .into_iter()
-                .map(line)
-                .collect::<String>(),
-        )
+        table(&self.sheet(findings).lines().map(line).collect::<String>())
     }
 }
 

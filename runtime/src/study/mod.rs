@@ -90,9 +90,7 @@ pub use branch::{BranchRecord, Special};
 pub use curve::{
     CurveFinding, CurvePointRecord, CurveRecord, CurveScope, Curved, SpecialCurvePoint,
 };
-pub use diagram::{
-    Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep, SweepRecord, Watcher,
-};
+pub use diagram::{Diagram, DiagramRecord, Motion, Slice, Sweep, SweepRecord};
 pub use ended::Ended;
 pub use equilibria::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
 pub use error::StudyError;
@@ -104,4 +102,4 @@ pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::{News, System};
 pub use trade::{End, TradeRecord};
-pub use work::{Item, List, Share, parallel, parallel_on};
+pub use work::{Item, List, Rows, Share, Watch, parallel, parallel_on};

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::attractors::{AttractorsRecord, Sampling};
 use super::branch::BranchRecord;
 use super::curve::{CurveScope, Curved};
-use super::diagram::{Diagram, DiagramRecord, Known};
+use super::diagram::{Diagram, DiagramRecord};
 use super::equilibria::EquilibriaRecord;
 use super::error::StudyError;
 use super::map::{Asked, Grid, MapRecord};
@@ -44,7 +44,7 @@ impl System {
     /// # Errors
     /// Nothing is followed, or the case cannot be asked.
     pub fn diagram(&self, case: &Case, diagram: &Diagram) -> Result<DiagramRecord, StudyError> {
-        self.diagram_watched(case, diagram, &Known::default(), &|_| {
+        self.diagram_watched(case, diagram, &List::default(), &|_| {
             ControlFlow::Continue(())
         })
     }
@@ -58,7 +58,7 @@ impl System {
         case: &Case,
         sampling: &Sampling,
     ) -> Result<AttractorsRecord, StudyError> {
-        let list = List::whole(sampling.values.saturating_mul(sampling.starts));
+        let list = List::default();
         self.attractors_watched(case, sampling, &list, &|_| ControlFlow::Continue(()))
     }
 
@@ -67,15 +67,20 @@ impl System {
     /// # Errors
     /// The case cannot be asked at a corner of the grid.
     pub fn map(&self, case: &Case, grid: &Grid, asked: &Asked) -> Result<MapRecord, StudyError> {
-        let list = List::whole(grid.count().unwrap_or(usize::MAX));
+        let list = List::default();
         self.map_watched(case, (grid, asked), &list, &|_| ControlFlow::Continue(()))
     }
 
     /// Error against cost of every smoothing, near the exact orbit of the case; at both ends if a parameter is followed.
+    /// On one thread, so that times are measured undisturbed.
     ///
     /// # Errors
     /// There is no friction, or no exact orbit.
     pub fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
-        self.trade_watched(case, scope, &mut |_, _| ControlFlow::Continue(()))
+        let list = List {
+            threads: Some(1),
+            ..List::default()
+        };
+        self.trade_watched(case, scope, &list, &|_| ControlFlow::Continue(()))
     }
 }

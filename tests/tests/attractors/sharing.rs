@@ -45,7 +45,7 @@ fn found(list: &List<Fate>) -> (AttractorsRecord, BTreeMap<usize, Fate>) {
 fn shares_add_up_to_the_whole() {
     let list = List {
         threads: Some(2),
-        ..List::whole(VALUES * STARTS)
+        ..List::default()
     };
     let (whole, items) = found(&list);
     let mut known = BTreeMap::new();

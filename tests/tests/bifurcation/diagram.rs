@@ -1,8 +1,10 @@
 //! Poincaré diagrams against single orbits, known flips and each other.
 
+use std::ops::ControlFlow;
+
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
-    Along, Case, Diagram, DiagramRecord, Dynamics, Motion, Slice, Span, Sweep, System,
+    Along, Case, Diagram, DiagramRecord, Dynamics, Item, List, Motion, Slice, Span, Sweep, System,
 };
 use stickslip_models::{BeltOscillator, BeltPair};
 use stickslip_tests::range::range;
@@ -27,7 +29,6 @@ const USUAL: Diagram = Diagram {
     settle: 400,
     points: 32,
     lyapunov: None,
-    threads: None,
 };
 
 fn draw(model: &System, case: &Case, diagram: Diagram) -> DiagramRecord {
@@ -222,10 +223,15 @@ fn threads_change_no_bit(values: usize, others: &[Option<usize>]) {
                 settle: 20,
                 points: 12,
                 lyapunov: Some(20),
-                threads,
                 ..USUAL
             };
-            draw(&model, &case, diagram).sweeps
+            let list = List {
+                threads,
+                ..List::default()
+            };
+            let go_on = |_: Item<'_, Slice>| ControlFlow::Continue(());
+            let record = model.diagram_watched(&case, &diagram, &list, &go_on);
+            record.expect("a diagram").sweeps
         };
         let one = with(Some(1));
         for &threads in others {

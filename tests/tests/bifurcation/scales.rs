@@ -57,7 +57,6 @@ const USUAL: Diagram = Diagram {
     settle: 20,
     points: 16,
     lyapunov: None,
-    threads: None,
 };
 
 fn level(state: usize, value: f64) -> Section {

@@ -1,13 +1,12 @@
 //! Walls as penalty springs: what a copy of an impact gets wrong, against closed forms.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use stickslip::field::{Design, Kernel, SmoothField, Smoothing};
 use stickslip::flow::{Flow, SmoothFlow, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
-use stickslip::study::trade::{Finding, Scope};
+use stickslip::study::trade::Scope;
 use stickslip::study::{Case, Dynamics, System};
 
 use crate::models::{Hammer, copy, falls};
@@ -122,10 +121,8 @@ fn a_trade_tells_how_stiff_a_wall_must_be() {
         accuracy: Some(1e-3),
         ..Scope::default()
     };
-    let mut watch = |_: usize, _: Finding<'_>| ControlFlow::Continue(());
     let system = System::of::<Hammer, 3>();
-    let record = system.trade_watched(&case(&Hammer::default()), &scope, &mut watch);
-    let record = record.unwrap();
+    let record = system.trade(&case(&Hammer::default()), &scope).unwrap();
     let [end] = record.ends.as_slice() else {
         panic!("{record:?}");
     };

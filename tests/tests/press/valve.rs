@@ -17,7 +17,6 @@ fn a_diagram_of_the_valve_has_every_value() {
         settle: 150,
         points: 32,
         lyapunov: None,
-        threads: Some(1),
     };
     let record = System::of::<Valve, 3>().diagram(&case, &diagram).unwrap();
     assert_eq!((record.missing, record.sweeps[0].slices.len()), (0, 50));

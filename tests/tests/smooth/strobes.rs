@@ -60,7 +60,6 @@ fn slice(model: &System, set: &[(&str, f64)], section: Section) -> Slice {
         settle: 200,
         points: 32,
         lyapunov: None,
-        threads: None,
     };
     let record = model.diagram(&case, &diagram);
     record.expect("a diagram").sweeps[0].slices[0].clone()

@@ -43,7 +43,7 @@ words! {
 /// assert_eq!(smoothing, Smoothing { kernel: Kernel::Arctan, size: 1e5 });
 /// # Ok::<(), stickslip::field::SmoothingError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Smoothing {
     /// The shape.
     pub kernel: Kernel,

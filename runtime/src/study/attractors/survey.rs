@@ -1,7 +1,6 @@
 //! All motions of a case.
 
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
 use super::areas::areas;
@@ -14,7 +13,7 @@ use crate::flow::FlowError;
 use crate::study::error::StudyError;
 use crate::study::question::Case;
 use crate::study::system::System;
-use crate::study::work::{Item, List};
+use crate::study::work::{List, Watch};
 
 impl System {
     /// On what motions from starts in a region settle: `list` has an item for each start at each of the values that are
@@ -27,7 +26,7 @@ impl System {
         case: &Case,
         sampling: &Sampling,
         list: &List<Fate>,
-        watch: &(dyn Fn(Item<'_, Fate>) -> ControlFlow<()> + Sync),
+        watch: Watch<'_, Fate>,
     ) -> Result<AttractorsRecord, StudyError> {
         self.check(case)?;
         let (region, starts) = (&sampling.region, sampling.starts);
@@ -52,13 +51,14 @@ impl System {
                 )))
             }
         };
-        let found = list.work(one, watch);
+        let count = stations.len().saturating_mul(starts);
+        let found = list.work(count, one, watch);
         let surveys = (0..stations.len()).filter_map(|station| {
             let fates = found.range(station * starts..(station + 1) * starts);
             let fates: BTreeMap<usize, &Fate> = fates.map(|(n, fate)| (n % starts, fate)).collect();
             let scouted = at(station).as_ref().ok()?;
             let mut survey = survey(scouted, stations[station].0, &fates);
-            let whole = found.len() == list.count;
+            let whole = found.len() == count;
             if whole && sampling.areas && region.sides.len() == 2 {
                 measure(scouted, &mut survey, list.threads);
             }
@@ -71,7 +71,7 @@ impl System {
             surveys: surveys.collect(),
             sampling: sampling.clone(),
             along: case.along,
-            missing: list.count - found.len(),
+            missing: count - found.len(),
         })
     }
 }

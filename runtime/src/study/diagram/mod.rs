@@ -2,12 +2,11 @@
 //! meets a section.
 //!
 //! A sweep begins each value where the one before ended, so that it stays with its attractor as long
-//! as there is one: it is sequential by nature. Sweeps up and down run side by side, and values that
-//! start afresh run on all cores; nothing depends on how many there are.
+//! as there is one: that is part of the question, and a sweep is a row of items that build on each other. Sweeps up and
+//! down run side by side, and values that start afresh run on all cores; nothing depends on how many there are.
 
 mod draw;
 mod kind;
-mod known;
 mod record;
 mod setting;
 mod slice;
@@ -15,7 +14,6 @@ mod sweep;
 mod watched;
 
 pub use kind::Motion;
-pub use known::Known;
-pub use record::{DiagramRecord, Seen, SweepRecord, Watcher};
+pub use record::{DiagramRecord, SweepRecord};
 pub use setting::{Diagram, Sweep};
 pub use slice::Slice;

@@ -1,7 +1,5 @@
 //! What is reported of a diagram.
 
-use std::ops::ControlFlow;
-
 use super::setting::Diagram;
 use super::slice::Slice;
 use crate::field::Work;
@@ -28,22 +26,6 @@ pub struct SweepRecord {
     /// The values in the order of the sweep.
     pub slices: Vec<Slice>,
 }
-
-/// A value of a diagram as it is found.
-#[derive(Debug, Clone, Copy)]
-pub struct Seen<'a> {
-    /// The sweep to which it belongs.
-    pub sweep: &'static str,
-    /// What is seen there.
-    pub slice: &'a Slice,
-    /// Whether it was known before.
-    pub known: bool,
-    /// The share of all values that are there.
-    pub share: f64,
-}
-
-/// Told of each value of a diagram, from any thread; a break ends the diagram there.
-pub type Watcher<'a> = &'a (dyn Fn(Seen<'_>) -> ControlFlow<()> + Sync);
 
 impl DiagramRecord {
     /// Work of all values.

@@ -65,16 +65,10 @@ pub(super) struct Cut<'a> {
     pub(super) family: &'a Family,
     pub(super) diagram: &'a Diagram,
     pub(super) along: Along,
-    pub(super) start: &'a [f64],
 }
 
 impl Cut<'_> {
-    /// The slice at r, in the family's own count, from the declared start.
-    pub(super) fn fresh(&self, r: f64) -> Slice {
-        self.slice(r, self.start, &magnitude(self.start))
-    }
-
-    /// The slice at r from `start`; states are measured against `scale`.
+    /// The slice at r, in the family's own count, from `start`; states are measured against `scale`.
     pub(super) fn slice(&self, r: f64, start: &[f64], scale: &[f64]) -> Slice {
         match self.seen(r, start, scale) {
             Ok((seen, lyapunov)) => Slice {
@@ -154,14 +148,6 @@ fn at_rest(flow: &dyn Flow, place: &Place) -> Result<Lyapunov, FlowError> {
         error: 0.0,
         time: 0.0,
     })
-}
-
-/// Magnitudes as far as a start shows them.
-pub(super) fn magnitude(start: &[f64]) -> Vec<f64> {
-    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let other = if largest > 0.0 { largest } else { 1.0 };
-    let size = |&x: &f64| if x == 0.0 { other } else { x.abs() };
-    start.iter().map(size).collect()
 }
 
 /// Sizes against which a motion is judged to rest: a start at the origin shows none.

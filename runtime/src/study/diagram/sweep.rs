@@ -1,49 +1,24 @@
 //! Values one after the other, each from the end of the one before.
 
-use std::ops::ControlFlow;
-
-use super::slice::{Cut, Slice, magnitude};
+use super::slice::Slice;
 use crate::motion::half_extents;
 
 /// Displacement with which a value begins, relative to the size of each state: without it, a motion at
 /// rest, or one as symmetric as its start, would never leave what has lost its stability.
 const NUDGE: f64 = 1e-6;
 
-/// The slices at these values of r, in their order, until `seen` wants no more; `known` may have the one at r already.
-pub(super) fn sweep(
-    cut: &Cut<'_>,
-    values: &[f64],
-    known: impl Fn(f64) -> Option<Slice>,
-    seen: impl Fn(&Slice, bool) -> ControlFlow<()>,
-) -> Vec<Slice> {
-    let mut hand = Hand::new(cut.start);
-    let mut slices = Vec::with_capacity(values.len());
-    for &r in values {
-        let old = known(r);
-        let is_old = old.is_some();
-        let slice = old.unwrap_or_else(|| cut.slice(r, &hand.state, &hand.scale));
-        hand.take(&slice);
-        let verdict = seen(&slice, is_old);
-        slices.push(slice);
-        if verdict.is_break() {
-            break;
-        }
-    }
-    slices
-}
-
-/// What one value hands on to the next.
-struct Hand {
+/// What a value of a sweep begins with, and hands on to the next.
+pub(super) struct Hand {
     /// Where it begins.
-    state: Vec<f64>,
+    pub(super) state: Vec<f64>,
     /// How large its states usually are.
-    scale: Vec<f64>,
+    pub(super) scale: Vec<f64>,
     /// Whether a motion has shown that.
     known: bool,
 }
 
 impl Hand {
-    fn new(start: &[f64]) -> Self {
+    pub(super) fn new(start: &[f64]) -> Self {
         Self {
             state: start.to_vec(),
             scale: magnitude(start),
@@ -52,7 +27,7 @@ impl Hand {
     }
 
     /// Takes over from a slice; what has failed hands on nothing.
-    fn take(&mut self, slice: &Slice) {
+    pub(super) fn take(&mut self, slice: &Slice) {
         if slice.end.len() != self.state.len() {
             return;
         }
@@ -66,4 +41,12 @@ impl Hand {
             self.state[j] = end + NUDGE * self.scale[j];
         }
     }
+}
+
+/// Magnitudes as far as a start shows them.
+fn magnitude(start: &[f64]) -> Vec<f64> {
+    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let other = if largest > 0.0 { largest } else { 1.0 };
+    let size = |&x: &f64| if x == 0.0 { other } else { x.abs() };
+    start.iter().map(size).collect()
 }

@@ -1,13 +1,11 @@
 //! A grid of two parameters.
 
-use std::ops::ControlFlow;
-
 use super::cell::Cell;
 use super::question::Asked;
 use crate::study::error::StudyError;
 use crate::study::question::{Along, Case};
 use crate::study::system::System;
-use crate::study::work::{Item, List};
+use crate::study::work::{List, Watch};
 
 /// Two parameters with so many values each.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,27 +70,27 @@ impl System {
         case: &Case,
         (grid, asked): (&Grid, &Asked),
         list: &List<Cell>,
-        watch: &(dyn Fn(Item<'_, Cell>) -> ControlFlow<()> + Sync),
+        watch: Watch<'_, Cell>,
     ) -> Result<MapRecord, StudyError> {
-        let axes = grid.axes();
+        let (axes, count) = (grid.axes(), grid.count().unwrap_or(usize::MAX));
         let node = |number: usize| {
             let (i, j) = (number % axes[0].len(), number / axes[0].len());
             [axes[0][i], axes[1][j]]
         };
-        let corners = [
-            0,
-            axes[0].len() - 1,
-            list.count - axes[0].len(),
-            list.count - 1,
-        ];
-        for corner in corners {
-            self.check(&grid.at(case, node(corner)))?;
+        let ends = axes
+            .each_ref()
+            .map(|axis| [axis.first(), axis.last()].into_iter().flatten());
+        for b in ends[1].clone() {
+            for a in ends[0].clone() {
+                self.check(&grid.at(case, [*a, *b]))?;
+            }
         }
-        let found = list.work(|number| asked.of(self, &grid.at(case, node(number))), watch);
+        let one = |number| asked.of(self, &grid.at(case, node(number)));
+        let found = list.work(count, one, watch);
         Ok(MapRecord {
             grid: grid.clone(),
             asked: asked.clone(),
-            missing: list.count - found.len(),
+            missing: count - found.len(),
             nodes: found
                 .into_iter()
                 .map(|(number, cell)| (node(number), cell))

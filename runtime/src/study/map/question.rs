@@ -88,7 +88,7 @@ fn equilibrium(system: &System, case: &Case) -> Cell {
 fn share(system: &System, case: &Case, class: Class, (region, starts): (&Region, usize)) -> Cell {
     let list = List {
         threads: Some(1),
-        ..List::whole(starts)
+        ..List::default()
     };
     let sampling = Sampling::of(region.clone(), starts);
     let found = system.attractors_watched(case, &sampling, &list, &|_| ControlFlow::Continue(()));

@@ -1,11 +1,11 @@
 //! What is predicted of a copy.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::field::Smoothing;
 
 /// The errors that a smoothing would make, relative and signed: copy/exact − 1.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Prediction {
     /// The smoothing.
     pub smoothing: Smoothing,
@@ -35,7 +35,7 @@ impl Prediction {
 }
 
 /// What one release costs the copy (7.1).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ReleaseLoss {
     /// Number of the contact.
     pub contact: usize,
@@ -52,6 +52,5 @@ pub struct ReleaseLoss {
     /// The time that the layer takes.
     pub layer: f64,
     /// The shorter of the stick before it and the slip after it.
-    #[serde(skip)]
     pub room: f64,
 }

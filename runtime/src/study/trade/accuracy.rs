@@ -1,10 +1,11 @@
 //! The cheapest setting that meets an accuracy.
 
-use super::copy::{Copies, Found};
+use super::copy::Copies;
 use super::lost::Lost;
 use super::precision::at;
-use super::record::{Curve, Need, Point, Setting};
+use super::record::{Need, Point, Setting};
 use super::shoot::{self, Effort, Shooting};
+use crate::field::Smoothing;
 use crate::motion::Family;
 
 /// Share of the accuracy that the smoothing alone may use.
@@ -53,36 +54,40 @@ fn largest(point: &Point) -> f64 {
 
 impl Copies<'_> {
     /// The size that a kernel needs for `accuracy`, verified, and the cheapest way to integrate it.
-    pub(super) fn need(&self, curve: &Curve, found: &[Found], accuracy: f64) -> Result<Need, Lost> {
-        let frequency_size =
-            size(&curve.points, accuracy, |p| p.frequency.abs()).ok_or(Lost::NoCopy)?;
+    pub(super) fn need(&self, kernel: usize, accuracy: f64) -> Result<Need, Lost> {
+        let one = self.scope.kernels[kernel];
+        let at = |size| Smoothing { kernel: one, size };
+        let places = 0..self.scope.sizes(one).len();
+        let mut found = places.filter_map(|place| self.copy(kernel, place).as_ref().ok());
+        let mut points: Vec<Point> = found.clone().map(|(point, _)| point.clone()).collect();
+        let finest = found.next_back();
+        let mut finer = finest.map(|(point, shooting)| (at(point.size), shooting.clone()));
+        let frequency_size = size(&points, accuracy, |p| p.frequency.abs()).ok_or(Lost::NoCopy)?;
         let goal = SHARE * accuracy;
-        let mut points = curve.points.clone();
-        let mut finer = found.last().cloned();
         let mut best = None;
         for _ in 0..TRIES {
             let size = size(&points, goal * NEAR.sqrt(), largest).ok_or(Lost::NoCopy)?;
-            let (point, shooting) = self.point(curve.at(size), finer.as_ref())?;
+            let (point, shooting) = self.point(at(size), &|| finer.clone())?;
             let error = largest(&point);
-            finer = Some((curve.at(size), shooting.clone()));
+            finer = Some((at(size), shooting.clone()));
             if error <= goal {
                 best = Some((size, error, shooting));
                 if error >= NEAR * NEAR * goal || size == points[0].size {
                     break;
                 }
             }
-            let towards = |p: &Point| curve.at(p.size).sharpness();
+            let towards = |p: &Point| at(p.size).sharpness();
             let place = points.partition_point(|p| towards(p) < towards(&point));
             points.insert(place, point);
         }
         let (size, error, shooting) = best.ok_or(Lost::NoSize { goal })?;
-        let smoothing = curve.at(size);
+        let smoothing = at(size);
         let family = self.family(smoothing, Effort::TIGHT.tolerance);
         Ok(Need {
             smoothing,
             frequency_size,
             error,
-            setting: cheapest(&family, &shooting, self.truth, accuracy)?,
+            setting: cheapest(&family, &shooting, &self.truth, accuracy)?,
         })
     }
 }

@@ -1,17 +1,16 @@
-//! The orbit's smooth copies, from the nearest to the exact law to the farthest.
+//! The orbit's smooth copies: each is sought by itself, and by those nearer to the exact law where that does not suffice.
 
-use std::ops::ControlFlow;
+use std::sync::OnceLock;
 
-use super::fit::Fit;
 use super::lost::Lost;
-use super::precision;
-use super::record::{Curve, Finding, Point, Scope, Trade, Watch};
+use super::record::{Point, Scope};
 use super::shoot::{Effort, Shooting, cost, follow, shoot};
 use crate::field::{Design, Kernel, Smoothing, SmoothingError, Work};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::Family;
 use crate::shooting::{Guess, Orbit};
+use crate::study::error::{StudyError, TradeError};
 use crate::study::predict::Prediction;
 use crate::study::question::{Along, Case, Dynamics};
 use crate::study::system::System;
@@ -30,15 +29,41 @@ const OTHER: f64 = 2.0;
 pub(super) struct Copies<'a> {
     pub(super) system: &'a System,
     /// The exact case.
-    pub(super) case: &'a Case,
-    pub(super) orbit: &'a Orbit,
-    pub(super) truth: &'a Shooting,
+    pub(super) case: Case,
+    pub(super) orbit: Orbit,
+    pub(super) truth: Shooting,
+    pub(super) scope: &'a Scope,
+    /// The copies of each kernel and size that were sought.
+    sought: Vec<Vec<OnceLock<Result<Copy, Lost>>>>,
 }
 
 /// A copy that has the orbit.
+type Copy = (Point, Shooting);
+
+/// The same, as one from which others are found.
 pub(super) type Found = (Smoothing, Shooting);
 
-impl Copies<'_> {
+impl<'a> Copies<'a> {
+    /// The exact orbit of a case.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be shot again.
+    pub(super) fn of(system: &'a System, case: Case, scope: &'a Scope) -> Result<Self, StudyError> {
+        let orbit = system.sought(&case)?.orbit(0.0)?;
+        let family = system.family(&case);
+        let truth = shoot(&family, 0.0, &orbit.guess(), Effort::TIGHT).map_err(TradeError::from)?;
+        let sizes = scope.kernels.iter().map(|kernel| scope.sizes(*kernel));
+        let unsought = |sizes: &[f64]| sizes.iter().map(|_| OnceLock::new()).collect();
+        Ok(Self {
+            system,
+            case,
+            orbit,
+            truth,
+            scope,
+            sought: sizes.map(unsought).collect(),
+        })
+    }
+
     pub(super) fn family(&self, smoothing: Smoothing, tolerance: Tolerance) -> Family {
         let case = Case {
             dynamics: Dynamics::Smoothed(smoothing),
@@ -47,80 +72,25 @@ impl Copies<'_> {
         self.system.family(&case).with_tolerance(tolerance)
     }
 
-    /// Adds everything about one kernel to a trade.
-    pub(super) fn measure(&self, kernel: Kernel, scope: &Scope, all: &mut Trade, watch: Watch<'_>) {
-        let (mut curve, found, mut verdict) = self.curve(kernel, scope, watch);
-        for (smoothing, copy) in &found {
-            if verdict.is_break() {
-                break;
-            }
-            let family = self.family(*smoothing, Effort::TIGHT.tolerance);
-            let precision = precision::of(Some(*smoothing), &family, copy, self.truth, scope);
-            verdict = watch(Finding::Precision(&precision));
-            all.precision.push(precision);
-        }
-        if let (Some(accuracy), None, false) = (scope.accuracy, &curve.refused, verdict.is_break())
-        {
-            curve.need = Some(self.need(&curve, &found, accuracy));
-        }
-        all.curves.push(curve);
-        all.interrupted = verdict.is_break();
+    /// The copy of a kernel and a size of these places.
+    pub(super) fn copy(&self, kernel: usize, place: usize) -> &Result<Copy, Lost> {
+        self.sought[kernel][place].get_or_init(|| {
+            let smoothing = self.scope.smoothing(kernel, place);
+            self.point(smoothing, &|| self.finer(kernel, place))
+        })
     }
 
-    /// All copies of one kernel, and whether there shall be more.
-    fn curve(
-        &self,
-        kernel: Kernel,
-        scope: &Scope,
-        watch: Watch<'_>,
-    ) -> (Curve, Vec<Found>, ControlFlow<()>) {
-        let sizes = if kernel.is_bump() {
-            &scope.bump_sizes
-        } else {
-            &scope.sign_sizes
-        };
-        let mut curve = Curve {
-            kernel,
-            refused: self.refusal(kernel),
-            points: Vec::new(),
-            lost: Vec::new(),
-            frequency: None,
-            max_abs: Vec::new(),
-            need: None,
-        };
-        let mut found: Vec<Found> = Vec::new();
-        let mut verdict = ControlFlow::Continue(());
-        if curve.refused.is_some() {
-            return (curve, found, verdict);
-        }
-        for &size in sizes.iter().rev() {
-            if verdict.is_break() {
-                break;
-            }
-            let smoothing = curve.at(size);
-            match self.point(smoothing, found.last()) {
-                Ok((point, shooting)) => {
-                    verdict = watch(Finding::Copy(kernel, &point));
-                    curve.points.push(point);
-                    found.push((smoothing, shooting));
-                }
-                Err(reason) => curve.lost.push((size, reason)),
-            }
-        }
-        curve.points.reverse();
-        curve.lost.reverse();
-        found.reverse();
-        let errors = |of: &dyn Fn(&Point) -> f64| {
-            Fit::through(curve.points.iter().map(|point| (point.size, of(point))))
-        };
-        curve.frequency = errors(&|point| point.frequency);
-        curve.max_abs = (0..self.truth.state.len())
-            .map(|j| errors(&|point| point.max_abs[j]))
-            .collect();
-        (curve, found, verdict)
+    /// The next of those nearer to the exact law.
+    fn finer(&self, kernel: usize, place: usize) -> Option<Found> {
+        let mut finer = place + 1..self.sought[kernel].len();
+        finer.find_map(|place| {
+            let (_, shooting) = self.copy(kernel, place).as_ref().ok()?;
+            Some((self.scope.smoothing(kernel, place), shooting.clone()))
+        })
     }
 
-    fn refusal(&self, kernel: Kernel) -> Option<SmoothingError> {
+    /// Why the model's laws do not accept a kernel, if they do not.
+    pub(super) fn refusal(&self, kernel: Kernel) -> Option<SmoothingError> {
         let family = self.family(Smoothing { kernel, size: 1.0 }, Effort::TIGHT.tolerance);
         match family.at(0.0).err()? {
             FlowError::Smoothing(refusal) => Some(refusal),
@@ -132,23 +102,23 @@ impl Copies<'_> {
     pub(super) fn point(
         &self,
         smoothing: Smoothing,
-        finer: Option<&Found>,
-    ) -> Result<(Point, Shooting), Lost> {
-        let predicted = self.system.predict(self.case, self.orbit, smoothing);
+        finer: &dyn Fn() -> Option<Found>,
+    ) -> Result<Copy, Lost> {
+        let predicted = self.system.predict(&self.case, &self.orbit, smoothing);
         let (shooting, effort) = self.find(smoothing, predicted.as_ref().ok(), finer)?;
-        let (frequency, max_abs) = shooting.errors(self.truth);
+        let (frequency, max_abs) = shooting.errors(&self.truth);
         let family = self.family(smoothing, effort.tolerance);
         let point = Point {
             size: smoothing.size,
             stiffness: self
                 .system
-                .stiffness(self.case, &self.orbit.place.state, smoothing),
+                .stiffness(&self.case, &self.orbit.place.state, smoothing),
             frequency,
             max_abs,
             resolution: shooting.resolution,
             cost: cost(&family, &shooting)?,
             found: shooting.work,
-            predicted,
+            predicted: predicted.map_err(|reason| reason.to_string()),
         };
         Ok((point, shooting))
     }
@@ -159,7 +129,7 @@ impl Copies<'_> {
         &self,
         smoothing: Smoothing,
         predicted: Option<&Prediction>,
-        finer: Option<&Found>,
+        finer: &dyn Fn() -> Option<Found>,
     ) -> Result<(Shooting, Effort), Lost> {
         let exact = self.truth.guess();
         let shifted = predicted.map(|prediction| {
@@ -169,18 +139,20 @@ impl Copies<'_> {
             guess.period *= 1.0 - prediction.frequency;
             guess
         });
-        let beside = finer.map(|(_, copy)| copy.guess());
-        let mut last = Lost::NoCopy;
-        for guess in shifted.into_iter().chain([exact]).chain(beside) {
-            match self.converge(smoothing, &guess) {
-                Ok(found) => return Ok(found),
-                Err(reason) => last = reason,
-            }
+        if let Some(guess) = shifted
+            && let Ok(found) = self.converge(smoothing, &guess)
+        {
+            return Ok(found);
         }
-        let Some((from, copy)) = finer else {
-            return Err(last);
+        let lost = match self.converge(smoothing, &exact) {
+            Ok(found) => return Ok(found),
+            Err(reason) => reason,
         };
-        let (guess, work) = self.follow(*from, smoothing, copy)?;
+        let (from, copy) = finer().ok_or(lost)?;
+        if let Ok(found) = self.converge(smoothing, &copy.guess()) {
+            return Ok(found);
+        }
+        let (guess, work) = self.follow(from, smoothing, &copy)?;
         let (mut shooting, effort) = self.converge(smoothing, &guess)?;
         shooting.work += work;
         Ok((shooting, effort))

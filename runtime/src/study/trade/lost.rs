@@ -6,7 +6,7 @@ use crate::shooting::OrbitError;
 
 /// Why a setting has no place in a trade.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Lost {
+pub(super) enum Lost {
     /// No orbit was found with it.
     #[error(transparent)]
     Orbit(#[from] OrbitError),

@@ -28,7 +28,7 @@ pub(super) fn of(
     for &tolerance in &scope.tolerances {
         match at(family, tight, truth, tolerance) {
             Ok(point) => precision.points.push(point),
-            Err(reason) => precision.failed.push((tolerance, reason)),
+            Err(reason) => precision.failed.push((tolerance, reason.to_string())),
         }
     }
     precision

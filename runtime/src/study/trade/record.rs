@@ -1,13 +1,10 @@
 //! What a trade covers, and what it finds.
 
-use std::ops::ControlFlow;
-
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::fit::Fit;
-use super::lost::Lost;
-use crate::field::{Kernel, Smoothing, SmoothingError, Work};
-use crate::study::predict::{PredictError, Prediction};
+use crate::field::{Kernel, Smoothing, Work};
+use crate::study::predict::Prediction;
 
 /// What a trade shall cover.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +35,7 @@ impl Default for Scope {
 }
 
 /// Work and time of one period with its derivatives and extrema: what one Newton iteration pays.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Cost {
     /// Seconds, the best of a few repetitions.
     pub seconds: f64,
@@ -47,7 +44,7 @@ pub struct Cost {
 }
 
 /// The exact orbit, against which everything is measured.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Truth {
     /// Its period.
     pub period: f64,
@@ -60,7 +57,7 @@ pub struct Truth {
 }
 
 /// One smooth copy.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// The size of the smoothing.
     pub size: f64,
@@ -78,7 +75,7 @@ pub struct Point {
     /// What finding it cost.
     pub found: Work,
     /// The error predicted without integrating it, or why there is none.
-    pub predicted: Result<Prediction, PredictError>,
+    pub predicted: Result<Prediction, String>,
 }
 
 /// The copies of one kernel.
@@ -87,17 +84,17 @@ pub struct Curve {
     /// The kernel.
     pub kernel: Kernel,
     /// Why the model's laws do not accept it.
-    pub refused: Option<SmoothingError>,
+    pub refused: Option<String>,
     /// The copies that have the orbit, towards the exact law.
     pub points: Vec<Point>,
     /// Sizes at which the copy has no such orbit, or none was found, and why.
-    pub lost: Vec<(f64, Lost)>,
+    pub lost: Vec<(f64, String)>,
     /// e_f = b ε^a.
     pub frequency: Option<Fit>,
     /// The same for the largest magnitude of each state.
     pub max_abs: Vec<Option<Fit>>,
     /// The cheapest setting for the accuracy asked for, or why there is none.
-    pub need: Option<Result<Need, Lost>>,
+    pub need: Option<Result<Need, String>>,
 }
 
 /// Error against cost of every smoothing of one model at given parameters.
@@ -110,13 +107,11 @@ pub struct Trade {
     /// Work-precision curves, the exact system first.
     pub precision: Vec<Precision>,
     /// The cheapest setting of the exact system for the accuracy asked for.
-    pub need: Option<Result<Setting, Lost>>,
-    /// Whether it was ended before all of this was there.
-    pub interrupted: bool,
+    pub need: Option<Result<Setting, String>>,
 }
 
 /// The smoothing that meets an accuracy at least cost.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Need {
     /// The copy whose frequency and extrema meet it, verified by a run.
     pub smoothing: Smoothing,
@@ -129,7 +124,7 @@ pub struct Need {
 }
 
 /// How a system is integrated to meet an accuracy.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
     /// The loosest tolerance, by half decades, that does.
     pub tolerance: f64,
@@ -140,14 +135,14 @@ pub struct Setting {
 }
 
 /// The work-precision curve of one system.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Precision {
     /// The copy; `None` for the exact system.
     pub smoothing: Option<Smoothing>,
     /// One point for each tolerance at which the orbit is found.
     pub points: Vec<PrecisionPoint>,
     /// Tolerances at which it is not, and why.
-    pub failed: Vec<(f64, Lost)>,
+    pub failed: Vec<(f64, String)>,
 }
 
 impl Precision {
@@ -160,7 +155,7 @@ impl Precision {
 }
 
 /// One orbit at one tolerance.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PrecisionPoint {
     /// The local tolerance.
     pub tolerance: f64,
@@ -173,18 +168,6 @@ pub struct PrecisionPoint {
     /// What one period costs.
     pub cost: Cost,
 }
-
-/// What is found on the way of a trade.
-#[derive(Debug, Clone, Copy)]
-pub enum Finding<'a> {
-    /// A copy of this kernel.
-    Copy(Kernel, &'a Point),
-    /// A work-precision curve.
-    Precision(&'a Precision),
-}
-
-/// Told of each finding of a trade; a break ends it there.
-pub type Watch<'a> = &'a mut dyn FnMut(Finding<'_>) -> ControlFlow<()>;
 
 impl Curve {
     /// The smoothing of this curve at one size.

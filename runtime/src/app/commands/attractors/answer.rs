@@ -3,7 +3,7 @@
 use super::picture;
 use crate::app::answer::Answer;
 use crate::app::document::Document;
-use crate::app::spreadsheet::{Columns, Spreadsheet, full, headed, optional};
+use crate::app::spreadsheet::{Columns, Holds, Spreadsheet, full, headed, optional};
 use crate::app::text::{
     brief, digits, followed, heading, line, number, short, states, table, timed,
 };
@@ -236,12 +236,12 @@ fn motions(info: &ModelInfo, record: &AttractorsRecord) -> Spreadsheet {
     let columns = |r: Option<f64>, number: usize| {
         Columns::new()
             .numbers(along.clone(), move |_: &Found, _| r)
-            .column("number", move |_| number.to_string())
+            .count("number", move |_| number)
             .column("motion", |found: &Found| found.attractor.class.name())
             .column("word", |found| {
                 found.attractor.word.clone().unwrap_or_default()
             })
-            .column("count", |found| found.count.to_string())
+            .count("count", |found| found.count)
             .number("share", |found| found.share)
             .number("share_low", |found| found.interval[0])
             .number("share_high", |found| found.interval[1])
@@ -272,10 +272,9 @@ fn motions(info: &ModelInfo, record: &AttractorsRecord) -> Spreadsheet {
 /// The starts, each with the number of its motion.
 fn starts(info: &ModelInfo, record: &AttractorsRecord) -> Spreadsheet {
     let along = record.along.map(|along| followed(info, &along));
-    let head = along
-        .into_iter()
-        .chain(states(info, ""))
-        .chain(["number".to_owned()]);
+    let numbers = along.into_iter().chain(states(info, ""));
+    let numbers = numbers.map(|name| Holds::Numbers.under(name));
+    let head = numbers.chain([Holds::Counts.under("number")]);
     let rows = record.surveys.iter().flat_map(|survey| {
         survey.starts.iter().map(move |(start, of)| {
             let r = survey.r.map(|r| optional(Some(r)));

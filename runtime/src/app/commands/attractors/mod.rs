@@ -10,13 +10,12 @@ use crate::app::arguments::{Subject, Way};
 use crate::app::failure::{Failure, refuse};
 use crate::app::ledger::{Ledger, Sharing};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
 use crate::app::question::Question;
 use crate::app::request::request;
 use crate::app::show::Show;
 use crate::app::values::{Reading, counted};
 use crate::model::ModelInfo;
-use crate::study::{Fate, Item, Region, Sampling};
+use crate::study::{Fate, Item, Region, Rows, Sampling};
 pub(in crate::app::commands) use region::Sides;
 
 /// Most starts in all: so many are kept in memory.
@@ -79,18 +78,15 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     };
     let question =
         Question::new(app.version, asked.info, &asked.case).exactly("`--box`", &sampling);
-    let output = &asked.output;
+    let rows = Rows::of(count);
     let ledger: Ledger<Fate> =
-        Ledger::open(output, &arguments.sharing, "attractors", &question, count)?;
-    let progress = Progress::along(output, "following the first starts");
-    let watch = |item: Item<'_, Fate>| {
-        ledger.take(&item);
-        progress.reach(item.done, "starts followed".to_owned())
-    };
-    let (entry, case) = (asked.entry, &asked.case);
-    let record = entry.attractors_watched(case, &sampling, &ledger.list, &watch);
-    let record = asked.got(record)?;
-    drop(progress);
+        Ledger::open(&asked, &arguments.sharing, "attractors", question, rows)?;
+    let (case, output) = (&asked.case, &asked.output);
+    let beginning = "following the first starts";
+    let followed = |_: &Item<'_, Fate>| "starts followed".to_owned();
+    let record = ledger.answer(&asked, beginning, &followed, |list, watch| {
+        asked.entry.attractors_watched(case, &sampling, list, watch)
+    })?;
     if !ledger.is_shared() {
         output.deliver(&answer::answer(asked.info, case, &record, shown))?;
     }

@@ -6,28 +6,28 @@ use std::sync::{Mutex, PoisonError};
 
 use clap::Args;
 
-use crate::app::arguments::{Resume, Subject, Way};
+use crate::app::arguments::{Subject, Way};
 use crate::app::failure::{Failure, refuse};
 use crate::app::journal::Journal;
+use crate::app::ledger::{Ledger, Sharing};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
 use crate::app::question::Question;
 use crate::app::request::request;
-use crate::app::resume::Notes;
 use crate::app::section::Cut;
 use crate::app::show::Show;
 use crate::app::text::number;
 use crate::app::values::{Reading, counted, one_of};
 use crate::model::ModelInfo;
 use crate::poincare::{Section, Surface};
-use crate::study::{Along, Case, Diagram, DiagramRecord, Known, Motion, Seen, Slice, Sweep};
+use crate::study::{Along, Case, Diagram, DiagramRecord, Item, Motion, Slice, Sweep};
 
 /// Draw a Poincaré diagram: let the motion settle at many values of a parameter, and note where it meets a section
 #[derive(Debug, Clone, Args)]
 #[command(
     after_help = "A sweep begins each value where the one before ended, and so stays with its attractor; `--sweep fresh` \
-                  begins each at the start. Nothing depends on the number of threads. A model with a drive is looked at \
-                  once in each turn of it, unless `--section` says otherwise; its period-n counts turns of the drive"
+                  begins each at the start. Nothing depends on threads or shares: of sweeps, each is one share of the work \
+                  at most, of fresh starts each value. A model with a drive is looked at once in each turn of it, \
+                  unless `--section` says otherwise; its period-n counts turns of the drive"
 )]
 pub(in crate::app) struct Arguments {
     #[command(flatten)]
@@ -53,11 +53,8 @@ pub(in crate::app) struct Arguments {
     lyapunov: Option<usize>,
     #[command(flatten)]
     show: Show,
-    /// How many threads; all cores if nothing is said
-    #[arg(long, value_name = "N", value_parser = counted::<1, 4096>())]
-    threads: Option<usize>,
     #[command(flatten)]
-    resume: Resume,
+    sharing: Sharing,
 }
 
 fn sweep(option: &str, word: &str) -> Result<Sweep, Failure> {
@@ -82,7 +79,6 @@ impl Arguments {
             settle: self.settle,
             points: self.points,
             lyapunov: self.lyapunov,
-            threads: self.threads,
         })
     }
 
@@ -104,39 +100,34 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
     let diagram = arguments.diagram(info)?;
     let shown = arguments.shown(info, &diagram.section)?;
-    let progress = Progress::along(output, "looking for the first value");
-    let mut known = Known::default();
-    let mut recall = |finding: &[u8]| {
-        let (sweep, slice): (String, Slice) = postcard::from_bytes(finding).ok()?;
-        slice
-            .is_of(info.states.len())
-            .then(|| known.insert(&sweep, slice))
-    };
+    let (along, rows) = (asked.along()?, diagram.rows());
     let question = question(app, info, case, &diagram);
-    let notes = Notes::open(output, &arguments.resume, "diagram", &question, &mut recall)?;
-    let along = asked.along()?;
+    let ledger: Ledger<Slice> =
+        Ledger::open(&asked, &arguments.sharing, "diagram", question, rows)?;
     let papers = Mutex::new(Papers {
         info,
         along,
-        points: output.journal("points", answer::points(info, &along, "", 0.0).head()),
-        values: output.journal("values", answer::values(info, &along, "").head()),
-        notes,
+        points: ledger.journal(
+            output,
+            "points",
+            &answer::points(info, &along, "", 0.0).head(),
+        ),
+        values: ledger.journal(output, "values", &answer::values(info, &along, "").head()),
     });
-    let watch = |seen: Seen<'_>| {
+    let found = |item: &Item<'_, Slice>| {
         let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
-        papers.take(&seen);
-        let name = papers.along.name(info);
-        progress.reach(seen.share, format!("{name} = {}", number(seen.slice.r, 6)))
+        papers.take(diagram.sweep_of(item.number).name(), item.found);
+        format!("{} = {}", along.name(info), number(item.found.r, 6))
     };
-    let record = asked.got(asked.entry.diagram_watched(case, &diagram, &known, &watch))?;
-    drop(progress);
-    output.deliver(&answer::answer(info, case, &record, &shown))?;
-    if record.missing > 0 {
-        let count = slices(&record).count();
-        return Err(output.interrupted(&format!("{count} values were found")));
+    let beginning = "looking for the first value";
+    let record = ledger.answer(&asked, beginning, &found, |list, watch| {
+        asked.entry.diagram_watched(case, &diagram, list, watch)
+    })?;
+    if ledger.is_shared() {
+        return ledger.close(output, record.missing);
     }
-    let papers = papers.into_inner().unwrap_or_else(PoisonError::into_inner);
-    papers.notes.discard();
+    output.deliver(&answer::answer(info, case, &record, &shown))?;
+    ledger.close(output, record.missing)?;
     failures(info, &record)
 }
 
@@ -163,16 +154,11 @@ struct Papers<'a> {
     along: Along,
     points: Journal,
     values: Journal,
-    notes: Notes,
 }
 
 impl Papers<'_> {
-    fn take(&mut self, seen: &Seen<'_>) {
-        let Seen { sweep, slice, .. } = *seen;
+    fn take(&mut self, sweep: &str, slice: &Slice) {
         let (info, along) = (self.info, &self.along);
-        if !seen.known {
-            self.notes.add(postcard::to_allocvec(&(sweep, slice)).ok());
-        }
         self.points.add(answer::rows(info, along, sweep, slice));
         self.values
             .add([answer::values(info, along, sweep).row(slice)]);

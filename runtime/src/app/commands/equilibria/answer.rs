@@ -121,7 +121,7 @@ pub(super) fn columns(
         .numbers(eigenvalues, |one, j| part(&one.eigenvalues, j))
         .column("stability", |one| one.stability.name())
         .column("mode", |one| one.mode.clone().unwrap_or_default())
-        .column("artefact", |one| one.artefact.to_string())
+        .truth("artefact", |one| one.artefact)
 }
 
 /// The columns on the terminal.

@@ -12,11 +12,10 @@ use crate::app::commands::attractors::Sides;
 use crate::app::failure::{Failure, refuse};
 use crate::app::ledger::{Ledger, Sharing};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
 use crate::app::question::Question;
 use crate::app::request::{along, request};
 use crate::app::values::{Reading, counted};
-use crate::study::{Cell, Grid, Item};
+use crate::study::{Cell, Grid, Item, Rows};
 use axis::Spaced;
 
 /// Most nodes: so many are kept in memory.
@@ -73,17 +72,14 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &grid)
         .exactly("the question", &wanted);
-    let ledger: Ledger<Cell> = Ledger::open(output, &arguments.sharing, "map", &question, count)?;
-    let progress = Progress::along(output, "looking for the first node");
-    let watch = |item: Item<'_, Cell>| {
-        ledger.take(&item);
-        progress.reach(item.done, item.found.kind.clone())
-    };
-    let record = asked
-        .entry
-        .map_watched(&asked.case, (&grid, &wanted), &ledger.list, &watch);
-    let record = asked.got(record)?;
-    drop(progress);
+    let rows = Rows::of(count);
+    let ledger: Ledger<Cell> = Ledger::open(&asked, &arguments.sharing, "map", question, rows)?;
+    let beginning = "looking for the first node";
+    let kind = |item: &Item<'_, Cell>| item.found.kind.clone();
+    let record = ledger.answer(&asked, beginning, &kind, |list, watch| {
+        let (entry, case) = (asked.entry, &asked.case);
+        entry.map_watched(case, (&grid, &wanted), list, watch)
+    })?;
     if !ledger.is_shared() {
         output.deliver(&answer::answer(
             info,

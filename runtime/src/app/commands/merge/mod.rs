@@ -7,9 +7,9 @@ use clap::Args;
 
 use crate::app::arguments::View;
 use crate::app::failure::{Failure, refuse};
-use crate::app::ledger::left;
 use crate::app::question::Question;
 use crate::app::resume::peruse;
+use crate::app::shares::left;
 
 /// Put together what the shares of a command have left in a folder
 #[derive(Debug, Clone, Args)]

@@ -76,7 +76,7 @@ pub(in crate::app::commands) fn columns(
         .number(followed(info, along), |orbit: &OrbitRecord| orbit.r)
         .number(timed(info, "period", "s"), |orbit| orbit.period)
         .column("stability", |orbit| orbit.floquet.stability.name())
-        .column("period_count", |orbit| orbit.period_count.to_string())
+        .count("period_count", |orbit| orbit.period_count)
         .numbers(states(""), |orbit, j| orbit.state.get(j).copied())
         .numbers(states("max_"), |orbit, j| orbit.max.get(j).copied())
         .numbers(states("min_"), |orbit, j| orbit.min.get(j).copied())

@@ -125,7 +125,7 @@ impl<'a> Table<'a> {
         let head = answer::columns(asked.info, &Trajectory::default()).head();
         Self {
             info: asked.info,
-            journal: asked.output.journal("trajectory", head),
+            journal: asked.output.journal("trajectory", &head),
             rows: 0,
             every: 1,
         }

@@ -10,12 +10,12 @@ use serde_json::json;
 use crate::app::answer::Answer;
 use crate::app::arguments::Destination;
 use crate::app::failure::{Failure, refuse};
-use crate::app::ledger::left;
 use crate::app::offer::App;
 use crate::app::output::Output;
 use crate::app::resume::peruse;
+use crate::app::shares::left;
 use crate::app::text::{line, table};
-use crate::study::Share;
+use crate::study::{Rows, Share};
 
 /// Say how far the shares in a folder have come
 #[derive(Debug, Clone, Args)]
@@ -55,10 +55,10 @@ pub(in crate::app) fn perform(_: &App, arguments: &Arguments) -> Result<(), Fail
 }
 
 fn progress((path, command, share): (PathBuf, String, Share)) -> Progress {
-    let count = OnceCell::new();
+    let rows = OnceCell::new();
     let mut items = BTreeSet::new();
     let take = |asked: &crate::app::question::Question| {
-        let _ = count.set(asked.count());
+        let _ = rows.set(asked.rows());
         Ok(())
     };
     let read = peruse(&path, &take, &mut |finding| {
@@ -66,12 +66,12 @@ fn progress((path, command, share): (PathBuf, String, Share)) -> Progress {
         items.insert(number);
         Some(())
     });
-    let count = count.into_inner().flatten().unwrap_or(0);
+    let rows = rows.into_inner().flatten().unwrap_or(Rows::of(0));
     Progress {
         command,
         share,
         done: items.len(),
-        of: share.items(count).count(),
+        of: share.count(rows),
         trouble: read.err(),
     }
 }

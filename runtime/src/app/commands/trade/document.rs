@@ -1,14 +1,12 @@
 //! A trade as JSON.
 
-use std::fmt::Display;
-
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::app::document::{Document, value_of};
 use crate::field::Kernel;
 use crate::model::ModelInfo;
-use crate::study::predict::Prediction;
+use crate::study::predict::{Prediction, ReleaseLoss};
 use crate::study::trade::{Curve, Need, Point, Precision, Trade};
 use crate::study::{End, TradeRecord};
 
@@ -18,6 +16,7 @@ pub(super) fn document<'a>(info: &'a ModelInfo, record: &TradeRecord) -> Documen
         let (end, need) = record.need(kernel)?;
         Some(json!({ "kernel": kernel.name(), "end": end, "need": answer(&need, needed) }))
     });
+    let missing = (record.missing > 0).then(|| json!({ "missing": record.missing }));
     let document = Document::new(info).put("model", info.command);
     let document = match &record.along {
         Some(along) => document.range("along", along),
@@ -26,15 +25,15 @@ pub(super) fn document<'a>(info: &'a ModelInfo, record: &TradeRecord) -> Documen
     document
         .list("ends", &record.ends, |end| at_end(info, end))
         .list("worst", worst, |worst| worst)
-        .maybe("interrupted", record.is_interrupted().then_some(true))
+        .maybe("interrupted", missing)
         .units()
 }
 
 /// What was found, or why nothing was.
-fn answer<T, E: Display>(found: &Result<T, E>, value: impl Fn(&T) -> Value) -> Value {
+fn answer<T>(found: &Result<T, String>, value: impl Fn(&T) -> Value) -> Value {
     match found {
         Ok(found) => value(found),
-        Err(reason) => json!({ "reason": reason.to_string() }),
+        Err(reason) => json!({ "reason": reason }),
     }
 }
 
@@ -78,12 +77,12 @@ fn curve<'a>(info: &'a ModelInfo, curve: &Curve) -> Document<'a> {
     let need = curve.need.as_ref();
     Document::new(info)
         .put("kernel", curve.kernel.name())
-        .put("refused", curve.refused.as_ref().map(ToString::to_string))
+        .put("refused", curve.refused.as_ref())
         .list("points", &curve.points, |point| copy(info, curve, point))
         .list(
             "lost",
             &curve.lost,
-            |(size, reason)| json!({ "size": size, "reason": reason.to_string() }),
+            |(size, reason)| json!({ "size": size, "reason": reason }),
         )
         .put("fits", fits)
         .put("need", need.map(|found| answer(found, needed)))
@@ -117,13 +116,25 @@ fn predicted<'a>(info: &'a ModelInfo, found: &Prediction) -> Document<'a> {
         .put("asymptotic", found.doubts.is_empty())
         .put("doubts", &found.doubts)
         .states("cancelling", &found.cancelling)
-        .put("releases", &found.releases)
+        .list("releases", &found.releases, release)
+}
+
+fn release(loss: &ReleaseLoss) -> Value {
+    json!({
+        "contact": loss.contact,
+        "time": loss.time,
+        "acceleration": loss.acceleration,
+        "compliance": loss.compliance,
+        "offset": loss.offset,
+        "delay": loss.delay,
+        "layer": loss.layer,
+    })
 }
 
 fn precision(curve: &Precision) -> Value {
     let failed = curve.failed.iter();
-    let failed = failed
-        .map(|(tolerance, reason)| json!({ "tolerance": tolerance, "reason": reason.to_string() }));
+    let failed =
+        failed.map(|(tolerance, reason)| json!({ "tolerance": tolerance, "reason": reason }));
     json!({
         "dynamics": curve.dynamics(),
         "points": curve.points,

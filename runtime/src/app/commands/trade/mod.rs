@@ -4,20 +4,23 @@ mod document;
 mod sheet;
 mod text;
 
+use std::sync::{Mutex, PoisonError};
+
 use clap::Args;
 
 use crate::app::answer::Answer;
-use crate::app::arguments::{Period, Subject, Unresumable};
+use crate::app::arguments::{Period, Subject};
 use crate::app::failure::{Failure, refuse};
-use crate::app::interrupt;
+use crate::app::journal::Journal;
+use crate::app::ledger::{Ledger, Sharing};
 use crate::app::offer::App;
-use crate::app::progress::Progress;
+use crate::app::question::Question;
 use crate::app::request::request;
-use crate::app::text::short;
 use crate::app::values::{Range, Reading};
 use crate::field::{Design, Kernel};
-use crate::study::trade::{Finding, Scope};
-use crate::study::{Case, Dynamics};
+use crate::model::ModelInfo;
+use crate::study::trade::{Part, Scope};
+use crate::study::{Case, Dynamics, Item};
 
 /// What is done all the time.
 const MEASURING: &str = "measuring what smoothing costs";
@@ -25,7 +28,9 @@ const MEASURING: &str = "measuring what smoothing costs";
 /// Measure what each smoothing gets wrong, and what it costs, against the exact system
 #[derive(Debug, Clone, Args)]
 #[command(
-    after_help = "--smooth restricts this to one copy; with --accuracy the cheapest settings that meet it are sought"
+    after_help = "--smooth restricts this to one copy; with --accuracy the cheapest settings that meet it are sought. Times \
+                  are measured, and differ from run to run: all else depends neither on threads nor on shares",
+    mut_arg("threads", |arg| arg.help("How many threads; one if nothing is said, so that times are measured undisturbed"))
 )]
 pub(in crate::app) struct Arguments {
     #[command(flatten)]
@@ -36,7 +41,7 @@ pub(in crate::app) struct Arguments {
     #[arg(long, value_name = "NAME=A..B", value_parser = Reading(Range::read))]
     along: Option<Range>,
     #[command(flatten)]
-    resume: Unresumable,
+    sharing: Sharing,
 }
 
 impl Arguments {
@@ -56,7 +61,6 @@ impl Arguments {
 }
 
 pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Failure> {
-    arguments.resume.refuse()?;
     let range = arguments.along.as_ref();
     let asked = request(app, &arguments.subject, range, arguments.guess.period)?;
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
@@ -64,33 +68,59 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     if case.along.map(|along| along.design) == Some(Design::Smoothing) {
         return refuse!("`trade` goes through the sizes by itself: `--along` takes a parameter");
     }
-    let progress = Progress::endless(output, MEASURING);
-    let mut errors = output.journal("trade", sheet::copies(info, 0, Kernel::Arctan).head());
-    let mut precisions = output.journal("work-precision", sheet::precision_head());
-    let mut watch = |end: usize, finding: Finding<'_>| {
-        match finding {
-            Finding::Copy(kernel, point) => {
-                progress.say(format!("{MEASURING}: {kernel}:{}", short(point.size)));
-                errors.add([sheet::copies(info, end, kernel).row(point)])
-            }
-            Finding::Precision(one) => precisions.add(sheet::precision_rows(end, one)),
-        }
-        interrupt::verdict()
+    let question = Question::new(app.version, info, case).exactly("`--accuracy`", &scope);
+    let sharing = arguments.sharing.on_one_thread();
+    let ledger: Ledger<Part> = Ledger::open(&asked, &sharing, "trade", question, scope.rows(case))?;
+    let papers = Mutex::new(Papers {
+        info,
+        errors: ledger.journal(
+            output,
+            "trade",
+            &sheet::copies(info, 0, Kernel::Arctan).head(),
+        ),
+        precisions: ledger.journal(output, "work-precision", &sheet::precision_head()),
+    });
+    let found = |item: &Item<'_, Part>| {
+        let mut papers = papers.lock().unwrap_or_else(PoisonError::into_inner);
+        papers.take(scope.end_of(item.number), item.found)
     };
-    let record = asked.got(asked.entry.trade_watched(case, &scope, &mut watch))?;
-    drop(progress);
-    let answer = Answer::new(
-        "trade",
-        || text::describe(info, case, &record, scope.accuracy),
-        || document::document(info, &record),
-    )
-    .sheet("trade", || sheet::errors(info, &record))
-    .sheet("work-precision", || sheet::precisions(&record));
-    output.deliver(&answer)?;
-    if record.is_interrupted() {
-        let curves = record.ends.iter().flat_map(|end| &end.trade.curves);
-        let count: usize = curves.map(|curve| curve.points.len()).sum();
-        return Err(output.interrupted(&format!("{count} copies were measured")));
+    let record = ledger.answer(&asked, MEASURING, &found, |list, watch| {
+        asked.entry.trade_watched(case, &scope, list, watch)
+    })?;
+    if !ledger.is_shared() {
+        let answer = Answer::new(
+            "trade",
+            || text::describe(info, case, &record, scope.accuracy),
+            || document::document(info, &record),
+        );
+        let answer = answer
+            .sheet("trade", || sheet::errors(info, &record))
+            .sheet("work-precision", || sheet::precisions(&record));
+        output.deliver(&answer)?;
     }
-    Ok(())
+    ledger.close(output, record.missing)
+}
+
+/// What is written of each item as it is found.
+struct Papers {
+    info: &'static ModelInfo,
+    errors: Journal,
+    precisions: Journal,
+}
+
+impl Papers {
+    /// Writes an item, and says what is done.
+    fn take(&mut self, end: usize, part: &Part) -> String {
+        let precision = match part {
+            Part::Exact(exact) => &exact.precision,
+            Part::Copy(copied) => {
+                let columns = sheet::copies(self.info, end, copied.smoothing.kernel);
+                self.errors.add([columns.row(&copied.point)]);
+                &copied.precision
+            }
+            Part::Lost(_) | Part::Need(_) | Part::Refused(_) => return MEASURING.to_owned(),
+        };
+        self.precisions.add(sheet::precision_rows(end, precision));
+        format!("{MEASURING}: {}", precision.dynamics())
+    }
 }

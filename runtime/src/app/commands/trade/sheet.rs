@@ -1,6 +1,6 @@
 //! A trade as CSV.
 
-use crate::app::spreadsheet::{Columns, Row, Spreadsheet, headed};
+use crate::app::spreadsheet::{Columns, Head, Row, Spreadsheet, headed};
 use crate::app::text::timed;
 use crate::field::{Kernel, Work};
 use crate::model::ModelInfo;
@@ -24,7 +24,7 @@ pub(super) fn copies(
     };
     let asymptotic = |point: &Point| predicted(point).is_some_and(|found| found.doubts.is_empty());
     let columns = Columns::new()
-        .column("end", move |_: &Point| end.to_string())
+        .count("end", move |_: &Point| end)
         .column("kernel", move |_| kernel.to_string())
         .number("size", |point| point.size)
         .number(timed(info, "stiffness", "1/s"), |point| {
@@ -36,7 +36,7 @@ pub(super) fn copies(
         })
         .number("leading", |point| predicted(point)?.leading)
         .numbers(errors, error)
-        .column("asymptotic", move |point| asymptotic(point).to_string())
+        .truth("asymptotic", asymptotic)
         .column("cancelling", move |point| cancelling(info, point))
         .number("resolution", |point| point.resolution);
     counted(columns, &[STEPS, LINEARISATIONS, FACTORISATIONS], |point| {
@@ -65,7 +65,7 @@ fn predicted(point: &Point) -> Option<&Prediction> {
 /// The columns of a work-precision curve at one end.
 fn precision(end: usize, dynamics: String) -> Columns<'static, PrecisionPoint> {
     let columns = Columns::new()
-        .column("end", move |_: &PrecisionPoint| end.to_string())
+        .count("end", move |_: &PrecisionPoint| end)
         .column("dynamics", move |_| dynamics.clone())
         .number("tolerance", |point| point.tolerance)
         .number("integration_error", |point| point.integration)
@@ -84,7 +84,7 @@ pub(super) fn precision_rows(end: usize, curve: &Precision) -> Vec<Row> {
         .collect()
 }
 
-pub(super) fn precision_head() -> Row {
+pub(super) fn precision_head() -> Vec<Head> {
     precision(0, String::new()).head()
 }
 
@@ -125,7 +125,7 @@ fn counted<T: 'static>(
 ) -> Columns<'static, T> {
     let counts = counts.iter().copied();
     let columns = counts.fold(columns, |columns, (name, count)| {
-        columns.column(name, move |one| count(&cost(one).work).to_string())
+        columns.count(name, move |one| count(&cost(one).work))
     });
     columns.number("seconds", move |one| Some(cost(one).seconds))
 }

@@ -6,7 +6,7 @@ use crate::app::text::{
 use crate::field::Kernel;
 use crate::model::ModelInfo;
 use crate::study::predict::Prediction;
-use crate::study::trade::{Cost, Curve, Lost, Need, Point, Setting, Trade};
+use crate::study::trade::{Cost, Curve, Need, Point, Setting, Trade};
 use crate::study::{Case, End, TradeRecord};
 
 pub(super) fn describe(
@@ -160,7 +160,7 @@ fn needs(trade: &Trade) -> String {
     lines
 }
 
-fn needed(kernel: Kernel, need: &Result<Need, Lost>) -> String {
+fn needed(kernel: Kernel, need: &Result<Need, String>) -> String {
     match need {
         Ok(need) => {
             let [size, alone] = [need.smoothing.size, need.frequency_size].map(|s| number(s, 3));
