@@ -6,7 +6,7 @@ use stickslip::study::{Case, System, Trajectory};
 const PARTS: usize = 16;
 
 /// Least and largest value of each displacement and each state that is none of a mode.
-pub fn answer(system: &System, case: &Case) -> Vec<[f64; 2]> {
+pub(crate) fn answer(system: &System, case: &Case) -> Vec<[f64; 2]> {
     let case = Case {
         accuracy: 1e-8,
         ..case.clone()
@@ -58,7 +58,7 @@ fn reach(motion: &Trajectory, displacement: usize, speed: usize) -> [f64; 2] {
 }
 
 /// The error of the answer with only the first modes of its structure, for each number of them up to all.
-pub fn errors(system: &System, case: &Case) -> Vec<f64> {
+pub(crate) fn errors(system: &System, case: &Case) -> Vec<f64> {
     let structure = &system.info().structures[0];
     let truth = answer(system, case);
     let sizes: Vec<f64> = truth.iter().map(|[a, b]| a.abs().max(b.abs())).collect();
@@ -77,7 +77,7 @@ pub fn errors(system: &System, case: &Case) -> Vec<f64> {
 }
 
 /// The fewest modes with which, and with any more than which, errors stay below this.
-pub fn needed(errors: &[f64], accuracy: f64) -> usize {
+pub(crate) fn needed(errors: &[f64], accuracy: f64) -> usize {
     let misses = errors.iter().rposition(|error| *error > accuracy);
     misses.map_or(1, |last| last + 2)
 }
