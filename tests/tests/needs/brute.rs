@@ -6,17 +6,17 @@ use stickslip::study::{Case, System, Trajectory};
 const PARTS: usize = 16;
 
 /// Least and largest value of each displacement and each state that is none of a mode.
-pub(crate) fn answer(system: &System, case: &Case) -> Vec<[f64; 2]> {
+pub(crate) fn answer(system: &System, case: &Case) -> Option<Vec<[f64; 2]>> {
     let case = Case {
         accuracy: 1e-8,
         ..case.clone()
     };
-    let orbit = system.orbit(&case).expect("an orbit");
+    let orbit = system.orbit(&case).ok()?;
     let from = Case {
         start: Some(orbit.state.clone()),
         ..case
     };
-    let motion = system.motion(&from, orbit.period).expect("a motion");
+    let motion = system.motion(&from, orbit.period).ok()?;
     let info = system.info();
     let mut reaches = Vec::new();
     for structure in info.structures {
@@ -37,7 +37,7 @@ pub(crate) fn answer(system: &System, case: &Case) -> Vec<[f64; 2]> {
             reaches.push([orbit.min[j], orbit.max[j]]);
         }
     }
-    reaches
+    Some(reaches)
 }
 
 /// How far a displacement reaches: by cubics between the samples.
@@ -60,14 +60,17 @@ fn reach(motion: &Trajectory, displacement: usize, speed: usize) -> [f64; 2] {
 /// The error of the answer with only the first modes of its structure, for each number of them up to all.
 pub(crate) fn errors(system: &System, case: &Case) -> Vec<f64> {
     let structure = &system.info().structures[0];
-    let truth = answer(system, case);
+    let truth = answer(system, case).expect("an orbit");
     let sizes: Vec<f64> = truth.iter().map(|[a, b]| a.abs().max(b.abs())).collect();
     let error = |kept: usize| {
         let mut thin = case.clone();
         for mode in &structure.modes[kept..structure.kept] {
             thin.parameters[mode.share.expect("an elastic mode")] = 0.0;
         }
-        let found = answer(system, &thin);
+        // A structure without an orbit does not answer.
+        let Some(found) = answer(system, &thin) else {
+            return f64::INFINITY;
+        };
         let pairs = truth.iter().zip(&found).zip(&sizes);
         let errors =
             pairs.map(|((a, b), size)| (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) / size);

@@ -59,16 +59,14 @@ fn other_structures_need_what_a_scan_shows() {
 #[ignore = "long"]
 fn modes_without_a_share_are_as_if_they_were_not_kept() {
     let short = Case::of(&ShortRod::default());
-    let short = answer(&System::of::<ShortRod, _>(), &short);
+    let short = answer(&System::of::<ShortRod, _>(), &short).expect("an orbit");
     let whole = System::of::<Rod, _>();
     let mut thin = Case::of(&Rod::default());
     for mode in &whole.info().structures[0].modes[4..] {
         thin.parameters[mode.share.unwrap()] = 0.0;
     }
-    let (thin, whole) = (
-        answer(&whole, &thin),
-        answer(&whole, &Case::of(&Rod::default())),
-    );
+    let [thin, whole] =
+        [thin, Case::of(&Rod::default())].map(|case| answer(&whole, &case).expect("an orbit"));
     for ((thin, short), whole) in thin.iter().zip(&short).zip(&whole) {
         for end in [0, 1] {
             assert!(
