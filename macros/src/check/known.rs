@@ -8,6 +8,7 @@ use syn::Attribute;
 
 use super::dimension::Dimension;
 use crate::formula::Formula;
+use crate::structure::Structure;
 use crate::syntax::{Friction, Header, Rule, Value};
 
 pub(crate) struct Model<'a> {
@@ -20,6 +21,8 @@ pub(crate) struct Model<'a> {
     pub(crate) bent: bool,
     /// `let`, friction and press lines in the order in which they are computed.
     pub(crate) steps: Vec<Step<'a>>,
+    /// Structures, of whose modes states, parameters and steps are made.
+    pub(crate) structures: &'a [Structure],
 }
 
 pub(crate) struct State<'a> {

@@ -29,6 +29,7 @@ pub(super) fn model<'a>(written: &'a Declaration, units: &Units) -> Option<Model
         states: states.chain(phase).collect::<Option<_>>()?,
         parameters: parameters(written, units),
         steps: steps(written, units),
+        structures: &written.structures.all,
     })
 }
 

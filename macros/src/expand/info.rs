@@ -7,7 +7,7 @@ use syn::Attribute;
 use syn::ext::IdentExt;
 
 use super::doc::doc;
-use super::{builder, option, pattern, straight};
+use super::{builder, option, pattern, straight, structure};
 use crate::check::{Contact, Force, Law, LawState, Let, Model, Parameter, State, Unit, Whole};
 use crate::formula::Formula;
 use crate::syntax::{Bound, Bounds, Friction, Header};
@@ -25,6 +25,8 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
     let memories = model.memories().map(|contact| friction(contact, model));
     let presses = model.presses().map(|press| self::press(press, model));
     let (moving, straight) = (model.moving(), straight::is_straight(model));
+    let structures = model.structures.iter();
+    let structures = structures.map(|one| structure::tokens(one, model));
     quote! {
         ::stickslip::model::ModelInfo {
             #head
@@ -38,6 +40,7 @@ pub(super) fn of_model(model: &Model) -> TokenStream {
             presses: &[#(#presses),*],
             moving: #moving,
             straight: #straight,
+            structures: &[#(#structures),*],
         }
     }
 }

@@ -15,6 +15,7 @@ mod pattern;
 mod presses;
 mod shell;
 mod straight;
+mod structure;
 mod stub;
 mod tangent;
 mod typeset;

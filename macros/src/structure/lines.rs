@@ -1,12 +1,13 @@
 //! The lines that a structure stands for: states, dampings and displacements where it is declared, equations at the end.
 
-use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
-use quote::{ToTokens, format_ident, quote};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 use syn::{Attribute, parse_quote};
 
+use super::terms::{group, negative, number, product, rest, sum, times};
 use super::{Mode, Quantity, Structure, Structures};
-use crate::formula::{Formula, Kind, Number, Operator};
+use crate::formula::Formula;
 use crate::repeated::Repeated;
 use crate::syntax::{Bound, Bounds, Line, Rule, Unit, UnitFactor, Value};
 
@@ -69,14 +70,17 @@ impl Structure {
                 unit(quote!(m / s)),
             ));
             if self.damped(k) {
-                let damping = self.element("damping", k, repeated, true);
-                let doc = format!("Damping ratio of {what}.");
-                lines.push(Line::Param(ratio(
-                    damping,
-                    &doc,
-                    mode.damping,
-                    unit(quote!(1)),
-                )));
+                for (word, value, most, doc) in [
+                    ("damping", mode.damping, None, "Damping ratio"),
+                    ("share", 1.0, Some(1.0), "What is kept, 1, or left out, 0,"),
+                ] {
+                    let (name, doc) = (
+                        self.element(word, k, repeated, true),
+                        format!("{doc} of {what}."),
+                    );
+                    let declared = ratio(name, &doc, value, most, unit(quote!(1)));
+                    lines.push(Line::Param(declared));
+                }
             }
         }
         for (index, point) in self.reduced.points.iter().enumerate() {
@@ -115,28 +119,62 @@ impl Structure {
     pub(crate) fn equations(&self, structures: &Structures, repeated: &mut Repeated) -> Vec<Line> {
         let mut lines = Vec::new();
         for (k, mode) in self.kept() {
-            let Names { amplitude, rate } = self.names(k, repeated, false);
-            lines.push(derivative(amplitude.clone(), Formula::name(&rate)));
+            let names = self.names(k, repeated, false);
+            let Names { amplitude, rate } = &names;
+            lines.push(derivative(amplitude.clone(), Formula::name(rate)));
             let mut terms = Vec::new();
             if self.damped(k) {
                 let damping = self.element("damping", k, repeated, false);
-                let damped = product(&Formula::name(&damping), &Formula::name(&rate));
-                terms.push(times(-mode.frequency.powi(2), &Formula::name(&amplitude)));
+                let damped = product(&Formula::name(&damping), &Formula::name(rate));
+                terms.push(times(-mode.frequency.powi(2), &Formula::name(amplitude)));
                 terms.push(times(-2.0 * mode.frequency, &damped));
             }
-            for (index, point) in self.reduced.points.iter().enumerate() {
-                let ident = format_ident!("{}", point.name);
-                let load = self.at(&ident, Quantity::Load);
-                let mut loads = structures.loads.iter();
-                if let Some(load) = loads.find(|known| known.name == load)
-                    && mode.shape[index] != 0.0
-                {
-                    terms.push(times(mode.shape[index], &Formula::name(&load.name)));
-                }
-            }
-            lines.push(derivative(rate, sum(terms)));
+            terms.extend(self.loads(mode, structures));
+            let whole = sum(terms);
+            let rated = if self.damped(k) {
+                let share = Formula::name(&self.element("share", k, repeated, false));
+                self.shared(&share, whole, &names)
+            } else {
+                whole
+            };
+            lines.push(derivative(rate.clone(), rated));
         }
         lines
+    }
+
+    /// What the loads at the points do to a mode.
+    fn loads(&self, mode: &Mode, structures: &Structures) -> Vec<Formula> {
+        let points = self.reduced.points.iter().zip(&mode.shape);
+        let terms = points
+            .filter(|(_, shape)| **shape != 0.0)
+            .filter_map(|(point, shape)| {
+                let load = self.at(&format_ident!("{}", point.name), Quantity::Load);
+                let mut loads = structures.loads.iter();
+                let load = loads.find(|known| known.name == load)?;
+                Some(times(*shape, &Formula::name(&load.name)))
+            });
+        terms.collect()
+    }
+
+    /// The rate of a mode that is kept in this share: one that is left out takes no load and, so that no step has to be as
+    /// short as its period, comes to rest as slowly as the lowest one swings.
+    fn shared(
+        &self,
+        share: &Formula,
+        whole: Formula,
+        Names { amplitude, rate }: &Names,
+    ) -> Formula {
+        let elastic = self.kept().map(|(_, mode)| mode.frequency);
+        let lowest = elastic
+            .filter(|one| *one > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        let resting = sum(vec![
+            times(lowest.powi(2), &Formula::name(amplitude)),
+            times(lowest, &Formula::name(rate)),
+        ]);
+        let kept = product(share, &group(whole));
+        let left = product(&rest(share), &group(resting));
+        sum(vec![kept, negative(left)])
     }
 
     /// The units of what is displaced, where they are known.
@@ -162,16 +200,17 @@ fn doc_of(text: &str) -> Attribute {
     parse_quote!(#[doc = #text])
 }
 
-fn ratio(name: Ident, doc: &str, value: f64, unit: Option<Unit>) -> Value {
-    let zero = number(name.span(), 0.0);
+/// A parameter that is not negative, and not above `most`.
+fn ratio(name: Ident, doc: &str, value: f64, most: Option<f64>, unit: Option<Unit>) -> Value {
+    let bound = |value| Bound {
+        number: number(name.span(), value),
+        inclusive: true,
+    };
     let bounds = Bounds {
         source: quote!(#name >= 0.0),
         name: name.clone(),
-        lower: Some(Bound {
-            number: zero,
-            inclusive: true,
-        }),
-        upper: None,
+        lower: Some(bound(0.0)),
+        upper: most.map(bound),
     };
     Value {
         docs: vec![doc_of(doc)],
@@ -220,70 +259,4 @@ fn unit(source: &TokenStream) -> Unit {
         factors,
         source: source.clone(),
     }
-}
-
-/// A number that is not negative.
-pub(crate) fn number(span: proc_macro2::Span, value: f64) -> Number {
-    let text = format!("{value:e}");
-    let mut literal: Literal = text
-        .parse()
-        .unwrap_or_else(|_| Literal::f64_unsuffixed(value));
-    literal.set_span(span);
-    Number {
-        value,
-        source: literal.into_token_stream(),
-    }
-}
-
-fn times(factor: f64, of: &Formula) -> Formula {
-    let number = number(proc_macro2::Span::call_site(), factor.abs());
-    let source = number.source.clone();
-    let product = product(
-        &Formula {
-            kind: Kind::Number(number),
-            source,
-        },
-        of,
-    );
-    if factor < 0.0 {
-        let source = joined(&TokenStream::new(), '-', &product.source);
-        return Formula {
-            kind: Kind::Minus(Box::new(product)),
-            source,
-        };
-    }
-    product
-}
-
-fn product(left: &Formula, right: &Formula) -> Formula {
-    binary(left.clone(), Operator::Multiply, '*', right.clone())
-}
-
-/// The sum of all terms; 0 if there are none.
-fn sum(terms: Vec<Formula>) -> Formula {
-    let all = terms.into_iter().reduce(|left, right| match right.kind {
-        Kind::Minus(right) => binary(left, Operator::Subtract, '-', *right),
-        _ => binary(left, Operator::Add, '+', right),
-    });
-    all.unwrap_or_else(|| {
-        let zero = number(proc_macro2::Span::call_site(), 0.0);
-        let source = zero.source.clone();
-        Formula {
-            kind: Kind::Number(zero),
-            source,
-        }
-    })
-}
-
-fn binary(left: Formula, operator: Operator, mark: char, right: Formula) -> Formula {
-    let source = joined(&left.source, mark, &right.source);
-    Formula {
-        kind: Kind::Binary(Box::new(left), operator, Box::new(right)),
-        source,
-    }
-}
-
-fn joined(left: &TokenStream, mark: char, right: &TokenStream) -> TokenStream {
-    let mark = Punct::new(mark, Spacing::Alone);
-    quote!(#left #mark #right)
 }

@@ -2,13 +2,15 @@
 
 mod file;
 mod lines;
+mod terms;
 
 use proc_macro2::Ident;
 use quote::format_ident;
 use syn::ext::IdentExt;
 
 pub(crate) use self::file::{Mode, Reduced};
-pub(crate) use self::lines::{named, number};
+pub(crate) use self::lines::named;
+pub(crate) use self::terms::number;
 use crate::errors::Errors;
 use crate::suggest::nearest;
 use crate::syntax::Unit;

@@ -14,6 +14,7 @@ mod hostile;
 mod interrupted;
 mod laws;
 mod losses;
+mod needs;
 #[cfg(feature = "reduce")]
 mod reduce;
 mod refusals;

@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::{stickslip, words};
 
 /// One line for each form of a document.
-const LINES: [&str; 35] = [
+const LINES: [&str; 38] = [
     "branch drill-string --along eta=4..6 --and zeta=0.05..0.06",
     "models drill-string",
     "laws hertz",
@@ -37,6 +37,9 @@ const LINES: [&str; 35] = [
     "diagram belt-oscillator --along v_dr=0.1..0.2 --values 2 --section x=5",
     "trade belt-oscillator --accuracy 1e-2",
     "trade drill-string",
+    "needs belt-oscillator --accuracy 1e-2",
+    "needs van-der-pol",
+    "needs forced-belt --along omega=1.2..1.1",
     "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 20",
     "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 5 --along v_dr=0.2..0.4 --values 2",
     "map belt-oscillator --along v_dr=0.1..0.4:2 --and delta=2..3:2 period",

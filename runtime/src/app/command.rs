@@ -8,8 +8,8 @@ use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 #[cfg(feature = "reduce")]
 use super::commands::reduce;
 use super::commands::{
-    attractors, branch, curve, diagram, equilibria, laws, map, merge, models, orbit, reproduce,
-    simulate, status, trade,
+    attractors, branch, curve, diagram, equilibria, laws, map, merge, models, needs, orbit,
+    reproduce, simulate, status, trade,
 };
 use super::failure::Failure;
 use super::offer::App;
@@ -24,6 +24,7 @@ enum Study {
     Orbit(orbit::Arguments),
     Branch(branch::Arguments),
     Trade(trade::Arguments),
+    Needs(needs::Arguments),
     Equilibria(equilibria::Arguments),
     Diagram(diagram::Arguments),
     Attractors(attractors::Arguments),
@@ -112,6 +113,7 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
             }
         }
         Study::Trade(arguments) => trade::perform(app, &arguments),
+        Study::Needs(arguments) => needs::perform(app, &arguments),
         Study::Equilibria(arguments) => equilibria::perform(app, &arguments),
         Study::Diagram(arguments) => diagram::perform(app, &arguments),
         Study::Attractors(arguments) => attractors::perform(app, &arguments),

@@ -202,10 +202,13 @@ pub(super) fn assigned(name: &str, value: f64, of: Option<Unit>) -> String {
     format!("{name} = {}{}", short(value), unit(of))
 }
 
-/// The parameters of a case, in one line.
+/// The parameters of a case, in one line; nothing is said of modes that are kept as they are.
 pub(super) fn parameters(info: &ModelInfo, case: &Case) -> String {
-    let pairs = info.parameters.iter().zip(&case.parameters);
-    let pairs = pairs.map(|(declared, &value)| assigned(declared.name, value, declared.unit));
+    let modes = info.structures.iter().flat_map(|one| one.modes);
+    let shares: Vec<usize> = modes.filter_map(|mode| mode.share).collect();
+    let pairs = info.parameters.iter().zip(&case.parameters).enumerate();
+    let told = pairs.filter(|(index, (_, value))| **value != 1.0 || !shares.contains(index));
+    let pairs = told.map(|(_, (declared, &value))| assigned(declared.name, value, declared.unit));
     pairs.collect::<Vec<_>>().join(", ")
 }
 

@@ -1,6 +1,7 @@
 //! A declared model as data.
 
 use super::bounds::{Bounds, ParameterError};
+use super::structure::Structure;
 use super::unit::Unit;
 use crate::friction::LawInfo;
 use crate::memory::MemoryLawInfo;
@@ -35,6 +36,8 @@ pub struct ModelInfo {
     /// Whether all rates, relative speeds, gaps and fields of laws are affine functions of the states, of the sine and
     /// cosine of the drive's phase, and of the forces; what those are its laws say.
     pub straight: bool,
+    /// Structures by their modes, in the order of declaration.
+    pub structures: &'static [Structure],
 }
 
 /// A state as data.

@@ -5,6 +5,7 @@ mod contact_id;
 mod culprit;
 mod formula;
 mod info;
+mod structure;
 mod unit;
 mod values;
 
@@ -12,6 +13,7 @@ pub use crate::linear::Linear;
 pub use bounds::{Bound, Bounds, ParameterError, within_reach};
 pub use contact_id::{ContactId, listed};
 pub use info::{Contact, Friction, Memory, ModelInfo, Observable, Parameter, Press, State};
+pub use structure::{Structure, StructureMode, StructurePoint};
 pub use unit::Unit;
 pub use values::{Values, brief};
 

@@ -58,6 +58,7 @@
 //! | `attractors` | [`System::attractors`] |
 //! | `map` | [`System::map`] |
 //! | `trade` | [`System::trade`] |
+//! | `needs` | [`System::needs`] |
 
 mod attractors;
 mod branch;
@@ -70,6 +71,7 @@ mod label;
 mod law;
 mod map;
 mod motion;
+mod needs;
 mod orbit;
 mod physics;
 pub mod predict;
@@ -98,6 +100,9 @@ pub use law::{Acting, Characteristic, Hysteresis, Shown, Specimen, Strike};
 pub use map::{Asked, Cell, Grid, MapRecord, Quantity};
 pub use motion::{Envelope, Limits, Trajectory};
 pub use nalgebra::Complex;
+pub use needs::{
+    ContactNeed, Lack, ModesNeed, ModesPoint, NeedsRecord, ParameterNeed, Placed, Role, Topic,
+};
 pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::{News, System};

@@ -9,6 +9,7 @@ use super::diagram::{Diagram, DiagramRecord};
 use super::equilibria::EquilibriaRecord;
 use super::error::StudyError;
 use super::map::{Asked, Grid, MapRecord};
+use super::needs::NeedsRecord;
 use super::question::Case;
 use super::system::System;
 use super::trade::{Scope, TradeRecord};
@@ -82,5 +83,13 @@ impl System {
             ..List::default()
         };
         self.trade_watched(case, scope, &list, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The least that answers the question of a case to its accuracy.
+    ///
+    /// # Errors
+    /// There is no orbit.
+    pub fn needs(&self, case: &Case) -> Result<NeedsRecord, StudyError> {
+        self.needs_watched(case, &mut |_| ControlFlow::Continue(()))
     }
 }

@@ -83,6 +83,7 @@ impl Model<2> for Belt {
         presses: &[],
         moving: false,
         straight: true,
+        structures: &[],
         drive: None,
     };
     const KINEMATIC: [Option<usize>; 2] = [Some(1), None];

@@ -3,8 +3,26 @@
 //! The `.stderr` files are the specification of the wording and of the place that is underlined;
 //! `TRYBUILD=overwrite` writes them anew.
 
+use std::fs;
+use std::path::Path;
+
+/// A structure is looked for in the folder of the crate that declares it: of mistakes, that of the crate made for them.
+fn lay_out_structure() {
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
+    let made = target
+        .expect("a target directory")
+        .join("tests/trybuild/stickslip-language");
+    fs::create_dir_all(&made).expect("a folder");
+    fs::copy(
+        "tests/compile_fail/structures/beam.structure",
+        made.join("beam.structure"),
+    )
+    .expect("a copy");
+}
+
 #[test]
 fn mistakes_are_explained() {
+    lay_out_structure();
     let cases = trybuild::TestCases::new();
     for topic in [
         "arrays",
@@ -17,6 +35,7 @@ fn mistakes_are_explained() {
         "memory",
         "names",
         "press",
+        "structures",
         "units",
     ] {
         cases.compile_fail(format!("tests/compile_fail/{topic}/*.rs"));

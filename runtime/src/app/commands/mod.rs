@@ -9,6 +9,7 @@ pub(super) mod laws;
 pub(super) mod map;
 pub(super) mod merge;
 pub(super) mod models;
+pub(super) mod needs;
 pub(super) mod orbit;
 #[cfg(feature = "reduce")]
 pub(super) mod reduce;

@@ -19,6 +19,7 @@ use crate::app::request::{Request, request};
 use crate::app::section::{Cut, with_points};
 use crate::app::show::Show;
 use crate::app::text::number;
+use crate::model::ModelInfo;
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::{
     Case, CertifiedOrbit, OrbitRecord, Span, StudyError, System, Trajectory, choose,
@@ -87,6 +88,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         answer = simulate::drawn("orbit", answer, (info, output), motion, &shown);
     }
     doubt(output, case, &orbit);
+    coarse(output, info, arguments.subject.accuracy);
     output.deliver(&answer.part("work", || orbit.work))?;
     verdict(certificate.as_ref())
 }
@@ -132,6 +134,23 @@ fn doubt(output: &Output, case: &Case, orbit: &OrbitRecord) {
             number(orbit.error_estimate, 2),
             case.accuracy
         ));
+    }
+}
+
+/// Says which structures have been left with fewer modes than the accuracy that was asked for takes, if any have.
+fn coarse(output: &Output, info: &ModelInfo, accuracy: Option<f64>) {
+    for structure in info.structures {
+        let beyond = structure.share_beyond(structure.kept);
+        if accuracy.is_some_and(|accuracy| beyond > accuracy) {
+            output.note(format!(
+                "note: `{}` keeps {} of {} modes, and what is left out holds a share of {} of the flexibility of its points: \
+                 more than the accuracy asked for; `needs` tells what that changes",
+                structure.name,
+                structure.kept,
+                structure.modes.len(),
+                number(beyond, 2)
+            ));
+        }
     }
 }
 
