@@ -69,6 +69,8 @@ fn turning<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> 
     }
     let mut values: Vec<f64> = points.iter().map(P::r).collect();
     values.sort_by(f64::total_cmp);
-    let last = points.last()?.clone();
-    Some(Located::at(Kind::Fold, values[values.len() / 2], last))
+    let (low, high) = (values[0], values[values.len() - 1]);
+    let mut turns = Located::at(Kind::Fold, values[values.len() / 2], points.last()?.clone());
+    turns.error = high - low + WEIGHT * accuracy * high.abs().max(low.abs());
+    Some(turns)
 }

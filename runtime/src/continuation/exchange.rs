@@ -86,25 +86,35 @@ pub(super) fn beside<Q: Path>(
     Some([next(ends[0])?, next(ends[1])?])
 }
 
-/// The estimated error of r where both events happen at once: from the point at one end once more, more sharply.
+/// The estimated error of r where both events happen at once: from the points at the ends once more; where that says nothing,
+/// the width of the bracket.
 pub(super) fn error<Q: Path>(path: &mut Q, ends: [&Spot<Q::Point>; 2], accuracy: f64) -> f64 {
     let mut measured = || {
         let times = times(ends)?;
-        let mut moved = 0.0_f64;
+        let mut moved: Option<f64> = None;
         for end in 0..2 {
             let [at, other] = [ends[end], ends[1 - end]].map(|end| &end.point);
-            let sharper = path.sharper(ends[end].share)?;
+            let again = path.again(ends[end].share)?;
             // Where the order is lost to rounding, the other end has to tell.
-            let Some(time) = sharper.exchanged(other) else {
+            let Some(time) = again.exchanged(other) else {
                 continue;
             };
             let later = (time - times[end]) * rate(ends, times);
-            moved = moved.max((sharper.r() - at.r()).abs() + later.abs());
+            let off = (again.r() - at.r()).abs() + later.abs();
+            moved = Some(moved.map_or(off, |most| most.max(off)));
         }
         let r = ends[0].point.r();
-        Some(DOUBT * moved + SETTLED * accuracy * r.abs())
+        // Events are those of the last motion, one correction away from the point.
+        Some(DOUBT * moved? + accuracy * r.abs())
     };
-    measured().unwrap_or(f64::NAN)
+    let measured = measured().filter(|error| error.is_finite());
+    measured.unwrap_or_else(|| bracketed(ends, accuracy))
+}
+
+/// The error of r somewhere between two points, each of them known to this accuracy.
+pub(super) fn bracketed<P: Watched>([a, b]: [&Spot<P>; 2], accuracy: f64) -> f64 {
+    let [from, to] = [a, b].map(|spot| spot.point.r());
+    (to - from).abs() + DOUBT * accuracy * from.abs().max(to.abs())
 }
 
 /// How r changes with the time between both events.

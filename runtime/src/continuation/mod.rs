@@ -5,6 +5,7 @@
 mod attempt;
 mod branch;
 mod change;
+mod corner;
 mod corrector;
 mod crossing;
 mod detect;

@@ -73,8 +73,8 @@ pub trait Path {
         None
     }
 
-    /// The point at a share of the way once more, more sharply; `None` where that cannot be done.
-    fn sharper(&mut self, _share: f64) -> Option<Self::Point> {
+    /// The point at a share of the way once more, more sharply or else less; `None` where neither can be done.
+    fn again(&mut self, _share: f64) -> Option<Self::Point> {
         None
     }
 

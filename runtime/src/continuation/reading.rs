@@ -15,8 +15,9 @@ use super::point::Point;
 use super::range::Stop;
 use crate::field::Work;
 
-/// Share of the sharpness of what lies between two points to which it is found once more, where its error is measured.
-const AGAIN: f64 = 0.1;
+/// Shares of the sharpness of what lies between two points to which it is found once more, where its error is measured: a
+/// sharper one, and a blunter one where rounding leaves none.
+const AGAIN: [f64; 2] = [0.1, 10.0];
 
 /// What the points of a branch are read as, what is looked for among them, and where it ends.
 pub trait Reader: Clone {
@@ -245,11 +246,13 @@ impl<R: Reader> Path for Between<R> {
         Some(self.reader.between(problem, &point, chord))
     }
 
-    fn sharper(&mut self, share: f64) -> Option<R::Point> {
-        self.link.sharpen(AGAIN * R::SHARPER);
-        self.reader
-            .sharpen(&mut self.link.problem, AGAIN * R::SHARPER);
-        let point = self.at(share).ok();
+    fn again(&mut self, share: f64) -> Option<R::Point> {
+        let point = AGAIN.into_iter().find_map(|again| {
+            self.link.sharpen(again * R::SHARPER);
+            self.reader
+                .sharpen(&mut self.link.problem, again * R::SHARPER);
+            self.at(share).ok()
+        });
         self.link.sharpen(1.0);
         self.reader.sharpen(&mut self.link.problem, R::SHARPER);
         point

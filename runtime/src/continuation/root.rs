@@ -59,6 +59,8 @@ pub fn reach<Q: Path>(
 pub(super) struct Zero<P> {
     pub(super) spot: Spot<P>,
     slopes: [f64; 2],
+    /// How far r is from the point that was found next to it.
+    apart: f64,
 }
 
 impl<P: Watched> Zero<P> {
@@ -70,11 +72,19 @@ impl<P: Watched> Zero<P> {
         let slopes = next.map_or([f64::NAN; 2], |(share, other, r)| {
             [value - other, spot.point.r() - r].map(|rise| rise / (spot.share - share))
         });
-        Self { spot, slopes }
+        let beside = others.iter().filter(|other| other.0 != spot.share);
+        let off = |other: &&(f64, f64, f64)| (other.0 - spot.share).abs();
+        let nearest = beside.min_by(|a, b| off(a).total_cmp(&off(b)));
+        let apart = nearest.map_or(0.0, |other| (other.2 - spot.point.r()).abs());
+        Self {
+            spot,
+            slopes,
+            apart,
+        }
     }
 
-    /// The estimated error of r there: from the same point once more, more sharply, and from what rounding leaves
-    /// uncertain.
+    /// The estimated error of r there: from the same point once more, and from what rounding leaves uncertain; where that
+    /// says nothing, from the point found next to it.
     pub(super) fn error<Q: Path<Point = P>>(
         &self,
         path: &mut Q,
@@ -82,14 +92,15 @@ impl<P: Watched> Zero<P> {
         accuracy: f64,
     ) -> f64 {
         let at = &self.spot.point;
-        let sharper = path.sharper(self.spot.share);
-        sharper.map_or(f64::NAN, |sharper| {
+        let measured = path.again(self.spot.share).map(|again| {
             let [slope, along] = self.slopes;
-            let apart = (test(&sharper) - test(at)).abs() + rounding(at);
+            let apart = (test(&again) - test(at)).abs() + rounding(at);
             let off = apart / slope * along;
-            let moved = (sharper.r() - at.r()).abs() + off.abs();
+            let moved = (again.r() - at.r()).abs() + off.abs();
             DOUBT * moved + SETTLED * accuracy * at.r().abs()
-        })
+        });
+        let measured = measured.filter(|error| error.is_finite());
+        measured.unwrap_or(DOUBT * (self.apart + accuracy * at.r().abs()))
     }
 }
 

@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 
 use super::branch::Started;
-use super::crossing::{Beyond, Crossing};
 use super::detect::detect;
 use super::ending::Ending;
 use super::kind::Kind;
@@ -18,9 +17,6 @@ use crate::field::Work;
 const ROUND: usize = 3;
 /// A step so short, in scaled coordinates, that what it passes is looked for at once.
 const SHORT: f64 = 1e-2;
-/// Points that lie between two crossings of one border, and the distance up to which it is one.
-const APART: usize = 3;
-const SAME: f64 = 1e-7;
 
 /// A branch that has been walked along.
 #[derive(Debug, Clone)]
@@ -74,18 +70,16 @@ pub fn walk<R: Reader>(
 }
 
 /// A branch on the way.
-struct Walk<'a, R: Reader> {
-    followed: &'a mut Reading<R>,
-    points: Vec<R::Point>,
-    located: Vec<Located<R::Point>>,
+pub(super) struct Walk<'a, R: Reader> {
+    pub(super) followed: &'a mut Reading<R>,
+    pub(super) points: Vec<R::Point>,
+    pub(super) located: Vec<Located<R::Point>>,
     unexplained: Option<Unexplained>,
     /// Work on steps that were taken back.
     wasted: Work,
     /// Work between points.
     searched: Work,
 }
-
-type CrossingOf<R> = Crossing<<R as Reader>::Problem, <R as Reader>::Point>;
 
 /// What to do after a step.
 enum Verdict<P, E> {
@@ -151,32 +145,6 @@ impl<R: Reader> Walk<'_, R> {
         }
     }
 
-    /// Goes on beyond a point at which the branch is not smooth, or ends there.
-    fn pass(&mut self, Crossing { located, beyond }: CrossingOf<R>) -> Option<Ending<ErrorOf<R>>> {
-        let (kind, r) = (located.kind, located.r);
-        let end = self.end(located);
-        match beyond {
-            Beyond::Nothing => Some(end),
-            Beyond::Undecided => Some(Ending::Undecided(kind, r)),
-            Beyond::Onwards(started) => {
-                self.followed.go_on(*started);
-                None
-            }
-        }
-    }
-
-    /// The point to which the branch comes, unless it has just come from it.
-    fn crossing(&self) -> Option<CrossingOf<R>> {
-        let Reading { reader, branch, .. } = &*self.followed;
-        let found = reader.cross(branch, &self.points)?;
-        let before = self.located.last();
-        let new = before.is_none_or(|before| {
-            let off = (before.r - found.located.r).abs();
-            before.after + APART <= self.points.len() || off > SAME * before.r.abs()
-        });
-        new.then_some(found)
-    }
-
     /// Looks for what happens on the way to `point`, and for the end of the branch before it.
     fn examine(&mut self, point: &mut R::Point) -> Verdict<R::Point, ErrorOf<R>> {
         if let Some(off) = self.followed.reader.lost(point) {
@@ -202,6 +170,7 @@ impl<R: Reader> Walk<'_, R> {
                 .link()
                 .is_some_and(|link| link.length() <= SHORT);
             if short && let Some(crossing) = self.crossing() {
+                self.keep(findings, &crossing.located);
                 return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
             }
             if self.followed.branch.retract() {
@@ -281,7 +250,7 @@ impl<R: Reader> Walk<'_, R> {
         }
     }
 
-    fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
+    pub(super) fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
         let ending = if reason.last && reason.kind == Kind::Flip {
             Ending::Meets(reason.r)
         } else {

@@ -241,3 +241,25 @@ fn the_far_end_does_not_end_a_branch() {
     assert_eq!(short.special.len(), 16);
     are(&long, &named(&short), 1e-8);
 }
+
+/// A border just behind a step is none of those that the step passes, although the same words part there.
+#[test]
+fn a_border_behind_a_step_is_not_met_again() {
+    let given = [
+        (ForcedBelt::m, 1.870_362_111_198_435_2),
+        (ForcedBelt::k, 0.796_581_830_163_898_9),
+        (ForcedBelt::v_dr, 0.845_015_326_449_204_2),
+        (ForcedBelt::load, 0.588_667_602_535_177_4),
+        (ForcedBelt::omega, 1.237_001_796_844_239_5),
+        (ForcedBelt::delta, 0.539_826_869_581_500_6),
+    ];
+    let range = (0.500_819_283_228_994_3, 0.294_596_765_438_363_44);
+    let found = branch(&given, ForcedBelt::F_s, range, |case| case.accuracy = 1e-9);
+    let wanted = [
+        ("AS1", 0.415_809_651_16),
+        ("GS1", 0.410_713_699_11),
+        ("LP1", 0.410_696_398_93),
+    ];
+    are(&found, &wanted, 1e-9);
+    assert_eq!(found.ended.word(), "reached-start");
+}

@@ -260,12 +260,15 @@ impl<'a> Around<'a> {
         let near = BRIEF * 1e-6 * self.orbit.period;
         let modes = |i: usize| &segments[i % segments.len()].modes;
         let switches = event.kind.is_switch();
-        let mut ends = self.ends.iter().enumerate();
-        ends.find_map(|(i, end)| match (switches, end - event.time) {
-            (true, off) if off.abs() <= near => Some([modes(i), modes(i + 1)]),
-            (false, off) if off > -near => Some([modes(i), modes(i)]),
-            _ => None,
-        })
+        let mut ends = self.ends.iter().map(|end| end - event.time).enumerate();
+        if !switches {
+            let i = ends.find(|(_, off)| *off > -near)?.0;
+            return Some([modes(i), modes(i)]);
+        }
+        // A stretch may be shorter than that.
+        let nearest = ends.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+        let (i, _) = nearest.filter(|(_, off)| off.abs() <= near)?;
+        Some([modes(i), modes(i + 1)])
     }
 
     /// Shares of the period, from the event on and up to this one, between which others happen: half of the way to the next

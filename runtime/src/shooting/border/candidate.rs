@@ -53,11 +53,16 @@ impl Border {
             && !self.before().is_of_press()
     }
 
+    /// Whether a stretch is short beside it on the orbit from which this was read.
+    pub(super) fn is_brief(&self) -> bool {
+        !self.brief.is_empty()
+    }
+
     /// Whether what is short of it is all that the words of these orbits differ by.
     pub(super) fn parts(&self, orbit: &Orbit, other: &Orbit) -> bool {
         let without = |orbit: Orbit, brief: &[f64; 2]| orbit.without(*brief);
         let long = self.brief.iter().fold(orbit.clone(), without);
-        !self.brief.is_empty() && long.has_word_of(other, 1)
+        self.is_brief() && long.has_word_of(other, 1)
     }
 
     /// Share of the period after which the motion is back, or its image.

@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::around::borders;
 use super::candidate::Border as Candidate;
 use super::hit::Met;
 use super::located::{Edge, edge};
@@ -137,7 +138,8 @@ fn onwards(
         }
         nearest = (distance, Beyond::Onwards(Box::new(started)));
         // Where it is hit, one multiplier is unbounded at the border.
-        if hit.is_some() || !passes(found, last, &first) {
+        let skips = || passes(found, last, &first) || skips(found, branch, last, &first);
+        if hit.is_some() || !skips() {
             break;
         }
     }
@@ -150,6 +152,24 @@ fn passes(found: &Edge, last: &Orbit, first: &Orbit) -> bool {
     let beyond = found.seen_from(last, !found.border.happens, 1.0);
     let certain = [&beyond, first].map(|orbit| orbit.floquet.growths.marginal() == 0);
     certain == [true; 2] && !found.border.drops && beyond.floquet.unstable != first.floquet.unstable
+}
+
+/// Whether another border lies between this one and the first orbit beyond it: what is short on one side of this one is not
+/// all that their words differ by. Nobody would look for it there.
+fn skips(found: &Edge, branch: &Branch<OrbitProblem>, last: &Orbit, first: &Orbit) -> bool {
+    let border = &found.border;
+    if border.is_brief() {
+        return !border.parts(last, first);
+    }
+    let flow = branch.problem.family.at(first.r);
+    let Ok(near) = flow.and_then(|flow| borders(flow.as_ref(), first)) else {
+        return false;
+    };
+    let same = |one: &&Candidate| {
+        one.is_brief() && (one.contact, one.condition) == (border.contact, border.condition)
+    };
+    let mut back = near.iter().filter(same).peekable();
+    back.peek().is_some() && !back.any(|one| one.parts(first, last))
 }
 
 /// How the motion that begins so far from the border meets the wall: at the slowest of its impacts, if any is.
@@ -217,6 +237,13 @@ fn set_out(
     Branch::set_out(problem, (moved, r), (direction, r_scale), branch.settings())
 }
 
+/// Whether r passes this value from one orbit to the other one, as far as r tells: where it turns between them, it does not.
+fn ahead([from, to]: [&Orbit; 2], r: f64, accuracy: f64) -> bool {
+    let errors = NOISE * accuracy * r.abs();
+    let (low, high) = (from.r.min(to.r), from.r.max(to.r));
+    from.heading.slope * to.heading.slope <= 0.0 || (r >= low - errors && r <= high + errors)
+}
+
 /// The border between two neighbouring orbits of different words.
 pub(in crate::shooting) fn between(
     problem: &mut OrbitProblem,
@@ -228,7 +255,7 @@ pub(in crate::shooting) fn between(
     let inside = |found: &Edge| {
         let [a, b] = ends.map(|end| found.orbit.away(end));
         // Ends that are one but for their errors need not lie on both sides of it.
-        a.max(b) <= (BETWEEN * whole).max(NOISE * accuracy)
+        a.max(b) <= (BETWEEN * whole).max(NOISE * accuracy) && ahead(ends, found.orbit.r, accuracy)
     };
     let (family, scale) = (problem.family.clone(), problem.scale());
     let found = [0, 1].into_iter().find_map(|i| {

@@ -67,7 +67,7 @@ pub(in crate::study) fn follow(
         verdict
     });
     if let (Ending::Meets(r), Some(met)) = (&mut walked.ending, walked.located.last_mut()) {
-        undouble(sought, met);
+        undouble(sought, met, walked.points.last().map(|last| last.r));
         *r = met.r;
     }
     Stretch {

@@ -16,24 +16,28 @@ const AGAIN: f64 = 0.1;
 const DOUBT: f64 = 2.0;
 
 /// Replaces a doubled orbit that has met the one from which it branches by that one, and r by the one at which a
-/// multiplier of that is −1.
-pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>) {
+/// multiplier of that is −1. Where no such is found, r is where orbits that end at `last` lead to, known to no more than
+/// what they were followed to.
+pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Option<f64>) {
     let orbit = &met.point;
     let guess = Guess {
         period: 0.5 * orbit.period,
+        division: None,
         ..orbit.guess()
     };
+    let ahead = last.map_or(0.0, |last| (met.r - last).abs());
     match converge(&sought.family, met.r, &guess, &sought.search) {
         Ok(single) if single.period < 0.75 * orbit.period => {
             match flips(sought, met.r, &single) {
                 Some(flip) if (flip.r - met.r).abs() <= NEAR * met.r.abs() => {
                     (met.r, met.error, met.point) = (flip.r, flip.error, flip.orbit);
                 }
-                _ => met.point = single,
+                _ => (met.point, met.error) = (single, met.error.max(ahead)),
             };
         }
         // As far as it is known, the doubled orbit is that orbit twice.
         _ => {
+            met.error = met.error.max(ahead);
             met.point.period *= 0.5;
             let half = met.point.section.len() / 2;
             met.point.section.truncate(half);

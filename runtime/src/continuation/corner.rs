@@ -1,0 +1,63 @@
+//! Points of a walk at which the branch is not smooth: what continues it there, and what lies on the way to them.
+
+use super::crossing::{Beyond, Crossing};
+use super::ending::Ending;
+use super::located::{Findings, Located};
+use super::path::Watched;
+use super::reading::{ErrorOf, Reader, Reading};
+use super::walk::Walk;
+
+/// Points that lie between two crossings of one border, and the distance up to which it is one.
+const APART: usize = 3;
+const SAME: f64 = 1e-7;
+
+type CrossingOf<R> = Crossing<<R as Reader>::Problem, <R as Reader>::Point>;
+
+impl<R: Reader> Walk<'_, R> {
+    /// Goes on beyond a point at which the branch is not smooth, or ends there.
+    pub(super) fn pass(
+        &mut self,
+        Crossing { located, beyond }: CrossingOf<R>,
+    ) -> Option<Ending<ErrorOf<R>>> {
+        let (kind, r) = (located.kind, located.r);
+        let end = self.end(located);
+        match beyond {
+            Beyond::Nothing => Some(end),
+            Beyond::Undecided => Some(Ending::Undecided(kind, r)),
+            Beyond::Onwards(started) => {
+                self.followed.go_on(*started);
+                None
+            }
+        }
+    }
+
+    /// The point to which the branch comes, unless it has just come from it.
+    pub(super) fn crossing(&self) -> Option<CrossingOf<R>> {
+        let Reading { reader, branch, .. } = &*self.followed;
+        let found = reader.cross(branch, &self.points)?;
+        let before = self.located.last();
+        let new = before.is_none_or(|before| {
+            let off = (before.r - found.located.r).abs();
+            before.after + APART <= self.points.len() || off > SAME * before.r.abs()
+        });
+        new.then_some(found)
+    }
+
+    /// Keeps what a step that went past such a point found on the way to it.
+    pub(super) fn keep(&mut self, findings: Findings<R::Point>, corner: &Located<R::Point>) {
+        let Some(last) = self.points.last() else {
+            return;
+        };
+        let lost = findings.unexplained.first();
+        let (from, to) = (last.r(), lost.map_or(corner.r, |lost| lost.between[0]));
+        let off = |one: &Located<R::Point>| (one.r - corner.r).abs() > SAME * corner.r.abs();
+        let before = |one: &Located<R::Point>| (one.r - from) * (one.r - to) <= 0.0 && off(one);
+        let (reader, problem) = (&self.followed.reader, &self.followed.branch.problem);
+        let found = findings.located.into_iter();
+        for mut one in found.take_while(|one| !one.last && one.left.is_nan() && before(one)) {
+            one.after = self.points.len();
+            reader.refine(problem, &mut one);
+            self.located.push(one);
+        }
+    }
+}
