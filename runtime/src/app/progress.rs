@@ -50,6 +50,11 @@ impl Progress {
         interrupt::verdict()
     }
 
+    /// Says on what it is working now.
+    pub(super) fn say(&self, message: String) {
+        self.bar.set_message(message);
+    }
+
     /// Shows on what a search is working, after this message.
     pub(super) fn news(&self, message: &'static str) -> News {
         let bar = self.bar.clone();

@@ -90,6 +90,6 @@ impl System {
     /// # Errors
     /// There is no orbit.
     pub fn needs(&self, case: &Case) -> Result<NeedsRecord, StudyError> {
-        self.needs_watched(case, &mut |_| ControlFlow::Continue(()))
+        self.needs_watched(case, &|_| ControlFlow::Continue(()))
     }
 }

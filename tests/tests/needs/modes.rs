@@ -10,7 +10,7 @@ use super::models::{Bridge, Cantilever, Chain, Graded, Rod, ShortRod};
 
 /// What the first structure needs; nothing else is asked.
 fn modes(system: &System, case: &Case) -> ModesNeed {
-    let record = system.needs_watched(case, &mut |topic| match topic {
+    let record = system.needs_watched(case, &|topic| match topic {
         Topic::Contacts => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     });

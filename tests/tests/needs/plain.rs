@@ -57,7 +57,7 @@ fn needs(system: &System, case: &Case, accuracy: f64) -> NeedsRecord {
         accuracy,
         ..case.clone()
     };
-    let record = system.needs_watched(&asked, &mut |topic| match topic {
+    let record = system.needs_watched(&asked, &|topic| match topic {
         Topic::Copies => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     });

@@ -13,7 +13,8 @@ use crate::study::ended::Ended;
 use crate::study::error::StudyError;
 use crate::study::question::{Along, Case};
 use crate::study::system::System;
-use crate::study::trade::{End, Scope, TradeRecord};
+use crate::study::trade::{Part, Scope, TradeRecord};
+use crate::study::work::{Item, List};
 
 /// The least that answers a question to an accuracy.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,11 +87,7 @@ impl System {
     ///
     /// # Errors
     /// There is no orbit. Where that is so because the model lacks something, it is no error but the answer.
-    pub fn needs_watched(
-        &self,
-        case: &Case,
-        watch: &mut dyn FnMut(Topic) -> ControlFlow<()>,
-    ) -> Result<NeedsRecord, StudyError> {
+    pub fn needs_watched(&self, case: &Case, watch: Watch<'_>) -> Result<NeedsRecord, StudyError> {
         let mut record = NeedsRecord::of(case);
         let stage = match self.stage(case, watch) {
             Ok(stage) => stage,
@@ -149,12 +146,23 @@ impl System {
             accuracy: Some(stage.accuracy),
             ..Scope::default()
         };
-        let mut ends: Vec<End> = Vec::new();
-        for scene in &stage.scenes {
-            let mut go_on = |_: usize, _: crate::study::trade::Finding<'_>| watch(Topic::Copies);
-            ends.extend(self.trade_watched(&scene.case, &scope, &mut go_on)?.ends);
-        }
+        // Times are measured.
+        let list = List {
+            threads: Some(1),
+            ..List::default()
+        };
         let along = stage.along;
-        Ok(Some(TradeRecord { along, ends }))
+        let mut all = TradeRecord {
+            along,
+            ends: Vec::new(),
+            missing: 0,
+        };
+        for scene in &stage.scenes {
+            let go_on = |_: Item<'_, Part>| watch(Topic::Copies);
+            let here = self.trade_watched(&scene.case, &scope, &list, &go_on)?;
+            all.ends.extend(here.ends);
+            all.missing += here.missing;
+        }
+        Ok(Some(all))
     }
 }

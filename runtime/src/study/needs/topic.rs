@@ -18,4 +18,4 @@ pub enum Topic {
 }
 
 /// Told on what it works; a break ends it there.
-pub(super) type Watch<'a> = &'a mut dyn FnMut(Topic) -> ControlFlow<()>;
+pub(super) type Watch<'a> = &'a (dyn Fn(Topic) -> ControlFlow<()> + Sync);

@@ -59,11 +59,11 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         ..asked.case.clone()
     };
     let progress = Progress::endless(output, LOOKING);
-    let mut watch = |topic: Topic| -> ControlFlow<()> {
+    let watch = |topic: Topic| -> ControlFlow<()> {
         progress.say(format!("{LOOKING}: {}", text::topic(topic)));
         interrupt::verdict()
     };
-    let record = asked.got(asked.entry.needs_watched(&case, &mut watch))?;
+    let record = asked.got(asked.entry.needs_watched(&case, &watch))?;
     drop(progress);
     let answer = Answer::new(
         "needs",
