@@ -10,8 +10,6 @@ use crate::continuation::{Monitor, Verdict, changes};
 const MEETING: f64 = 0.1;
 /// Halves that differ by less than this are one: where branches meet, steps become short.
 const NO_ASYMMETRY: f64 = 1e-3;
-/// Share of what it is beside it to which the test of a multiplier falls that touches 1.
-const TOUCHING: f64 = 1e-2;
 /// A multiplier 1 of an orbit whose halves differ by less than this, and ever less, is that of the meeting.
 const CLOSING: f64 = 1e-2;
 
@@ -33,7 +31,9 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(multipliers: usize) -> Vec<Monitor<'a
                 Verdict::Special(Kind::BranchPoint)
             })
         });
-    let turn = Monitor::new(Kind::Fold, P::slope).judged(turn);
+    let turn = Monitor::new(Kind::Fold, P::slope)
+        .only_if(|ends| critical(ends) || asymmetry(ends).is_finite())
+        .judged(turn);
     let mut named = vec![branch_point, Monitor::new(Kind::Flip, opened), turn];
     for k in 0..multipliers {
         named.extend([torus(k), krein(k)]);
@@ -87,8 +87,7 @@ fn asymmetry<P: PeriodicPoint>([from, to]: [&P; 2]) -> f64 {
 }
 
 /// Where r turns: at a fold if a multiplier passes through 1, or where a doubled orbit meets the one from which it
-/// branches. There both halves of the orbit become one, and a multiplier only touches 1, as far as its digits tell. So it
-/// does where an orbit becomes its own mirror image: beyond, the branch runs back as that image.
+/// branches. There both halves of the orbit become one, and a multiplier only touches 1, as far as its digits tell.
 fn turn<P: PeriodicPoint>(ends: [&P; 2], at: &P) -> Option<Verdict> {
     let (critical, before) = (critical(ends), asymmetry(ends));
     let near = if critical {
@@ -99,10 +98,5 @@ fn turn<P: PeriodicPoint>(ends: [&P; 2], at: &P) -> Option<Verdict> {
     if before.is_finite() && at.asymmetry() <= near {
         return Some(Verdict::Last(Kind::Flip));
     }
-    if critical {
-        return Some(Verdict::Special(Kind::Fold));
-    }
-    let [from, to] = ends.map(|end| closed(end).abs());
-    let touches = closed(at).abs() <= TOUCHING * from.max(to);
-    touches.then_some(Verdict::Last(Kind::SymmetryBreaking))
+    critical.then_some(Verdict::Special(Kind::Fold))
 }

@@ -18,15 +18,12 @@ use crate::continuation::{
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow};
+use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
 /// Two orbits at one r are one if they differ by this share of their extents at most.
 const SAME_ORBIT: f64 = 1e-5;
-/// An orbit that has become its own mirror image is so to this share of its extents: it does with the root of its distance
-/// in r.
-const MIRRORED: f64 = 1e-3;
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
 
@@ -137,18 +134,9 @@ impl Reader for Orbits {
         orbit.asymmetry() <= SAME_ORBIT
     }
 
-    /// Tells a branch point from one at which a symmetry is lost, and a fold from where an orbit becomes its own image.
+    /// Tells a branch point from one at which a symmetry is lost.
     fn refine(&self, problem: &OrbitProblem, found: &mut Located<Orbit>) {
         let family = &problem.family;
-        if found.last && found.kind == Kind::SymmetryBreaking {
-            let flow = family.at(found.point.r);
-            let mirrored = |flow: Box<dyn Flow>| found.point.is_mirrored(flow.as_ref(), MIRRORED);
-            found.last = flow.is_ok_and(mirrored);
-            if !found.last {
-                found.kind = Kind::Fold;
-            }
-            return;
-        }
         // An orbit that cannot be gone around once more has no symmetry that could be told.
         if found.kind == Kind::BranchPoint && found.point.loses_symmetry(family) == Ok(true) {
             found.kind = Kind::SymmetryBreaking;

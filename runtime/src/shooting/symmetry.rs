@@ -163,20 +163,11 @@ impl Orbit {
 
     /// The symmetry that the orbit has after half its period, if it has one.
     pub(super) fn mirrored(&self, flow: &dyn Flow) -> Option<Symmetry> {
-        self.mirrored_to(flow, SURE)
-    }
-
-    /// Whether it has one to this share of its extents.
-    pub(super) fn is_mirrored(&self, flow: &dyn Flow, share: f64) -> bool {
-        self.mirrored_to(flow, share).is_some()
-    }
-
-    fn mirrored_to(&self, flow: &dyn Flow, share: f64) -> Option<Symmetry> {
         let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
         let half = flow.advance(begin, 0.5 * self.period, Want::default());
         let (half, drive) = (half.ok()?.end.state, flow.phase());
         let mut candidates = Symmetry::all(flow.order(), drive);
-        candidates.retain(|one| self.are_one(&one.of(&begin.state), &half, drive, share));
+        candidates.retain(|one| self.are_one(&one.of(&begin.state), &half, drive, SURE));
         self.symmetries(flow, candidates).into_iter().next()
     }
 

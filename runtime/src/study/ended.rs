@@ -93,10 +93,6 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             "it meets a {} point, beyond which it is a curve of neutral saddles",
             kind.name()
         ),
-        Ending::At(Kind::SymmetryBreaking, r) => format!(
-            "at {} its orbit becomes its own mirror image: beyond, it only runs back as the image of what it was",
-            value(r)
-        ),
         Ending::At(Kind::Hopf, r) => format!(
             "it shrinks to an equilibrium at {}, a hopf point: there its orbits begin",
             value(r)

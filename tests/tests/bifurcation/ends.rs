@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
-use stickslip::study::Special;
-use stickslip_models::friction::{CoulombStatic, Stribeck};
+use stickslip_models::friction::Stribeck;
 use stickslip_models::{BeltPair, ForcedBelt};
 
 use crate::borders::{branch, named};
@@ -27,40 +26,6 @@ model! {
         }
         der(v[0]) = (F[0] - k * x[0] - joint * (x[0] - x[1]) - c * v[0]) / mass;
         der(v[1]) = (F[1] - 1.3 * k * x[1] - joint * (x[1] - x[0]) - c * v[1]) / mass;
-    }
-}
-
-model! {
-    /// Two masses and a spring between them, one of which is shaken and rubs on the ground.
-    struct Pascal {
-        state x1 = 0.0;
-        state x2 = 0.0;
-        state v1 = 0.0;
-        state v2 = 0.0;
-        param omega = 0.7 where omega > 0.0;
-        drive phi at omega;
-        friction F = CoulombStatic { static_level: 0.3, kinetic_level: 0.2 } opposing v1;
-        der(x1) = v1;
-        der(x2) = v2;
-        der(v1) = F - 2 * x1 + x2 + cos(phi);
-        der(v2) = 0.5 * (x1 - x2) - 0.02 * v2;
-    }
-}
-
-/// An orbit that sticks on one side only and one that does so on the other are images of each other. Their branches are
-/// one, through the orbit that is its own image: there r turns, a multiplier touches 1, and nothing new lies beyond.
-#[test]
-fn a_branch_ends_where_its_orbit_becomes_its_own_image() {
-    for (from, to) in [(1.0, 0.58), (0.9, 0.58)] {
-        let found = branch(&[], Pascal::omega, (from, to), |_| {});
-        let names: Vec<&str> = found.special.iter().map(|one| one.label.as_str()).collect();
-        assert_eq!(names.last(), Some(&"SB1"), "{:?}", named(&found));
-        let last = found.special.last().expect("the last");
-        assert_eq!(found.ended.word(), "symmetry-breaking");
-        assert!((last.r - 0.884_573).abs() < 1e-6, "{}", last.r);
-        let measured = |one: &Special| one.error.is_some_and(|error| error < 1e-6);
-        assert!(found.special.iter().all(measured), "{:?}", found.special);
-        assert!(found.unlocated().is_none(), "{:?}", found.ended);
     }
 }
 
