@@ -88,10 +88,12 @@ fn builder(name: &Ident, kind: Kind, line: &Friction) -> TokenStream {
             quote_spanned!(law.span()=> impl ::stickslip::memory::MemoryLaw<D, #states>)
         }
     };
+    // Spelt as by the user: for a field that the law has not the compiler then names those that it has.
+    let literal = quote_spanned!(law.span()=> #law { #(#fields: __fields[#places]),* });
     quote! {
         #[inline]
         fn #name<D: ::stickslip::scalar::Scalar>(__fields: [D; #count]) -> #is_law {
-            #law { #(#fields: __fields[#places]),* }
+            #literal
         }
     }
 }
