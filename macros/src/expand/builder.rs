@@ -89,7 +89,8 @@ fn builder(name: &Ident, kind: Kind, line: &Friction) -> TokenStream {
         }
     };
     // Spelt as by the user: for a field that the law has not the compiler then names those that it has.
-    let literal = quote_spanned!(law.span()=> #law { #(#fields: __fields[#places]),* });
+    let values = quote!(#(#fields: __fields[#places]),*);
+    let literal = quote_spanned!(law.span()=> #law { #values });
     quote! {
         #[inline]
         fn #name<D: ::stickslip::scalar::Scalar>(__fields: [D; #count]) -> #is_law {
