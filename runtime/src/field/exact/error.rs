@@ -2,14 +2,14 @@
 
 use super::affine::Square;
 use super::mode::Modes;
-use crate::model::{ContactId, Model, listed};
+use crate::model::{ContactId, Model, brief, listed};
 
 /// Why the forces at rest are not determined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// Several contacts resist the same motion, or a force does not act on any speed.
     #[error(
-        "the sticking forces of contacts {} are not unique: their compliance matrix is singular",
+        "the forces at rest of contacts {} are not unique: together they hold one and the same motion; contacts with the same relative speed can be written as one, and where friction acts along the way of a press that does not give way, a stiff `Compliant` press shares the load",
         listed(.contacts)
     )]
     Singular {
@@ -18,7 +18,8 @@ pub enum ContactError {
     },
     /// G_ii ≤ 0: a sign error in the model.
     #[error(
-        "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {compliance:e}"
+        "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {}",
+        brief(*.compliance)
     )]
     NotOpposing {
         /// Which.
@@ -28,7 +29,8 @@ pub enum ContactError {
     },
     /// Sliding friction turns the reaction that causes it around.
     #[error(
-        "no reaction keeps contact {contact} closed while it slides: with the friction that it causes, a unit of it changes the rate of the gap by {compliance:e}, which Painlevé's condition wants above 0"
+        "no reaction keeps contact {contact} closed while it slides: with the friction that it causes, a unit of it changes the rate of the gap by {}, which Painlevé's condition wants above 0",
+        brief(*.compliance)
     )]
     Painleve {
         /// The press.
