@@ -86,8 +86,7 @@ pub(super) fn beside<Q: Path>(
     Some([next(ends[0])?, next(ends[1])?])
 }
 
-/// The estimated error of r where both events happen at once: from the points at the ends once more; where that says nothing,
-/// the width of the bracket.
+/// The estimated error of r where both events happen at once: from the points at the ends once more.
 pub(super) fn error<Q: Path>(path: &mut Q, ends: [&Spot<Q::Point>; 2], accuracy: f64) -> f64 {
     let mut measured = || {
         let times = times(ends)?;
@@ -103,18 +102,12 @@ pub(super) fn error<Q: Path>(path: &mut Q, ends: [&Spot<Q::Point>; 2], accuracy:
             let off = (again.r() - at.r()).abs() + later.abs();
             moved = Some(moved.map_or(off, |most| most.max(off)));
         }
-        let r = ends[0].point.r();
+        let point = &ends[0].point;
         // Events are those of the last motion, one correction away from the point.
-        Some(DOUBT * moved? + accuracy * r.abs())
+        let off = point.r().abs() + (point.lasts() * rate(ends, times)).abs();
+        Some(DOUBT * moved? + accuracy * off)
     };
-    let measured = measured().filter(|error| error.is_finite());
-    measured.unwrap_or_else(|| bracketed(ends, accuracy))
-}
-
-/// The error of r somewhere between two points, each of them known to this accuracy.
-pub(super) fn bracketed<P: Watched>([a, b]: [&Spot<P>; 2], accuracy: f64) -> f64 {
-    let [from, to] = [a, b].map(|spot| spot.point.r());
-    (to - from).abs() + DOUBT * accuracy * from.abs().max(to.abs())
+    measured().unwrap_or(f64::NAN)
 }
 
 /// How r changes with the time between both events.

@@ -53,6 +53,11 @@ pub trait Watched: Clone {
     fn exchanged(&self, _other: &Self) -> Option<f64> {
         None
     }
+
+    /// How long what is followed takes: its events are known to the accuracy times this.
+    fn lasts(&self) -> f64 {
+        0.0
+    }
 }
 
 /// The branch between two neighbouring points.

@@ -53,6 +53,10 @@ impl Watched for Orbit {
         let same = a.len() == b.len();
         same.then(|| (0..b.len()).find_map(alone)).flatten()
     }
+
+    fn lasts(&self) -> f64 {
+        self.period
+    }
 }
 
 impl PeriodicPoint for Orbit {

@@ -5,6 +5,9 @@ use stickslip::study::{BranchRecord, Special};
 /// Distance of a special point from an end of a range, relative to its value, at which it may be on either side.
 const BORDERLINE: f64 = 1e-5;
 
+/// Error of one, relative to its value, whose error was not measured.
+const UNMEASURED: f64 = 1e-6;
+
 /// A branch as it was answered.
 pub(crate) struct Answer {
     pub(crate) record: BranchRecord,
@@ -16,15 +19,6 @@ impl Answer {
     pub(crate) fn of(record: BranchRecord) -> Self {
         let undecided = record.unlocated().map(|ended| ended.reason.clone());
         Self { record, undecided }
-    }
-
-    /// The special points whose error is not known: there are none.
-    pub(crate) fn unmeasured(&self) -> Option<String> {
-        let special = self.record.special.iter();
-        let mut unknown = special.filter(|one| one.error.is_none()).peekable();
-        unknown.peek()?;
-        let labels: Vec<&str> = unknown.map(|one| one.label.as_str()).collect();
-        Some(format!("no errors of {labels:?}"))
     }
 
     fn range(&self) -> [f64; 2] {
@@ -104,6 +98,6 @@ fn without<'a>(all: &[&'a Special], others: &[&'a Special]) -> Vec<&'a Special> 
 
 /// One point, to the sum of its estimated errors.
 fn same(a: &Special, b: &Special) -> bool {
-    let error = |one: &Special| one.error.unwrap_or(0.0);
+    let error = |one: &Special| one.error.unwrap_or(UNMEASURED * one.r.abs());
     a.kind == b.kind && (a.r - b.r).abs() <= error(a) + error(b)
 }

@@ -36,9 +36,6 @@ impl Tally {
         };
         self.branches += 1;
         self.answers += 1;
-        let unknown = first.unmeasured();
-        self.differ
-            .extend(unknown.map(|what| format!("{seed}: {question}: {what}")));
         if let Some(reason) = &first.undecided {
             self.undecided.push(format!("{seed}: {question}: {reason}"));
             return;

@@ -7,7 +7,6 @@ use std::cell::Cell;
 use account::explains;
 
 use super::change::change;
-use super::exchange::bracketed;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::monitor::{Monitor, Verdict, changes};
@@ -173,7 +172,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             let middle = 0.5 * (before.point.r() + after.point.r());
             let (at, r, error) = match &found.meeting {
                 Some((at, error)) => (at, at.point.r(), *error),
-                None => (before, middle, bracketed([before, after], self.accuracy)),
+                None => (before, middle, f64::NAN),
             };
             self.located.push(Located {
                 r,
