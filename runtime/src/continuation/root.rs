@@ -66,15 +66,15 @@ pub(super) struct Zero<P> {
 impl<P: Watched> Zero<P> {
     /// The slopes are those from another spot, not too near to this one: (share, value of the function, r).
     fn at(spot: Spot<P>, value: f64, others: &[(f64, f64, f64)], width: f64) -> Self {
-        let apart = |other: &&(f64, f64, f64)| (other.0 - spot.share).abs() - NEIGHBOUR * width;
-        let far = others.iter().filter(|other| apart(other) >= 0.0);
-        let next = far.min_by(|a, b| apart(a).total_cmp(&apart(b)));
-        let slopes = next.map_or([f64::NAN; 2], |(share, other, r)| {
+        let off = |other: &&(f64, f64, f64)| (other.0 - spot.share).abs();
+        let beyond = |least: f64| {
+            let far = others.iter().filter(|other| off(other) >= least);
+            far.min_by(|a, b| off(a).total_cmp(&off(b)))
+        };
+        let slopes = beyond(NEIGHBOUR * width).map_or([f64::NAN; 2], |(share, other, r)| {
             [value - other, spot.point.r() - r].map(|rise| rise / (spot.share - share))
         });
-        let beside = others.iter().filter(|other| other.0 != spot.share);
-        let off = |other: &&(f64, f64, f64)| (other.0 - spot.share).abs();
-        let nearest = beside.min_by(|a, b| off(a).total_cmp(&off(b)));
+        let nearest = beyond(f64::MIN_POSITIVE);
         let apart = nearest.map_or(0.0, |other| (other.2 - spot.point.r()).abs());
         Self {
             spot,

@@ -78,10 +78,7 @@ impl System {
     /// # Errors
     /// There is no friction, or no exact orbit.
     pub fn trade(&self, case: &Case, scope: &Scope) -> Result<TradeRecord, StudyError> {
-        let list = List {
-            threads: Some(1),
-            ..List::default()
-        };
+        let list = List::on_one_thread();
         self.trade_watched(case, scope, &list, &|_| ControlFlow::Continue(()))
     }
 

@@ -86,10 +86,7 @@ fn equilibrium(system: &System, case: &Case) -> Cell {
 }
 
 fn share(system: &System, case: &Case, class: Class, (region, starts): (&Region, usize)) -> Cell {
-    let list = List {
-        threads: Some(1),
-        ..List::default()
-    };
+    let list = List::on_one_thread();
     let sampling = Sampling::of(region.clone(), starts);
     let found = system.attractors_watched(case, &sampling, &list, &|_| ControlFlow::Continue(()));
     match found {

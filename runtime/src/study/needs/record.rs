@@ -147,10 +147,7 @@ impl System {
             ..Scope::default()
         };
         // Times are measured.
-        let list = List {
-            threads: Some(1),
-            ..List::default()
-        };
+        let list = List::on_one_thread();
         let along = stage.along;
         let mut all = TradeRecord {
             along,

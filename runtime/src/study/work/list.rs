@@ -49,6 +49,17 @@ impl<T> Default for List<T> {
     }
 }
 
+impl<T> List<T> {
+    /// All items, of which nothing is known, one after the other: where times are measured, or other threads are at work.
+    #[must_use]
+    pub fn on_one_thread() -> Self {
+        Self {
+            threads: Some(1),
+            ..Self::default()
+        }
+    }
+}
+
 impl<T: Clone + Send + Sync> List<T> {
     /// Does what is not known yet of so many independent items. What is there then, by number.
     pub fn work(
