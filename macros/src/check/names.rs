@@ -128,13 +128,13 @@ fn unknown(name: &Ident, names: &Names) -> String {
     if let Some((array, first)) = names.arrays.iter().find(|(array, _)| *array == text) {
         return format!("`{array}` is an array: write which element, as in `{array}[{first}]`");
     }
-    let known = names.texts();
-    if let Some(near) = nearest(&text, known.iter().map(String::as_str)) {
-        return format!("unknown name `{text}`; did you mean `{near}`?");
-    }
     if matches!(text.as_str(), "PI" | "TAU" | "E" | "pi") {
         let constant = text.to_uppercase();
         return format!("unknown name `{text}`; the constant is `std::f64::consts::{constant}`");
+    }
+    let known = names.texts();
+    if let Some(near) = nearest(&text, known.iter().map(String::as_str)) {
+        return format!("unknown name `{text}`; did you mean `{near}`?");
     }
     if names.in_model {
         format!("unknown name `{text}`; declare it with `state`, `param` or `let`")

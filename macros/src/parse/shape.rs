@@ -179,8 +179,9 @@ const OTHERS: [(&str, &str); 7] = [
 ];
 
 /// A `stop` line where none can be.
-const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`; a coordinate that meets a wall is pressed \
-     back by it: `press N = Law { .. } closing gap;`";
+const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`, as that of an elastic slider: \
+     `friction F = Jenkins { .. } opposing v with z;`; a coordinate that meets a wall is pressed back by it: \
+     `press N = Law { .. } closing gap;`";
 
 pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStream) -> syn::Error {
     let word = written.to_string();

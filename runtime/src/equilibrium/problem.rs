@@ -3,15 +3,15 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::EquilibriumPoint;
-use super::resting::{Rows, closed_gaps, rests};
+use super::resting::{Rows, binds, held};
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::IntegrationError;
 use crate::motion::{Family, Modes, Place, Velocity};
 
-/// Unknowns are the states; the equations are their rates, and where something rests on a press combinations of them and of
-/// its gap.
+/// Unknowns are the states; the equations are their rates, and where contacts stick or rest on a press combinations of them
+/// and of what is held.
 #[derive(Debug, Clone)]
 pub struct EquilibriumProblem {
     /// The flows.
@@ -22,7 +22,7 @@ pub struct EquilibriumProblem {
     pub work: Work,
     magnitude: Vec<f64>,
     rates: Vec<f64>,
-    /// Of rates and gaps, where something rests: from the first evaluation.
+    /// Of rates and of what is held, where something is: from the first evaluation.
     combinations: Option<DMatrix<f64>>,
 }
 
@@ -71,19 +71,19 @@ impl EquilibriumProblem {
         }
     }
 
-    fn with_gaps(&self, rows: Rows, z: &DVector<f64>, r: f64) -> Result<Rows, FlowError> {
+    fn with_held(&self, rows: Rows, z: &DVector<f64>, r: f64) -> Result<Rows, FlowError> {
         let flow = self.family.at(r)?;
-        let gaps = closed_gaps(&*flow, &self.place(z))?;
-        Ok(rows.with(&gaps, &self.magnitude))
+        let held = held(&*flow, &self.place(z))?;
+        Ok(rows.with(&held, &self.magnitude))
     }
 
     /// A number with the sign of the product of all eigenvalues, or of its negative: of those that contact leaves, where
-    /// something rests.
+    /// something is held.
     pub(super) fn determinant(&self, z: &DVector<f64>, r: f64, velocity: &Velocity) -> f64 {
         let Some(combinations) = &self.combinations else {
             return EquilibriumPoint::determinant_of(&velocity.jacobian);
         };
-        let rows = self.with_gaps(self.rows(velocity), z, r);
+        let rows = self.with_held(self.rows(velocity), z, r);
         rows.map_or(f64::NAN, |rows| {
             rows.combined(combinations).jacobian.determinant()
         })
@@ -116,8 +116,8 @@ impl ZeroProblem for EquilibriumProblem {
         self.work.newton += 1;
         self.weigh(&velocity.jacobian);
         let mut rows = self.rows(&velocity);
-        if rests(&self.modes) {
-            rows = self.with_gaps(rows, z, r)?;
+        if binds(&self.modes) {
+            rows = self.with_held(rows, z, r)?;
             if self.combinations.is_none() {
                 self.combinations = rows.combinations();
             }

@@ -1,4 +1,5 @@
-//! Equations of what rests on a wall that does not give way: rates that its reaction keeps at zero say nothing, the gap does.
+//! Equations of what contacts hold: rates that a force keeps at zero say nothing where it sticks or rests on a wall that does
+//! not give way; its speed does, and the gap.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,30 +8,32 @@ use crate::flow::FlowError;
 use crate::linear::svd;
 use crate::motion::{Flow, Modes, Place, Row};
 
-/// Whether something rests on a press.
-pub(super) fn rests(modes: &Modes) -> bool {
-    modes.contains(&Mode::Rest)
+/// Whether a contact sticks, or something rests on a press.
+pub(super) fn binds(modes: &Modes) -> bool {
+    modes.iter().any(|mode| mode.binds())
 }
 
-/// The gaps of the presses at rest, which are closed.
-pub(super) fn closed_gaps(flow: &dyn Flow, at: &Place) -> Result<Vec<Row>, FlowError> {
-    let rests = |(i, mode): (usize, &Mode)| (*mode == Mode::Rest).then_some(i);
-    let resting: Vec<usize> = at.modes.iter().enumerate().filter_map(rests).collect();
-    if resting.is_empty() {
-        return Ok(Vec::new());
-    }
+/// What is zero because contacts hold it: the speeds of those that stick, and the gaps of the presses at rest.
+pub(super) fn held(flow: &dyn Flow, at: &Place) -> Result<Vec<Row>, FlowError> {
+    let speeds = |place: &Place, of: Mode| -> Result<Vec<Row>, FlowError> {
+        if !at.modes.contains(&of) {
+            return Ok(Vec::new());
+        }
+        let all = at.modes.iter().zip(flow.contacts(place)?.all);
+        let held = all.filter(|(mode, _)| **mode == of);
+        Ok(held.map(|(_, contact)| contact.speed).collect())
+    };
+    // The gap of a press at rest is that which it has while it is open.
     let mut open = at.clone();
-    for press in &resting {
-        open.modes[*press] = Mode::Open;
+    for mode in open.modes.iter_mut().filter(|mode| **mode == Mode::Rest) {
+        *mode = Mode::Open;
     }
-    let all = flow.contacts(&open)?.all;
-    Ok(resting
-        .iter()
-        .map(|press| all[*press].speed.clone())
-        .collect())
+    let mut held = speeds(at, Mode::Stick)?;
+    held.extend(speeds(&open, Mode::Rest)?);
+    Ok(held)
 }
 
-/// Rates and gaps with their derivatives, each row in its own measure.
+/// Rates, speeds and gaps with their derivatives, each row in its own measure.
 #[derive(Debug, Clone)]
 pub(super) struct Rows {
     pub(super) residual: DVector<f64>,
@@ -39,29 +42,29 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// The same with one row more for each gap, divided by how much the usual states change it.
-    pub(super) fn with(self, gaps: &[Row], magnitude: &[f64]) -> Self {
+    /// The same with one row more for each of these, divided by how much the usual states change it.
+    pub(super) fn with(self, held: &[Row], magnitude: &[f64]) -> Self {
         let order = self.residual.len();
-        let sizes: Vec<f64> = gaps.iter().map(|gap| measure(gap, magnitude)).collect();
-        let gap = |i: usize| i.checked_sub(order).map(|i| (&gaps[i], sizes[i]));
-        let count = order + gaps.len();
+        let sizes: Vec<f64> = held.iter().map(|row| measure(row, magnitude)).collect();
+        let more = |i: usize| i.checked_sub(order).map(|i| (&held[i], sizes[i]));
+        let count = order + held.len();
         Self {
             residual: DVector::from_fn(count, |i, _| {
-                gap(i).map_or_else(|| self.residual[i], |(gap, size)| gap.value / size)
+                more(i).map_or_else(|| self.residual[i], |(row, size)| row.value / size)
             }),
             jacobian: DMatrix::from_fn(count, order, |i, j| {
-                gap(i).map_or_else(|| self.jacobian[(i, j)], |(gap, size)| gap.slopes[j] / size)
+                more(i).map_or_else(|| self.jacobian[(i, j)], |(row, size)| row.slopes[j] / size)
             }),
             design: DVector::from_fn(count, |i, _| {
-                gap(i).map_or_else(|| self.design[i], |(gap, size)| gap.design / size)
+                more(i).map_or_else(|| self.design[i], |(row, size)| row.design / size)
             }),
         }
     }
 
     /// As many combinations as there are states, in which these rows differ most; `None` if they cannot be told apart.
     ///
-    /// A reaction holds the second derivative of its gap at zero everywhere, so that where all combinations vanish, all rows
-    /// do.
+    /// A reaction holds the second derivative of its gap at zero everywhere, friction at rest the rate of its speed, so that
+    /// where all combinations vanish, all rows do.
     pub(super) fn combinations(&self) -> Option<DMatrix<f64>> {
         Some(svd(self.jacobian.clone())?.u?.transpose())
     }
@@ -76,8 +79,8 @@ impl Rows {
     }
 }
 
-fn measure(gap: &Row, magnitude: &[f64]) -> f64 {
-    let terms = gap.slopes.iter().zip(magnitude);
+fn measure(row: &Row, magnitude: &[f64]) -> f64 {
+    let terms = row.slopes.iter().zip(magnitude);
     let size: f64 = terms.map(|(slope, y)| (slope * y).abs()).sum();
     if size > 0.0 && size.is_finite() {
         size

@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
-use super::resting::closed_gaps;
+use super::resting::held;
 use crate::field::exact::Mode;
 use crate::linear::svd;
 use crate::motion::{Contacts, Flow, Modes, Place, Row, sticking};
@@ -128,13 +128,10 @@ impl Sought<'_> {
             let pairs = self.modes.iter().zip(&all);
             pairs.filter_map(|(mode, contact)| (*mode == Mode::Stick).then_some(contact))
         };
-        let held = stuck().zip(signs);
-        let limits = held.map(|(contact, sign)| limit(&contact.force, &contact.stick, *sign));
-        let speeds = stuck().map(|contact| contact.speed.clone());
-        let more: Vec<Row> = speeds
-            .chain(closed_gaps(self.flow, &self.place(state)).ok()?)
-            .chain(limits)
-            .collect();
+        let loaded = stuck().zip(signs);
+        let limits = loaded.map(|(contact, sign)| limit(&contact.force, &contact.stick, *sign));
+        let held = held(self.flow, &self.place(state)).ok()?;
+        let more: Vec<Row> = held.into_iter().chain(limits).collect();
         let order = f.len();
         let matrix = DMatrix::from_fn(order + more.len(), order, |i, j| {
             match i.checked_sub(order) {

@@ -23,21 +23,27 @@ pub(crate) fn fixed_modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<
 }
 
 impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
-    /// The reaction of each press that bears what rests on it.
-    fn reactions(&self, at: &Place) -> Vec<(usize, f64)> {
-        let rests = |i: &usize| at.modes[*i] == Mode::Rest;
-        let resting: Vec<usize> = (0..at.modes.len()).filter(rests).collect();
-        if resting.is_empty() {
+    /// How far each contact that holds something is from letting go: the reaction of a press at rest, and what friction that
+    /// sticks could bear besides.
+    fn reserves(&self, at: &Place) -> Vec<(usize, f64)> {
+        let binds = |i: &usize| at.modes[*i].binds();
+        let binding: Vec<usize> = (0..at.modes.len()).filter(binds).collect();
+        if binding.is_empty() {
             return Vec::new();
         }
         let place = place::<M, N>(at);
         let known = self.system().linear(&place.state, &place.mode);
-        let reaction = |i: usize| {
-            known
-                .as_ref()
-                .map_or(f64::NAN, |known| row(&known.force.as_ref()[i]).value)
+        let reserve = |i: usize| {
+            let Ok(known) = &known else {
+                return f64::NAN;
+            };
+            let force = row(&known.force.as_ref()[i]).value;
+            match at.modes[i] {
+                Mode::Stick => row(&known.stick.as_ref()[i]).value - force.abs(),
+                _ => force,
+            }
         };
-        resting.into_iter().map(|i| (i, reaction(i))).collect()
+        binding.into_iter().map(|i| (i, reserve(i))).collect()
     }
 }
 
@@ -123,7 +129,7 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
             .enumerate()
             .filter(|(_, sign)| *sign != 0.0)
             .map(|(i, sign)| (i, sign * speeds.as_ref()[i] - rounding.as_ref()[i]))
-            .chain(self.reactions(at))
+            .chain(self.reserves(at))
             .collect()
     }
 

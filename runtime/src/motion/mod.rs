@@ -93,8 +93,8 @@ pub trait Flow: Send + Sync {
         Ok(None)
     }
 
-    /// For each sliding contact its number and its relative speed the way it slides, for each press its gap or depth, or
-    /// the reaction to what rests on it: not positive beyond the mode.
+    /// For each sliding contact its number and its relative speed the way it slides, for each that sticks what it could bear
+    /// besides, for each press its gap or depth, or the reaction to what rests on it: not positive beyond the mode.
     fn margins(&self, _at: &Place) -> Vec<(usize, f64)> {
         Vec::new()
     }

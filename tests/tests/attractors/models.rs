@@ -1,6 +1,8 @@
 //! Systems with several motions whose shares are published.
 
 use stickslip::{friction_law, model};
+use stickslip_models::friction::Coulomb;
+use stickslip_models::press::{Compliant, Rigid};
 
 friction_law! {
     /// Friction that falls exponentially from rest to fast sliding.
@@ -55,5 +57,37 @@ model! {
         drive phi at 1.0;
         der(x) = v;
         der(v) = A * cos(phi) - delta * v - k3 * powi(x, 3);
+    }
+}
+
+model! {
+    /// A shaken mass that a spring presses the harder, the further it is (Feeny & Moon 1994, J. Sound Vib. 170, 303).
+    pub struct Pressed {
+        state x = 0.5;
+        state v = 0.0;
+        param zeta = 0.015;
+        param k = 1.5;
+        param a = 1.9;
+        param mu = 1.0 where mu >= 0.0;
+        drive phi at 1.25;
+        press N = Compliant { stiffness: k, damping: 0.0 } closing -1.0 / k - x;
+        friction F = Coulomb { level: mu * N } opposing v;
+        der(x) = v;
+        der(v) = F - 2.0 * zeta * v - x + a * cos(phi);
+    }
+}
+
+model! {
+    /// A ball that is slowed down between a wall that moves and one that does not.
+    pub struct Slowed {
+        state x = 0.5;
+        state v = 1.0;
+        param drag = 0.5;
+        param e = 0.9 where 0.0 <= e <= 1.0;
+        drive phi at 6.0;
+        press Left = Rigid { restitution: e } closing x - 0.05 * cos(phi);
+        press Right = Rigid { restitution: e } closing 1.0 - x;
+        der(x) = v;
+        der(v) = Left - Right - drag * v;
     }
 }

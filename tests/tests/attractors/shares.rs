@@ -6,7 +6,7 @@ use stickslip::study::{
     Case, Class, Dynamics, Found, Region, Sampling, Side, Survey, System, choose,
 };
 
-use crate::models::{Duffing, FrictionOscillator, Pendulum};
+use crate::models::{Duffing, FrictionOscillator, Pendulum, Pressed, Slowed};
 
 /// A region by the names of its states.
 pub(crate) fn region(info: &ModelInfo, sides: &[(&str, f64, f64)]) -> Region {
@@ -215,4 +215,25 @@ fn an_oscillator_with_a_cubic_spring_has_five_motions() {
             "{share} {published}"
         );
     }
+}
+
+#[test]
+fn a_ball_stops_anywhere_between_its_walls() {
+    let sides = [("x", 0.1, 0.9), ("v", -1.0, 1.0)];
+    let found = survey(&System::of::<Slowed, _>(), &[], &sides, (40, false), 1e-9);
+    let classes: Vec<Class> = found.found.iter().map(|one| one.attractor.class).collect();
+    assert_eq!(classes, [Class::Family], "{found:?}");
+}
+
+#[test]
+#[ignore = "long"]
+fn a_pressed_mass_sticks_for_good_or_roams() {
+    let sides = [("x", -2.0, 2.0), ("v", -2.0, 2.0)];
+    let found = survey(&System::of::<Pressed, _>(), &[], &sides, (40, false), 1e-9);
+    let classes: Vec<Class> = found.found.iter().map(|one| one.attractor.class).collect();
+    // Chaos comes back near many unstable orbits, on none of which it stays.
+    assert_eq!(classes, [Class::Chaos, Class::Sticking], "{found:?}");
+    // Friction k x + 1 holds what the spring and the force pull at all phases: x + a ≤ k x + 1.
+    let stuck = &found.found[1].attractor;
+    assert!(stuck.state[0] >= (1.9 - 1.0) / (1.5 - 1.0), "{stuck:?}");
 }

@@ -223,6 +223,53 @@ fn the_copy_of_the_drill_string_rests_where_the_thesis_says() {
     assert_eq!(hopf.len(), 2);
 }
 
+model! {
+    /// A motor that turns a load through a clutch.
+    struct Clutched {
+        state motor: rad/s = 90.0;
+        state load: rad/s = 80.0;
+        param J: kg*m^2 = 1.0 where J > 0.0;
+        param speed: rad/s = 100.0;
+        param gain: N*m*s = 3.0;
+        param drag: N*m*s = 1.2;
+        param cap: N*m = 100.0 where cap >= 0.0;
+        friction T: N*m = Coulomb { level: cap } opposing load - motor;
+        der(motor) = (gain * (speed - motor) - T) / J;
+        der(load) = (T - drag * load) / J;
+    }
+}
+
+#[test]
+fn what_a_contact_holds_alone_is_followed_until_it_slips() {
+    let system = System::of::<Clutched, _>();
+    let along = Along {
+        design: Design::Parameter(Clutched::cap.index),
+        from: 100.0,
+        to: 50.0,
+    };
+    let case = Case {
+        along: Some(along),
+        ..Case::declared(system.info(), Dynamics::Exact).at(100.0)
+    };
+    let branch = system.equilibria_along(&case).unwrap();
+    // Both turn alike at w = gain · speed/(gain + drag), and the clutch bears what drags there.
+    let together = 3.0 * 100.0 / 4.2;
+    for point in &branch.points {
+        assert_eq!(point.mode.as_deref(), Some("stick(T)"));
+        close(point.state[0], together, 1e-11);
+        close(point.state[1], together, 1e-11);
+        // Two inertias of one under drag and gain.
+        assert_eq!(point.eigenvalues.len(), 1);
+        close(point.eigenvalues[0].re, -2.1, 1e-12);
+    }
+    let [end] = branch.special.as_slice() else {
+        panic!("{:?}", branch.special);
+    };
+    assert_eq!(end.kind, Kind::BoundaryEquilibrium);
+    close(end.r, 1.2 * together, 1e-10);
+    assert!(branch.ended.reason.contains("the force that holds `T`"));
+}
+
 fn exact<M: Model<N>, const N: usize>(model: M, along: ParamId<M>) -> ExactFamily<M, N> {
     ExactFamily {
         model,

@@ -4,10 +4,11 @@ use super::copies;
 use super::ground::Ground;
 use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class};
+use super::returns::returns;
 use super::running::{Crossing, running, steady};
 use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
-use crate::flow::FlowError;
+use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, Place, apart, sticking};
 use crate::shooting::{Orbit, OrbitError, Search, settled};
 use crate::study::equilibria::{sliding_mode, spelt};
@@ -18,13 +19,12 @@ const PASSAGES: usize = 300;
 const REST: f64 = 1e-9;
 /// Over how many first passages a motion must have gone to be at rest.
 const SOON: f64 = 4.0;
-/// A rest and the equilibrium that it is are so far apart, in usual sizes.
+/// A rest and the equilibrium that it is are so far apart, in usual sizes, and a motion that has come back and its start.
 const NEAR: f64 = 1e-5;
-/// Returns this close, in usual sizes, on end, are those of an orbit.
+/// A motion leaves an orbit that has a larger multiplier.
+const LEAVES: f64 = 1.01;
+/// Returns this close, in usual sizes, may be those of an orbit.
 const CLOSE: f64 = 1e-3;
-const ON_END: usize = 4;
-/// Most crossings between them.
-const LONGEST: usize = 16;
 
 /// What a first look sees.
 enum Look {
@@ -73,26 +73,55 @@ impl Ground<'_> {
             segments: 1,
         };
         match settled(&self.family, 0.0, &search) {
-            Ok(orbit) => Ok(self.orbit(&orbit)),
+            Ok(orbit) if self.holds(&orbit, start)? => Ok(self.orbit(&orbit)),
+            Ok(orbit) => {
+                let reason = format!(
+                    "it comes back near an unstable orbit of the period {:.6e}, and does not stay there",
+                    orbit.period
+                );
+                self.roaming(start, may_roam, reason)
+            }
             Err(OrbitError::Equilibrium { state }) => self.rest(&self.flow.place(&state)?),
             Err(OrbitError::NotIsolated { state, .. }) => {
                 Ok(Attractor::bare(Class::Family, &state, None))
             }
             Err(OrbitError::Flow(error)) => Err(error),
-            Err(error) => {
-                let irregular = if may_roam {
-                    irregular(self, start)?
-                } else {
-                    None
-                };
-                let unsettled =
-                    || Attractor::bare(Class::Unsettled, start, Some(error.to_string()));
-                Ok(irregular.unwrap_or_else(unsettled))
-            }
+            Err(error) => self.roaming(start, may_roam, error.to_string()),
         }
     }
 
+    /// What a motion is that settles on no orbit: irregular, or not settled for a reason.
+    fn roaming(
+        &self,
+        start: &[f64],
+        may_roam: bool,
+        reason: String,
+    ) -> Result<Attractor, FlowError> {
+        let irregular = if may_roam {
+            irregular(self, start)?
+        } else {
+            None
+        };
+        let unsettled = || Attractor::bare(Class::Unsettled, start, Some(reason));
+        Ok(irregular.unwrap_or_else(unsettled))
+    }
+
+    /// Whether a motion that comes by an orbit stays there: an unstable one keeps only what begins on it.
+    fn holds(&self, orbit: &Orbit, start: &[f64]) -> Result<bool, FlowError> {
+        let multipliers = orbit.floquet.multipliers.iter();
+        if multipliers.fold(0.0, |most: f64, one| most.max(one.norm())) <= LEAVES {
+            return Ok(true);
+        }
+        let from = self.flow.place(start)?;
+        let end = self.flow.advance(&from, orbit.period, Want::default())?.end;
+        Ok(apart(&self.flow.wrapped(end.state), start, &self.usual) <= NEAR)
+    }
+
     pub(super) fn orbit(&self, orbit: &Orbit) -> Attractor {
+        let class = match orbit.pins.as_slice() {
+            [] => Class::Orbit,
+            _ => Class::Family,
+        };
         let found = Attractor {
             modes: orbit.place.modes.clone(),
             word: self.word(&orbit.segments),
@@ -102,7 +131,7 @@ impl Ground<'_> {
             points: orbit.section.clone(),
             section: self.flow.phase().unwrap_or(0),
             error: Some(orbit.error_estimate),
-            ..Attractor::bare(Class::Orbit, &orbit.place.state, None)
+            ..Attractor::bare(class, &orbit.place.state, None)
         };
         found.judged(&orbit.floquet.multipliers, orbit.floquet.stability)
     }
@@ -115,8 +144,9 @@ impl Ground<'_> {
             let mut found = Attractor::bare(Class::Sticking, &at.state, None);
             found.modes = at.modes.clone();
             found.word = spelt(info, &at.modes);
-            // The directions of the set, and those that sticking takes, say nothing of stability.
-            let spectrum = Spectrum::across(&jacobian, 2 * sticking(&at.modes));
+            // The directions of the set, those that sticking takes, and a drive's phase say nothing of stability.
+            let neutral = 2 * sticking(&at.modes) + usize::from(self.flow.phase().is_some());
+            let spectrum = Spectrum::across(&jacobian, neutral);
             return Ok(found.judged(&spectrum.eigenvalues, spectrum.stability));
         }
         let mut at = at.clone();
@@ -176,9 +206,13 @@ impl Ground<'_> {
         Ok(Look::Roaming(pursuit.place))
     }
 
-    /// Whether nothing moved in a passage of this length, and nothing would in another one.
+    /// Whether nothing moved in a passage of this length, and nothing would in another one. Under a drive that takes a whole
+    /// turn, and friction that holds through all of it.
     pub(super) fn rests(&self, passage: &Passage, time: f64) -> Result<bool, FlowError> {
-        if self.flow.phase().is_some() {
+        let drive = self.flow.phase();
+        if let Some(phase) = drive
+            && (minima(passage, phase).count() < 2 || sticking(&passage.end.modes) == 0)
+        {
             return Ok(false);
         }
         let still = |j: usize| {
@@ -195,12 +229,13 @@ impl Ground<'_> {
                 });
             high - low <= REST * self.usual[j]
         };
-        if !(0..self.usual.len()).all(still) {
+        let states = || (0..self.usual.len()).filter(|j| drive != Some(*j));
+        if !states().all(still) {
             return Ok(false);
         }
         let velocity = self.flow.velocity(&passage.end)?.f;
         let slow = |j: usize| velocity[j].abs() * time <= REST * self.usual[j];
-        Ok((0..self.usual.len()).all(slow))
+        Ok(states().all(slow))
     }
 
     /// Whether a difference of states changes nothing.
@@ -208,19 +243,4 @@ impl Ground<'_> {
         let shift: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
         copies::changes_nothing(self.flow.as_ref(), &shift, &self.usual).then_some(shift)
     }
-}
-
-/// Whether the last crossings, the latest first, come back, each this near to one a few before.
-pub(super) fn returns<'a>(
-    latest: impl Iterator<Item = &'a Vec<f64>>,
-    usual: &[f64],
-    close: f64,
-) -> bool {
-    let latest: Vec<&Vec<f64>> = latest.take(ON_END + LONGEST).collect();
-    (1..=LONGEST).any(|k| {
-        (0..ON_END).all(|i| {
-            let pair = latest.get(i).zip(latest.get(i + k));
-            pair.is_some_and(|(a, b)| apart(a, b, usual) <= close)
-        })
-    })
 }

@@ -15,6 +15,7 @@ mod ground;
 mod memo;
 mod pursuit;
 mod record;
+mod returns;
 mod running;
 mod scouted;
 mod setting;

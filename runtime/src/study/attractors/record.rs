@@ -19,7 +19,7 @@ words! {
     pub enum Class {
         /// A state of rest in which no contact sticks.
         Equilibrium = "equilibrium",
-        /// A state of rest in which contacts stick: one of a set.
+        /// A state of rest in which contacts stick, whatever a drive does: one of a set.
         Sticking = "sticking",
         /// A periodic orbit.
         Orbit = "orbit",
@@ -194,7 +194,8 @@ impl Attractor {
                     .max(apart(&self.max, &other.max, &units))
                     <= ALIKE
             }
-            Class::Family | Class::Escape | Class::Unsettled => true,
+            Class::Family => self.word == other.word,
+            Class::Escape | Class::Unsettled => true,
             Class::Failed => self.reason == other.reason,
         }
     }

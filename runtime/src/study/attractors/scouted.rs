@@ -3,12 +3,12 @@
 use std::collections::VecDeque;
 
 use super::basin::Basin;
-use super::closely::returns;
 use super::copies;
 use super::ground::Ground;
 use super::memo::Memo;
 use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class, Fate};
+use super::returns::{SETTLED, returns};
 use super::statistics::irregular;
 use super::trap::{Hold, Rest, Trap};
 use crate::bifurcation::Stability;
@@ -21,8 +21,6 @@ const SCOUTS: usize = 32;
 const PASSAGES: usize = 1500;
 /// Steps of the integrator for that.
 const STEPS: u64 = 2_000_000;
-/// Returns this close, in usual sizes, are those of a motion that has settled without being held.
-const SETTLED: f64 = 1e-7;
 /// Crossings that are looked back at.
 const BACK: usize = 20;
 /// Most passages of a scout that are kept.

@@ -3,6 +3,7 @@
 use super::ground::Ground;
 use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class};
+use super::returns::{SETTLED, returns};
 use crate::flow::FlowError;
 use crate::lyapunov::lyapunov;
 use crate::motion::Place;
@@ -48,8 +49,11 @@ struct Watched {
 }
 
 impl Watched {
-    /// What it is beyond doubt.
+    /// What it is beyond doubt; nothing irregular comes back on end.
     fn judged(self, ground: &Ground<'_>, taken: usize) -> Result<Option<Attractor>, FlowError> {
+        if returns(self.points.iter().rev(), &ground.usual, SETTLED) {
+            return Ok(None);
+        }
         let (first, second) = self.points.split_at(taken);
         let (first, second) = (mean(first), mean(second));
         let mut found = Attractor::bare(Class::Torus, &second, None);

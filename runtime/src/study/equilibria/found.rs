@@ -13,7 +13,7 @@ use crate::equilibrium::{
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::model::ModelInfo;
-use crate::motion::{Family, Flow, Modes, Place};
+use crate::motion::{Family, Flow, Modes, Place, apart};
 use crate::study::ended::Ended;
 use crate::study::error::StudyError;
 use crate::study::label::labels;
@@ -136,49 +136,47 @@ impl System {
         prove(&*self.enclosure(case, modes.as_deref()), &found.state)
     }
 
+    /// The equilibrium that is nearest to the start of the case: one that slides, or a single one that contacts hold.
     fn first(&self, case: &Case, family: &Family) -> Result<Place, StudyError> {
         let places = starts(&self.start(case));
         let flow = self.at(case)?;
         let modes = |y: &[f64]| sliding_modes(&*flow, self.info(), y);
         let r = self.beginning(case);
-        let found = places
+        let sliding = places
             .iter()
             .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
-        match found {
-            Some(first) => Ok(first.place),
-            None => self.resting(case, &*flow, &places),
-        }
-    }
-
-    /// The first single state, none of whose contacts sticks, that rests on what does not give way.
-    fn resting(
-        &self,
-        case: &Case,
-        flow: &dyn Flow,
-        places: &[Vec<f64>],
-    ) -> Result<Place, StudyError> {
+        let from = if sliding.is_some() { 1 } else { places.len() };
         let sets = if self.touches(case) {
-            sticking_sets(flow, places, &sticking_modes(flow, self.info()))
+            sticking_sets(
+                &*flow,
+                &places[..from],
+                &sticking_modes(&*flow, self.info()),
+            )
         } else {
             Vec::new()
         };
-        let stands = |set: &&StickingSet| set.dimension == 0 && !set.modes.contains(&Mode::Stick);
-        if let Some(single) = sets.iter().find(stands) {
-            return Ok(Place {
-                state: single.state.clone(),
-                modes: single.modes.clone(),
-            });
-        }
-        let sets = sets.iter().filter(|set| set.dimension > 0);
-        let modes: Vec<String> = sets
-            .filter_map(|set| spelt(self.info(), &set.modes))
-            .collect();
+        let single = sets.iter().filter(|set| set.dimension == 0);
+        let held = single.map(|set| Place {
+            state: set.state.clone(),
+            modes: set.modes.clone(),
+        });
+        let usual = vec![1.0; places[0].len()];
+        let far = |place: &Place| apart(&place.state, &places[0], &usual);
+        let found = sliding.map(|one| one.place).into_iter().chain(held);
+        found
+            .min_by(|a, b| far(a).total_cmp(&far(b)))
+            .ok_or_else(|| self.none(&sets, places.len()))
+    }
+
+    /// Why there is nothing to follow.
+    fn none(&self, sets: &[StickingSet], starts: usize) -> StudyError {
+        let modes = sets.iter().filter_map(|set| spelt(self.info(), &set.modes));
+        let modes: Vec<String> = modes.collect();
         if modes.is_empty() {
-            let starts = places.len();
-            return Err(StudyError::NoEquilibrium { starts });
+            return StudyError::NoEquilibrium { starts };
         }
         let modes = modes.join(", ");
-        Err(StudyError::OnlySets { modes })
+        StudyError::OnlySets { modes }
     }
 
     /// The exact system of which a case asks a smooth copy.
@@ -255,8 +253,11 @@ fn ended(
         let margin = walked.points.last().and_then(EquilibriumPoint::margin);
         let contact = margin.map_or(usize::MAX, |(contact, _)| contact);
         let name = info.contact(contact).unwrap_or("?");
-        ended.reason = if modes.get(contact) == Some(&Mode::Rest) {
+        let mode = modes.get(contact).copied();
+        ended.reason = if mode == Some(Mode::Rest) {
             format!("the reaction of `{name}` reaches zero, and with it this contact ends")
+        } else if mode == Some(Mode::Stick) {
+            format!("the force that holds `{name}` reaches its limit, and with it sticking ends")
         } else if contact < info.contacts.len() {
             format!(
                 "the relative speed of `{name}` reaches zero, and with it this way of sliding ends"
