@@ -155,6 +155,7 @@ impl<M: Model<N>, const N: usize> Subject<M, N> {
             period: orbit.period,
             magnitude,
             pins: Vec::new(),
+            shift: None,
             division: None,
         }
     }

@@ -77,6 +77,14 @@ impl<'a> Document<'a> {
         self.put(name, named)
     }
 
+    /// Values of all states, if there are any.
+    pub(super) fn maybe_states(self, name: &str, values: Option<&Vec<f64>>) -> Self {
+        match values {
+            Some(values) => self.states(name, values),
+            None => self,
+        }
+    }
+
     /// Names for the values in these fields, which belong to the states.
     pub(super) fn by_state(mut self, names: &[&str]) -> Self {
         for name in names {

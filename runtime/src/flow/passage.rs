@@ -94,3 +94,11 @@ pub struct Event<S> {
     /// Rate at which the guard of the contact fell; 0 where it only came near, or where others made it switch.
     pub rate: f64,
 }
+
+impl<S> Event<S> {
+    /// Whether the mode of a contact changes, or that of a press may.
+    #[must_use]
+    pub fn switches(&self) -> bool {
+        self.kind.is_switch() || self.mode.is_of_press()
+    }
+}

@@ -36,14 +36,15 @@ pub struct Harmonic {
 }
 
 /// The harmonics of these orders of the orbit of `family` at r that begins at `place` and has this period; its
-/// integration is held to `tolerance`, and to a tighter one for comparison.
+/// integration is held to `tolerance`, and to a tighter one for comparison. Of an orbit whose states gain `shift` once around
+/// they are those of what does not run on.
 ///
 /// # Errors
 /// The motion cannot be followed.
 pub fn harmonics(
     family: &Family,
     r: f64,
-    (place, period): (&Place, f64),
+    around: Around<'_>,
     orders: &[usize],
     tolerance: Tolerance,
 ) -> Result<Vec<Harmonic>, FlowError> {
@@ -51,12 +52,12 @@ pub fn harmonics(
     let (rough, fine) = (at(tolerance)?, at(tolerance.times(TIGHTER))?);
     let highest = orders.iter().copied().max().unwrap_or(0) as f64;
     let rate = match fine.phase() {
-        Some(phase) => fine.velocity(place)?.f[phase],
-        None => TAU / period,
+        Some(phase) => fine.velocity(around.place)?.f[phase],
+        None => TAU / around.period,
     };
     let panel = PANEL / ((1.0 + highest) * rate);
-    let rough = Motion::around(rough.as_ref(), place, period, 2.0 * panel)?;
-    let fine = Motion::around(fine.as_ref(), place, period, panel)?;
+    let rough = Motion::around(rough.as_ref(), around, 2.0 * panel)?;
+    let fine = Motion::around(fine.as_ref(), around, panel)?;
     let harmonic = |&order: &usize| {
         let (other, found) = (rough.amplitudes(order), fine.amplitudes(order));
         let error = |(j, (a, b)): (usize, (&Complex<f64>, &Complex<f64>))| {
@@ -72,6 +73,17 @@ pub fn harmonics(
     Ok(orders.iter().map(harmonic).collect())
 }
 
+/// An orbit whose harmonics are meant.
+#[derive(Debug, Clone, Copy)]
+pub struct Around<'a> {
+    /// Where it begins.
+    pub place: &'a Place,
+    /// Its period.
+    pub period: f64,
+    /// What the states gain once around, where it runs on; else nothing.
+    pub shift: &'a [f64],
+}
+
 /// A periodic motion at the nodes of a quadrature.
 struct Motion {
     period: f64,
@@ -85,25 +97,39 @@ struct Motion {
 impl Motion {
     /// Once around the orbit of this flow near `place`: under a drive, whose period is certain, from one correction of
     /// that place, if it brings the motion closer to where it began.
-    fn around(flow: &dyn Flow, place: &Place, period: f64, panel: f64) -> Result<Self, FlowError> {
-        let given = Self::follow(flow, place, period, panel)?;
+    fn around(flow: &dyn Flow, around: Around<'_>, panel: f64) -> Result<Self, FlowError> {
+        let given = Self::follow(flow, around, panel)?;
         if flow.phase().is_none() {
             return Ok(given);
         }
-        let corrected = corrected(flow, place, period, &given.gap)?;
-        let corrected = corrected.map(|place| Self::follow(flow, &place, period, panel));
+        let corrected = corrected(flow, around.place, around.period, &given.gap)?;
+        let corrected = corrected.map(|place| {
+            let place = &place;
+            Self::follow(flow, Around { place, ..around }, panel)
+        });
         Ok(match corrected {
             Some(Ok(other)) if other.gap.norm() < given.gap.norm() => other,
             _ => given,
         })
     }
 
-    fn follow(flow: &dyn Flow, place: &Place, period: f64, panel: f64) -> Result<Self, FlowError> {
+    fn follow(flow: &dyn Flow, around: Around<'_>, panel: f64) -> Result<Self, FlowError> {
+        let Around {
+            place,
+            period,
+            shift,
+        } = around;
         let want = Want {
             panel,
             ..Want::default()
         };
-        let passage = flow.advance(place, period, want)?;
+        let mut passage = flow.advance(place, period, want)?;
+        for (j, gain) in shift.iter().enumerate() {
+            passage.end.state[j] -= gain;
+            for node in &mut passage.nodes {
+                node.state[j] -= gain * node.time / period;
+            }
+        }
         let mut gap =
             DVector::from_vec(passage.end.state) - DVector::from_column_slice(&place.state);
         if let Some(phase) = flow.phase() {

@@ -61,7 +61,11 @@ fn compared(model: Row, accuracy: f64) -> Vec<(Harmonic, [Complex<f64>; 2])> {
         magnitude: [1.0; 5],
     });
     let place = family.at(0.0).unwrap().place(&start).unwrap();
-    let orbit = (&place, TAU / model.omega);
+    let orbit = Around {
+        place: &place,
+        period: TAU / model.omega,
+        shift: &[],
+    };
     let found = harmonics(&family, 0.0, orbit, &[1, 3, 5], tolerance).unwrap();
     found.into_iter().zip(expected).collect()
 }
@@ -135,7 +139,12 @@ fn an_orbit_without_a_drive_is_its_own_clock() {
         magnitude: [1.0; 2],
     });
     let place = family.at(0.0).unwrap().place(&[1.0, 0.0]).unwrap();
-    let found = harmonics(&family, 0.0, (&place, TAU), &[1, 2], tolerance).unwrap();
+    let around = Around {
+        place: &place,
+        period: TAU,
+        shift: &[],
+    };
+    let found = harmonics(&family, 0.0, around, &[1, 2], tolerance).unwrap();
     assert!((found[0].amplitude[0] - 1.0).abs() < 1e-10 && found[0].phase[0].abs() < 1e-10);
     assert!((found[0].phase[1] - 0.5 * PI).abs() < 1e-10, "{found:?}");
     assert!(found[1].amplitude[0] < 1e-10, "{found:?}");

@@ -4,6 +4,9 @@ pub mod enclosure;
 pub mod interval;
 #[doc(hidden)]
 pub mod slope;
+mod spread;
+
+pub(crate) use spread::Spread;
 
 use crate::scalar::Scalar;
 

@@ -10,7 +10,7 @@ use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
-use crate::motion::{Family, Place, Velocity, apart, half_extents};
+use crate::motion::{Family, Place, Velocity, apart};
 
 type Found = Corrected<Shot>;
 
@@ -40,6 +40,7 @@ pub(crate) fn problem(
     let magnitude = guess.magnitude.clone();
     let mut problem = OrbitProblem::new(family, phase, &division, guess.period, magnitude);
     problem.pins = guess.pins.clone();
+    problem.shift.clone_from(&guess.shift);
     Ok((problem, z))
 }
 
@@ -85,6 +86,7 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
     let (period, magnitude) = once_around(shot);
     Ok(Guess {
         pins: through(&shot.pins, &place.state),
+        shift: shot.gain(period),
         division: shot.division(&found.z).filter(|_| period == shot.period),
         place,
         period,
@@ -96,9 +98,8 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
 ///
 /// The motion may have gone around several times: the first return that repeats throughout closes it.
 pub(super) fn once_around(shot: &Shot) -> (f64, Vec<f64>) {
-    let (low, high) = shot.extent();
-    let magnitude = half_extents(&low, &high, &vec![1.0; low.len()]);
-    let minima: Vec<Vec<f64>> = shot.minima().map(|(_, state)| state).collect();
+    let magnitude = shot.magnitude(&vec![1.0; shot.start.state.len()]);
+    let minima = shot.points();
     let count = minima.len().max(1);
     let once = (1..count).filter(|k| count.is_multiple_of(*k)).find(|&k| {
         let same = |i: usize| apart(&minima[i], &minima[(i + k) % count], &magnitude);
@@ -120,6 +121,7 @@ impl Guess {
             period: found.z[found.z.len() - 1],
             magnitude: self.magnitude.clone(),
             pins: self.pins.clone(),
+            shift: found.linearisation.extra.shift.clone(),
             division: found.linearisation.extra.division(&found.z),
         }
     }

@@ -2,7 +2,8 @@
 
 use nalgebra::{DVector, RowDVector};
 
-use super::neutral::{Null, combinations, is_conserved};
+use super::echelon::Echelon;
+use super::neutral::{Null, is_conserved};
 use super::pin::{Condition, Pin, through};
 use super::problem::OrbitProblem;
 use super::shot::Shot;
@@ -50,6 +51,7 @@ impl OrbitProblem {
             let found = centred(flow, &at, &self.scale(), &self.magnitude, &free);
             self.pins.extend(found);
         }
+        self.run(&mut at);
         let holds = |pin: &&Pin| pin.centred.is_none_or(|state| free.contains(&state));
         let pins: Vec<Pin> = self.pins.iter().filter(holds).cloned().collect();
         for pin in &pins {
@@ -60,7 +62,7 @@ impl OrbitProblem {
                 },
                 None => pin.condition(&at.extra.start.state, &self.magnitude, z.len()),
             };
-            condition.enter(&pin.left, &mut at);
+            condition.enter(&self.holds(pin), &mut at);
         }
         at.extra.pins = through(&pins, &at.extra.start.state);
         if let Some(aside) = aside {
@@ -180,13 +182,13 @@ fn centred(
     free: &[usize],
 ) -> Vec<Pin> {
     let left = Null::of(at, scale).map_or_else(Vec::new, |null| null.left);
-    let combinations = combinations(&left, magnitude, free);
+    let combinations = Echelon::of(&left, magnitude.len(), free).conditions(magnitude);
     let pin = |(combination, left): (Vec<f64>, DVector<f64>)| {
         let state = free.iter().find(|&&state| combination[state] != 0.0)?;
         is_conserved(flow, &combination, &at.extra).then_some(Pin {
             combination,
             value: 0.0,
-            conserved: true,
+            direction: None,
             centred: Some(*state),
             left,
         })

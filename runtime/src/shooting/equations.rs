@@ -44,9 +44,12 @@ impl OrbitProblem {
                 for row in 0..order {
                     let (at, unit) = (i * order + row, self.magnitude[row]);
                     let mut gap = passage.end.state[row] - z[next + row];
-                    if flow.phase() == Some(row) && i + 1 == m {
-                        // Once around, the phase has turned a whole number of times, and at least once.
-                        gap -= TAU * (gap / TAU).round().max(1.0);
+                    if i + 1 == m {
+                        if flow.phase() == Some(row) {
+                            // Once around, the phase has turned a whole number of times, and at least once.
+                            gap -= TAU * (gap / TAU).round().max(1.0);
+                        }
+                        gap -= self.shift.as_ref().map_or(0.0, |shift| shift[row]);
                     }
                     h[at] = gap / unit;
                     h_r[at] = derivatives.design[row] / unit;
@@ -86,6 +89,7 @@ impl OrbitProblem {
                 drive: flow.phase(),
                 closure,
                 pins: Vec::new(),
+                shift: self.shift.clone(),
             },
         })
     }

@@ -46,11 +46,11 @@ pub(super) fn shorter(
     converge: impl Fn(&Guess) -> Option<Corrected<Shot>>,
 ) -> Result<Option<Guess>, FlowError> {
     for laps in LAPS {
-        let place = along(flow, shot, orbit.period / f64::from(laps))?;
-        if gap(flow, &place.state, orbit) > NEAR {
+        let guess = orbit.part(laps);
+        let place = along(flow, shot, guess.period)?;
+        if gap(flow, &place.state, &guess) > NEAR {
             continue;
         }
-        let guess = orbit.part(laps);
         let Some(found) = converge(&guess) else {
             continue;
         };
@@ -93,9 +93,13 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], F
 
 impl Guess {
     /// The same guess, once around of so many times.
-    fn part(&self, laps: u32) -> Self {
+    pub(crate) fn part(&self, laps: u32) -> Self {
         Self {
             period: self.period / f64::from(laps),
+            shift: self.shift.as_ref().map(|shift| {
+                let share = |gain: &f64| gain / f64::from(laps);
+                shift.iter().map(share).collect()
+            }),
             ..self.clone()
         }
     }
@@ -111,7 +115,7 @@ fn along(flow: &dyn Flow, shot: &Shot, time: f64) -> Result<Place, FlowError> {
     Ok(passage?.end)
 }
 
-/// How far a state is from the start of an orbit; out of reach where a drive is at another phase.
+/// How far the end of an orbit is from its start; out of reach where a drive is at another phase.
 fn gap(flow: &dyn Flow, state: &[f64], orbit: &Guess) -> f64 {
     let mut state = state.to_vec();
     if let Some(phase) = flow.phase() {
@@ -120,6 +124,9 @@ fn gap(flow: &dyn Flow, state: &[f64], orbit: &Guess) -> f64 {
             return f64::INFINITY;
         }
         state[phase] = orbit.place.state[phase];
+    }
+    for (y, gain) in state.iter_mut().zip(orbit.shift.iter().flatten()) {
+        *y -= gain;
     }
     apart(&state, &orbit.place.state, &orbit.magnitude)
 }

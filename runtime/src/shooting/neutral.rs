@@ -3,6 +3,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::anchor::problem;
+use super::echelon::Echelon;
 use super::guess::Guess;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
@@ -26,7 +27,7 @@ const DRIFT: f64 = 1e-9;
 /// How far a neighbour is sought, in units of the condition, and how well it must close.
 const ASIDE: f64 = 1e-3;
 const NEIGHBOUR: f64 = 1e-8;
-/// Share of its terms below which a sum of rates is none, and of its largest entry below which another is none.
+/// Share of its terms below which a sum of rates is none.
 const ROUNDING: f64 = 1e-8;
 
 /// Whether the equations at an orbit known roughly may be singular.
@@ -89,27 +90,31 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let (problem, z, at) = sharply(family, r, guess)?;
     let flow = problem.family.at(r).ok()?;
     let Null { left, right } = Null::of(&at, &problem.scale())?;
-    let constant = combinations(&left, &guess.magnitude, &[]);
+    let (order, magnitude) = (guess.magnitude.len(), &guess.magnitude);
+    let constant = Echelon::of(&left, order, &[]).conditions(magnitude);
     let conserved = constant
         .iter()
         .all(|c| is_conserved(flow.as_ref(), c, &at.extra));
-    let chosen = if conserved {
-        constant
+    let (chosen, directions) = if conserved {
+        let directions = constant.iter().map(|_| None).collect();
+        (constant, directions)
     } else {
         let free = |shift| is_free(flow.as_ref(), shift, &guess.magnitude, &at.extra);
         if !right.iter().all(free) {
             return None;
         }
-        combinations(&right, &guess.magnitude, &[])
+        let right = Echelon::of(&right, order, &[]);
+        let directions = right.directions(magnitude).into_iter().map(Some);
+        (right.conditions(magnitude), directions.collect::<Vec<_>>())
     };
+    let chosen = chosen.into_iter().zip(directions);
     let pins: Vec<Pin> = chosen
-        .into_iter()
         .zip(left)
-        .map(|(combination, left)| {
+        .map(|((combination, direction), left)| {
             let pin = Pin {
                 combination,
                 value: 0.0,
-                conserved,
+                direction,
                 centred: None,
                 left,
             };
@@ -148,51 +153,6 @@ fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<
         column *= *unit;
     }
     matrix
-}
-
-/// Combinations of the states with few entries that span these, given in units of the states: of each the largest entry
-/// is 1 or −1, and the first is positive. Each is the only one to hold one of the states `first`, while there are any.
-pub(super) fn combinations(
-    span: &[DVector<f64>],
-    magnitude: &[f64],
-    first: &[usize],
-) -> Vec<Vec<f64>> {
-    let order = magnitude.len();
-    let mut rows = DMatrix::from_fn(span.len(), order, |i, j| span[i][j]);
-    let mut left = first.to_vec();
-    for i in 0..rows.nrows() {
-        let size = |j: &usize| rows[(i, *j)].abs();
-        let preferred = left
-            .iter()
-            .copied()
-            .max_by(|a, b| size(a).total_cmp(&size(b)));
-        let preferred = preferred.filter(|j| size(j) > ROUNDING);
-        let pivot = preferred.unwrap_or_else(|| rows.row(i).transpose().iamax());
-        left.retain(|j| *j != pivot);
-        let head = rows[(i, pivot)];
-        let row = rows.row(i) / if head == 0.0 { 1.0 } else { head };
-        rows.set_row(i, &row);
-        for other in (0..rows.nrows()).filter(|&other| other != i) {
-            let change = rows.row(other) - &row * rows[(other, pivot)];
-            rows.set_row(other, &change);
-        }
-    }
-    rows.row_iter()
-        .map(|row| {
-            let heard = |share: f64| if share.abs() > ROUNDING { share } else { 0.0 };
-            let entry = |j: usize| heard(row[j]) / magnitude[j];
-            normalised((0..magnitude.len()).map(entry).collect())
-        })
-        .collect()
-}
-
-fn normalised(combination: Vec<f64>) -> Vec<f64> {
-    let largest = combination
-        .iter()
-        .fold(0.0_f64, |most, c| most.max(c.abs()));
-    let first = combination.iter().find(|c| **c != 0.0);
-    let size = largest.copysign(first.copied().unwrap_or(1.0));
-    combination.iter().map(|c| c / size).collect()
 }
 
 /// Whether a combination of the states has no rate anywhere on the way.

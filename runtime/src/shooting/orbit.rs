@@ -5,10 +5,10 @@ use nalgebra::DVector;
 use super::division::Division;
 use super::guess::Guess;
 use super::pin::{Pin, through};
-use super::shot::Shot;
+use super::shot::{Shot, usual};
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
-use crate::motion::{Event, Family, Place, Segment, half_extents, sticking};
+use crate::motion::{Event, Family, Place, Segment, sticking};
 
 /// A periodic orbit.
 #[derive(Debug, Clone)]
@@ -41,6 +41,8 @@ pub struct Orbit {
     pub section: Vec<Vec<f64>>,
     /// What is held in neutral directions: orbits beside it are orbits too.
     pub pins: Vec<Pin>,
+    /// What the states gain once around, where it runs on: a shift that changes nothing.
+    pub shift: Option<Vec<f64>>,
     /// Its segments, if errors grow so much along it that it was divided for shooting.
     pub division: Option<Division>,
     /// Where it stands on its branch.
@@ -129,6 +131,7 @@ impl Orbit {
         Self {
             r,
             pins: shot.pins.clone(),
+            shift: shot.shift.clone(),
             division: shot.division(z),
             place,
             calm,
@@ -149,7 +152,7 @@ impl Orbit {
             error_estimate: accuracy.max(residual),
             events: shot.events(),
             segments,
-            section: shot.minima().map(|(_, state)| state).collect(),
+            section: shot.points(),
             heading: Heading {
                 start: solution.start(),
                 tangent: None,
@@ -163,7 +166,8 @@ impl Orbit {
     /// Half the extent of each state; 1 for one that rests, and so has none to be measured against.
     #[must_use]
     pub fn magnitude(&self) -> Vec<f64> {
-        half_extents(&self.min, &self.max, &vec![1.0; self.min.len()])
+        let fallback = vec![1.0; self.min.len()];
+        usual(&self.min, &self.max, self.shift.as_deref(), &fallback)
     }
 
     /// The orbit as a guess of itself: at another tolerance, or of one nearby.
@@ -177,6 +181,7 @@ impl Orbit {
             place,
             period: self.period,
             magnitude: self.magnitude(),
+            shift: self.shift.clone(),
             division,
         }
     }

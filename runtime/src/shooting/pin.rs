@@ -9,6 +9,9 @@ use nalgebra::{DVector, RowDVector};
 
 use crate::continuation::Linearisation;
 
+/// A direction of any shift, with the number of the state that no other one moves.
+pub(super) type Free = (usize, Vec<f64>);
+
 /// A condition c·x = b on the start of an orbit in a neutral direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pin {
@@ -16,8 +19,8 @@ pub struct Pin {
     pub combination: Vec<f64>,
     /// b.
     pub value: f64,
-    /// Whether c·x never changes along the orbit; otherwise the orbit may be shifted along c.
-    pub conserved: bool,
+    /// Where c·x changes along the orbit, the direction in which that may be shifted.
+    pub(super) direction: Option<Free>,
     /// The internal state of a law whose swing is about the middle of its stops instead. It meets both at once where it
     /// begins to meet any, so that the orbits go on as those that do.
     pub(super) centred: Option<usize>,
@@ -31,6 +34,12 @@ pub(super) fn through(pins: &[Pin], state: &[f64]) -> Vec<Pin> {
 }
 
 impl Pin {
+    /// Whether c·x never changes along the orbit; otherwise that may be shifted.
+    #[must_use]
+    pub fn conserved(&self) -> bool {
+        self.direction.is_none()
+    }
+
     /// The same condition, fulfilled by this state.
     #[must_use]
     pub(super) fn through(mut self, state: &[f64]) -> Self {

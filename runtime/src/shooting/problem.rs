@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::division::{Division, Measure};
 use super::phase::Phase;
-use super::pin::Pin;
+use super::pin::{Pin, through};
 use super::shot::Shot;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
@@ -36,6 +36,8 @@ pub struct OrbitProblem {
     pub want: Want,
     /// What is held in neutral directions.
     pub pins: Vec<Pin>,
+    /// What the states gain once around a motion that runs on.
+    pub shift: Option<Vec<f64>>,
     /// The internal states of laws that swing about the middle of their stops where they meet neither.
     pub(super) centred: Vec<usize>,
     /// Work of all evaluations.
@@ -64,6 +66,7 @@ impl OrbitProblem {
             period,
             want: Want::SHOT,
             pins: Vec::new(),
+            shift: None,
             centred: Vec::new(),
             work: Work::default(),
             modes: division
@@ -194,7 +197,12 @@ impl ZeroProblem for OrbitProblem {
         }
         self.others = shot.turns();
         let division = match self.calmer(r, shot)? {
-            Some(place) => Some(Division::whole(place)),
+            Some(place) => {
+                if self.shift.is_some() {
+                    self.pins = through(&self.pins, &place.state);
+                }
+                Some(Division::whole(place))
+            }
             None => self.divided(z, r, shot)?,
         };
         let start = self.start(z, 0);
@@ -235,8 +243,8 @@ impl OrbitProblem {
         let [passage] = shot.passages.as_slice() else {
             return Ok(None);
         };
-        // What is held at the start may change along the orbit.
-        if self.pins.iter().any(|pin| !pin.conserved) {
+        // What is held at the start may change along the orbit; where that runs on, it may be held anywhere.
+        if self.shift.is_none() && self.pins.iter().any(|pin| !pin.conserved()) {
             return Ok(None);
         }
         let flow = self.family.at(r)?;

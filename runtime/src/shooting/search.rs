@@ -7,14 +7,18 @@ use super::guess::{Guess, Settled, settle};
 use super::least::parts;
 use super::neutral::neutral;
 use super::orbit::Orbit;
+use super::shift::Shifts;
 use super::stay::stays;
+use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
-use crate::motion::Family;
+use crate::motion::{Family, Flow, Place, half_extents};
 
 /// Magnitudes are far off if those of the motion are smaller by this factor.
 const COARSE: f64 = 1e-3;
 /// Accuracy to which it is told whether a motion comes back.
 const SHARP: f64 = 1e-9;
+/// A motion has come back as near as this to where it was, in half extents, after the period that is given.
+const RETURNED: f64 = 0.3;
 /// Returns that are all looked at; of later ones every eighth.
 const OFTEN: usize = 64;
 const SELDOM: usize = 8;
@@ -76,6 +80,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     let start = loose(&magnitude)?.place(&search.start)?;
     if let Some(period) = search.period {
         let guess = Guess {
+            shift: gained(loose(&magnitude)?.as_ref(), &start, period, &magnitude)?,
             place: start,
             period,
             magnitude,
@@ -109,6 +114,20 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             last: failed.last.map(Box::new),
         }),
     }
+}
+
+/// What the states gain in a period given, if it is little more than a shift that changes nothing.
+fn gained(
+    flow: &dyn Flow,
+    start: &Place,
+    period: f64,
+    magnitude: &[f64],
+) -> Result<Option<Vec<f64>>, FlowError> {
+    let passage = flow.advance(start, period, Want::default())?;
+    let gain = passage.end.state.iter().zip(&start.state);
+    let gain: Vec<f64> = gain.map(|(end, start)| end - start).collect();
+    let units = half_extents(&passage.calm.low, &passage.calm.high, magnitude);
+    Ok(Shifts::of(flow, magnitude).within(&gain, &units, RETURNED))
 }
 
 /// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the

@@ -31,6 +31,28 @@ pub struct Shot {
     pub closure: f64,
     /// What is held in neutral directions.
     pub pins: Vec<Pin>,
+    /// What the states gain once around a motion that runs on.
+    pub shift: Option<Vec<f64>>,
+}
+
+/// Half the extent of each state; `fallback` where it has none. Where states gain a shift once around, they swing about what
+/// they gain, and others about what makes them gain it: their largest magnitudes count then, and radians of the shift.
+pub(super) fn usual(
+    low: &[f64],
+    high: &[f64],
+    shift: Option<&[f64]>,
+    fallback: &[f64],
+) -> Vec<f64> {
+    let Some(shift) = shift else {
+        return half_extents(low, high, fallback);
+    };
+    let widest = |j: usize| match shift[j] {
+        0.0 => low[j].abs().max(high[j].abs()),
+        gain => gain.abs() / TAU,
+    };
+    let wide: Vec<f64> = (0..low.len()).map(widest).collect();
+    let below: Vec<f64> = wide.iter().map(|size| -size).collect();
+    half_extents(&below, &wide, fallback)
 }
 
 /// Most places at which an orbit is begun anew.
@@ -77,7 +99,7 @@ impl Shot {
     /// Half the extent of each state; `fallback` where it has none.
     pub(super) fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
         let (low, high) = self.extent();
-        half_extents(&low, &high, fallback)
+        usual(&low, &high, self.shift.as_deref(), fallback)
     }
 
     /// The factors of Φ once around, if they were wanted.
@@ -147,8 +169,7 @@ impl Shot {
     pub(super) fn switches_near(&self, time: f64, share: f64) -> bool {
         let near = |event: &Event| {
             let turns = (event.time - time) / self.period;
-            (event.kind.is_switch() || event.mode.is_of_press())
-                && (turns - turns.round()).abs() < share
+            event.switches() && (turns - turns.round()).abs() < share
         };
         match self.passages.as_slice() {
             [passage] => passage.events.iter().any(near),
@@ -177,11 +198,35 @@ impl Shot {
         (phi, trace)
     }
 
-    /// Time and state of each minimum of the first state in [0, T), the start included once if it is one; with a drive,
+    /// The state whose minima are the section, the first that does not run on; with a drive, its phase.
+    fn section(&self) -> usize {
+        let closes = |j: &usize| self.shift.as_ref().is_none_or(|shift| shift[*j] == 0.0);
+        let first = || (0..self.start.state.len()).find(closes);
+        self.drive.or_else(first).unwrap_or(0)
+    }
+
+    /// What the states gain in this part of the period.
+    pub(super) fn gain(&self, time: f64) -> Option<Vec<f64>> {
+        let share = time / self.period;
+        let gain = |shift: &Vec<f64>| shift.iter().map(|gain| share * gain).collect();
+        self.shift.as_ref().map(gain)
+    }
+
+    /// The minima as they would be if nothing ran on: those of one lap are those of the next.
+    pub(super) fn points(&self) -> Vec<Vec<f64>> {
+        let still = |(time, mut state): (f64, Vec<f64>)| {
+            let run = self.shift.iter().flatten().zip(&mut state);
+            run.for_each(|(gain, y)| *y -= gain * time / self.period);
+            state
+        };
+        self.minima().map(still).collect()
+    }
+
+    /// Time and state of each minimum of the section's state in [0, T), the start included once if it is one; with a drive,
     /// of each beginning of its phase.
     pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
         let near = INSTANT * self.period;
-        let section = self.drive.unwrap_or(0);
+        let section = self.section();
         let passages = self.passages.iter().zip(&self.begins);
         let all = passages.flat_map(move |(passage, begin)| {
             let minima = passage
@@ -197,21 +242,22 @@ impl Shot {
         start.into_iter().chain(inside)
     }
 
-    /// Whether the first state is least at the start; with a drive, whether its phase begins there.
+    /// Whether the section's state is least at the start; with a drive, whether its phase begins there.
     pub(super) fn starts_on_section(&self) -> bool {
         if let Some(phase) = self.drive {
             let turns = self.start.state[phase] / TAU;
             return (turns - turns.round()).abs() <= INSTANT;
         }
+        let section = self.section();
         let terms = self
             .velocity
             .jacobian
-            .row(0)
+            .row(section)
             .transpose()
             .component_mul(&self.velocity.f);
         let (bend, size) = terms.iter().fold((0.0, 0.0), |(sum, size), term| {
             (sum + term, size + term.abs())
         });
-        self.velocity.f[0].abs() <= INSTANT * self.period * size && bend > 0.0
+        self.velocity.f[section].abs() <= INSTANT * self.period * size && bend > 0.0
     }
 }

@@ -3,6 +3,7 @@
 use super::error::OrbitError;
 use super::guess::Guess;
 use super::orbit::Orbit;
+use super::shift::unshifted;
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};
@@ -36,8 +37,7 @@ pub(super) fn stays(
 fn begins(flow: &dyn Flow, start: &[f64], guess: &Guess, orbit: &Orbit) -> Result<bool, FlowError> {
     let place = flow.place(start)?;
     let end = flow.advance(&place, orbit.period, Default::default())?.end;
-    let apart = |a: &[f64], b: &[f64]| distance(a, b, guess, flow.phase());
-    if apart(&end.state, start) > ON {
+    if orbit.far(&end.state, start, guess, flow.phase()) > ON {
         return Ok(false);
     }
     let section = Section::usual(flow.phase());
@@ -72,13 +72,20 @@ fn approaches(flow: &dyn Flow, guess: &Guess, orbit: &Orbit) -> Result<bool, Flo
 /// The distance of a point of the section to the nearest one of the orbit.
 fn to_orbit(state: &[f64], orbit: &Orbit, guess: &Guess, phase: Option<usize>) -> f64 {
     let points = orbit.section.iter().chain([&orbit.place.state]);
-    let distances = points.map(|point| distance(state, point, guess, phase));
+    let distances = points.map(|point| orbit.far(state, point, guess, phase));
     distances.fold(f64::INFINITY, f64::min)
 }
 
-/// The distance of two states but for the phase of a drive.
-fn distance(a: &[f64], b: &[f64], guess: &Guess, phase: Option<usize>) -> f64 {
-    let states = (0..a.len()).filter(|j| phase != Some(*j));
-    let share = |j: usize| (a[j] - b[j]).abs() / guess.magnitude[j];
-    states.map(share).fold(0.0, f64::max)
+impl Orbit {
+    /// The distance of a state from a point, but for the phase of a drive, and for whole shifts where it runs on.
+    fn far(&self, state: &[f64], point: &[f64], guess: &Guess, phase: Option<usize>) -> f64 {
+        let moved = self
+            .shift
+            .as_ref()
+            .map(|shift| unshifted(state, point, shift));
+        let state = moved.as_deref().unwrap_or(state);
+        let states = (0..state.len()).filter(|j| phase != Some(*j));
+        let share = |j: usize| (state[j] - point[j]).abs() / guess.magnitude[j];
+        states.map(share).fold(0.0, f64::max)
+    }
 }

@@ -192,6 +192,7 @@ fn computed_orbits_reach_their_enclosures() {
                 period: orbit.period,
                 magnitude: orbit.magnitude(),
                 pins: Vec::new(),
+                shift: None,
                 division: None,
             };
             let certificate = certify(&family, 0.0, &guess, accuracy).expect("a certificate");

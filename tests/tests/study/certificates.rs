@@ -51,6 +51,7 @@ fn computed(orbit: &Orbit) -> Guess {
         period: orbit.period,
         magnitude: orbit.magnitude(),
         pins: Vec::new(),
+        shift: None,
         division: None,
     }
 }
@@ -333,6 +334,7 @@ fn a_family_of_orbits_is_singular() {
         period: std::f64::consts::TAU,
         magnitude: vec![1.0; 2],
         pins: Vec::new(),
+        shift: None,
         division: None,
     };
     let answer = certify(&family, 0.0, &guess, 1e-9);

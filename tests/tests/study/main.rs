@@ -8,4 +8,5 @@ mod neutral;
 mod news;
 mod periods;
 mod proofs;
+mod running;
 mod trade;

@@ -224,6 +224,7 @@ fn set_out(
         period: orbit.period,
         magnitude: branch.problem.magnitude.clone(),
         pins: Vec::new(),
+        shift: None,
         division: None,
     };
     let family = branch.problem.family.clone();

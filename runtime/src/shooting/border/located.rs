@@ -45,7 +45,7 @@ pub(in crate::shooting) fn edge(
     work: &mut Work,
     (wanted, fits): (impl Fn(&Border) -> bool, impl Fn(&Edge) -> bool),
 ) -> Option<Edge> {
-    if !orbit.pins.is_empty() {
+    if !orbit.pins.is_empty() || orbit.shift.is_some() {
         return None;
     }
     let flow = family.at(orbit.r).ok()?;
@@ -129,6 +129,7 @@ fn read(
         drive: flow.phase(),
         closure: residual,
         pins: Vec::new(),
+        shift: None,
     };
     let z = OrbitProblem::unknowns(std::slice::from_ref(&sides.start), period);
     let solution = Solution {

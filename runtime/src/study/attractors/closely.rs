@@ -1,16 +1,15 @@
 //! A start looked at closely: what it settles on, polished as far as it can be.
 
-use super::copies;
 use super::ground::Ground;
 use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class};
 use super::returns::returns;
-use super::running::{Crossing, running, steady};
+use super::running::{Crossing, running, slides, steady};
 use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
 use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, Place, apart, sticking};
-use crate::shooting::{Orbit, OrbitError, Search, settled};
+use crate::shooting::{Orbit, OrbitError, Search, changes_nothing, settled};
 use crate::study::equilibria::{sliding_mode, spelt};
 
 /// Passages in which it is looked for rest, for a motion that runs, and for returns.
@@ -118,16 +117,20 @@ impl Ground<'_> {
     }
 
     pub(super) fn orbit(&self, orbit: &Orbit) -> Attractor {
-        let class = match orbit.pins.as_slice() {
-            [] => Class::Orbit,
-            _ => Class::Family,
+        let class = match (&orbit.shift, orbit.pins.as_slice()) {
+            (Some(_), _) => Class::Running,
+            (None, []) => Class::Orbit,
+            (None, _) => Class::Family,
         };
+        let shift = orbit.shift.as_ref();
         let found = Attractor {
             modes: orbit.place.modes.clone(),
             word: self.word(&orbit.segments),
             period: Some(orbit.period),
             min: orbit.min.clone(),
             max: orbit.max.clone(),
+            slides: shift.is_some_and(|shift| slides(self, shift)),
+            shift: orbit.shift.clone(),
             points: orbit.section.clone(),
             section: self.flow.phase().unwrap_or(0),
             error: Some(orbit.error_estimate),
@@ -241,6 +244,6 @@ impl Ground<'_> {
     /// Whether a difference of states changes nothing.
     pub(super) fn is_copy(&self, a: &[f64], b: &[f64]) -> Option<Vec<f64>> {
         let shift: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
-        copies::changes_nothing(self.flow.as_ref(), &shift, &self.usual).then_some(shift)
+        changes_nothing(self.flow.as_ref(), &shift, &self.usual).then_some(shift)
     }
 }

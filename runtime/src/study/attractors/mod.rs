@@ -9,7 +9,6 @@
 mod areas;
 mod basin;
 mod closely;
-mod copies;
 mod edge;
 mod ground;
 mod memo;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::setting::Sampling;
 use crate::bifurcation::Stability;
 use crate::motion::{Modes, apart};
+use crate::shooting::{slid, unshifted};
 use crate::study::question::Along;
 use crate::words::words;
 
@@ -55,6 +56,8 @@ pub struct Attractor {
     pub period: Option<f64>,
     /// What is added to the states in one period, or, where none of them turns, in a unit of time.
     pub shift: Option<Vec<f64>>,
+    /// Whether any share of that changes nothing, too.
+    pub slides: bool,
     /// Smallest value of each state, as far as it was seen.
     pub min: Vec<f64>,
     /// Largest value of each state.
@@ -153,6 +156,7 @@ impl Attractor {
             word: None,
             period: None,
             shift: None,
+            slides: false,
             min: state.to_vec(),
             max: state.to_vec(),
             points: Vec::new(),
@@ -230,7 +234,8 @@ impl Attractor {
     /// How far a state is from a point, but for whole shifts.
     pub(super) fn unshifted(&self, state: &[f64], point: &[f64], units: &[f64]) -> f64 {
         match &self.shift {
-            Some(shift) => apart(&super::copies::unshifted(state, point, shift), point, units),
+            Some(shift) if self.slides => apart(&slid(state, point, shift), point, units),
+            Some(shift) => apart(&unshifted(state, point, shift), point, units),
             None => apart(state, point, units),
         }
     }

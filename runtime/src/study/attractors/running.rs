@@ -2,13 +2,13 @@
 
 use nalgebra::DVector;
 
-use super::copies;
 use super::ground::{Ground, ROUGH};
 use super::record::{Attractor, Class};
 use crate::bifurcation::floquet;
 use crate::equilibrium::Spectrum;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, apart, sticking};
+use crate::shooting::changes_nothing;
 
 /// Most crossings in one period.
 const LONGEST: usize = 8;
@@ -33,7 +33,7 @@ pub(super) fn running(
     else {
         return Ok(None);
     };
-    if !copies::changes_nothing(ground.flow.as_ref(), &shift, &ground.usual) {
+    if !changes_nothing(ground.flow.as_ref(), &shift, &ground.usual) {
         return Ok(None);
     }
     let last = &crossings[crossings.len() - count - 1..];
@@ -53,7 +53,7 @@ pub(super) fn steady(
     let [before, after] = [&passage.calm.place, &passage.end].map(|place| flow.velocity(place));
     let (before, after) = (before?, after?);
     let rates = after.f.as_slice();
-    // Shifts of a usual size, of which no two are parts of each other.
+    // A shift of a usual size.
     let fastest = rates
         .iter()
         .zip(&ground.usual)
@@ -61,9 +61,8 @@ pub(super) fn steady(
     let time = 1.0 / fastest.fold(0.0, f64::max);
     let shifted =
         |share: f64| -> Vec<f64> { rates.iter().map(|rate| share * time * rate).collect() };
-    let free = |share| copies::changes_nothing(flow, &shifted(share), &ground.usual);
     let constant = (&before.f - &after.f).amax() <= SETTLED * after.f.amax();
-    if !(constant && time.is_finite() && free(1.0) && free(0.618_034)) {
+    if !(constant && time.is_finite() && slides(ground, &shifted(1.0))) {
         return Ok(None);
     }
     let mut found = Attractor::bare(Class::Running, &passage.end.state, None);
@@ -77,6 +76,15 @@ pub(super) fn steady(
     Ok(Some(
         found.judged(&spectrum.eigenvalues, spectrum.stability),
     ))
+}
+
+/// Whether any share of a shift changes nothing.
+pub(super) fn slides(ground: &Ground<'_>, shift: &[f64]) -> bool {
+    // No two are parts of each other.
+    [1.0, 0.618_034].iter().all(|share| {
+        let part: Vec<f64> = shift.iter().map(|gain| share * gain).collect();
+        changes_nothing(ground.flow.as_ref(), &part, &ground.usual)
+    })
 }
 
 /// What the states gain in the last two times `count` crossings alike, if some do.
@@ -154,6 +162,7 @@ fn read(
     found.section = section;
     found.modes = place.modes;
     found.period = Some(period);
+    found.slides = slides(ground, &shift);
     found.shift = Some(shift);
     Ok(found)
 }

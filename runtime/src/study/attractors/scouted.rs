@@ -3,7 +3,6 @@
 use std::collections::VecDeque;
 
 use super::basin::Basin;
-use super::copies;
 use super::ground::Ground;
 use super::memo::Memo;
 use super::pursuit::{Pursuit, minima};
@@ -14,6 +13,7 @@ use super::trap::{Hold, Rest, Trap};
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::Passage;
+use crate::shooting::unshifted;
 
 /// Starts that are looked at closely before any other.
 const SCOUTS: usize = 32;
@@ -194,7 +194,7 @@ impl<'a> Scouted<'a> {
     pub(super) fn same(&self, a: &Attractor, b: &Attractor) -> bool {
         let moved = |shift: &Vec<f64>| {
             let mut moved = b.clone();
-            moved.state = copies::unshifted(&b.state, &a.state, shift);
+            moved.state = unshifted(&b.state, &a.state, shift);
             moved
         };
         let resting = a.class == Class::Equilibrium;

@@ -1,6 +1,6 @@
 //! Where starts lie.
 
-use crate::study::work::Spread;
+use crate::math::Spread;
 
 /// A side of a region of starts.
 #[derive(Debug, Clone, Copy, PartialEq)]

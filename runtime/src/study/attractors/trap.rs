@@ -1,10 +1,10 @@
 //! Regions of states whose future is known: around orbits.
 
-use super::copies;
 use super::pursuit::{Pursuit, minima};
 use super::record::Attractor;
 use crate::bifurcation::Stability;
 use crate::motion::{Flow, Place};
+use crate::shooting::unshifted;
 
 /// Sizes tried, in half extents of the orbit.
 const SIZES: [f64; 6] = [0.3, 0.1, 0.03, 0.01, 3e-3, FAINT];
@@ -171,6 +171,6 @@ impl Rest {
         inside(&place.state)
             || shifts
                 .iter()
-                .any(|shift| inside(&copies::unshifted(&place.state, &self.state, shift)))
+                .any(|shift| inside(&unshifted(&place.state, &self.state, shift)))
     }
 }

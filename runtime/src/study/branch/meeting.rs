@@ -21,9 +21,8 @@ const DOUBT: f64 = 2.0;
 pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Option<f64>) {
     let orbit = &met.point;
     let guess = Guess {
-        period: 0.5 * orbit.period,
         division: None,
-        ..orbit.guess()
+        ..orbit.guess().part(2)
     };
     let ahead = last.map_or(0.0, |last| (met.r - last).abs());
     match converge(&sought.family, met.r, &guess, &sought.search) {

@@ -4,7 +4,7 @@ use super::held::Held;
 use super::record::{CertifiedOrbit, OrbitRecord};
 use super::sought::Sought;
 use crate::flow::FlowError;
-use crate::harmonics::{Harmonic, harmonics};
+use crate::harmonics::{Around, Harmonic, harmonics};
 use crate::integrate::Tolerance;
 use crate::motion::word;
 use crate::shooting::{Guess, Orbit, certify};
@@ -54,7 +54,11 @@ impl Sought<'_> {
             return Ok(Vec::new());
         }
         let family = self.family.with_magnitude(&orbit.magnitude());
-        let around = (&orbit.place, orbit.period);
+        let around = Around {
+            place: &orbit.place,
+            period: orbit.period,
+            shift: orbit.shift.as_deref().unwrap_or_default(),
+        };
         let tolerance = Tolerance::for_accuracy(self.case.accuracy);
         let mut found = harmonics(&family, orbit.r, around, orders, tolerance)?;
         // The period of a driven orbit is certain, and its start has been corrected.
@@ -83,6 +87,7 @@ impl Sought<'_> {
             max_abs: orbit.max_abs(),
             period_count: orbit.period_count,
             section: orbit.section.clone(),
+            shift: orbit.shift.clone(),
             floquet: orbit.floquet.clone(),
             held: orbit
                 .pins

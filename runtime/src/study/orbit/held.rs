@@ -37,7 +37,7 @@ impl Held {
         Self {
             combination,
             value: pin.value,
-            conserved: pin.conserved,
+            conserved: pin.conserved(),
         }
     }
 }

@@ -31,6 +31,8 @@ pub struct OrbitRecord {
     pub period_count: usize,
     /// Its points on the default section, in the order of time.
     pub section: Vec<Vec<f64>>,
+    /// What the states gain once around, where it runs on: a shift that changes nothing.
+    pub shift: Option<Vec<f64>>,
     /// Multipliers and what they say.
     pub floquet: Floquet,
     /// What is held in neutral directions, in which orbits beside it are orbits too.

@@ -67,6 +67,7 @@ impl Shooting {
             period: self.period,
             magnitude: half_extents(&self.min, &self.max, &vec![1.0; self.min.len()]),
             pins: Vec::new(),
+            shift: None,
             division: None,
         }
     }
@@ -148,6 +149,7 @@ pub(super) fn follow(
                 period: last.extra.period,
                 magnitude: half_extents(&min, &max, &vec![1.0; min.len()]),
                 pins: Vec::new(),
+                shift: None,
                 division: None,
             };
             Ok((guess, branch.problem.work))

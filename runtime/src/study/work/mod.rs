@@ -5,10 +5,8 @@ mod list;
 mod parallel;
 mod rows;
 mod share;
-mod spread;
 
 pub use list::{Item, List, Watch};
 pub use parallel::{parallel, parallel_on};
 pub use rows::Rows;
 pub use share::Share;
-pub(in crate::study) use spread::Spread;

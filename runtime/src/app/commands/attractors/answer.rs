@@ -211,19 +211,15 @@ fn motion<'a>(info: &'a ModelInfo, found: &Found) -> Document<'a> {
 }
 
 fn kind<'a>(info: &'a ModelInfo, one: &Attractor) -> Document<'a> {
-    let document = Document::new(info)
+    Document::new(info)
         .put("motion", one.class)
         .maybe("word", one.word.as_ref())
         .maybe("period", one.period)
         .states("state", &one.state)
         .states("min", &one.min)
         .states("max", &one.max)
-        .maybe("stability", one.stability);
-    let document = match &one.shift {
-        Some(shift) => document.states("shift", shift),
-        None => document,
-    };
-    document
+        .maybe("stability", one.stability)
+        .maybe_states("shift", one.shift.as_ref())
         .put("multipliers", &one.multipliers)
         .maybe("exponent", one.exponent)
         .maybe("error", one.error)

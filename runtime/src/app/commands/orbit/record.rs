@@ -41,6 +41,7 @@ pub(in crate::app::commands) fn point<'a>(
         .states("min", &orbit.min)
         .states("max_abs", &orbit.max_abs)
         .put("period_count", orbit.period_count)
+        .maybe_states("shift", orbit.shift.as_ref())
         .put("multipliers", &floquet.multipliers)
         .put("log_abs_multipliers", logs.collect::<Vec<_>>())
         .put("trivial_multiplier_error", trivial)
@@ -162,14 +163,16 @@ fn period(info: &ModelInfo, orbit: &OrbitRecord) -> String {
 
 fn states(info: &ModelInfo, orbit: &OrbitRecord) -> String {
     let digits = digits(orbit.error_estimate);
-    let mut lines = "state\tstart\tmin\tmax\tmax abs\n".to_owned();
+    let gain = if orbit.shift.is_some() { "\tgain" } else { "" };
+    let mut lines = format!("state\tstart\tmin\tmax\tmax abs{gain}\n");
     for (j, state) in info.states.iter().enumerate() {
         let largest = orbit.max_abs.get(j).copied().unwrap_or(0.0);
         let show = |value: f64| {
             let rounding = value.abs() <= f64::EPSILON * largest;
             number(if rounding { 0.0 } else { value }, digits)
         };
-        let columns = [&orbit.state, &orbit.min, &orbit.max, &orbit.max_abs];
+        let columns = [&orbit.state, &orbit.min, &orbit.max, &orbit.max_abs].into_iter();
+        let columns = columns.chain(&orbit.shift);
         let values = columns.map(|column| column.get(j).copied().map_or(String::new(), show));
         lines += &line([label(state.name, state.unit)].into_iter().chain(values));
     }

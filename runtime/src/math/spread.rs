@@ -6,13 +6,13 @@ const ITERATIONS: usize = 64;
 /// The additive sequence of the root g of g^(d+1) = g + 1 in d dimensions (Roberts 2018): point k depends on nothing but
 /// k, and any first n of them fill the unit cube evenly.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(in crate::study) struct Spread {
+pub(crate) struct Spread {
     /// Shares of a turn of 2⁶⁴.
     steps: Vec<u64>,
 }
 
 impl Spread {
-    pub(in crate::study) fn new(dimension: usize) -> Self {
+    pub(crate) fn new(dimension: usize) -> Self {
         let power = 1.0 / (dimension as f64 + 1.0);
         let root = (0..ITERATIONS).fold(2.0_f64, |root, _| (1.0 + root).powf(power));
         let step = |j: usize| (root.powi(-(j as i32) - 1) * 2.0_f64.powi(64)) as u64;
@@ -21,7 +21,7 @@ impl Spread {
     }
 
     /// Point number `k`, each coordinate between 0 and 1.
-    pub(in crate::study) fn point(&self, k: usize) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn point(&self, k: usize) -> impl Iterator<Item = f64> + '_ {
         self.steps.iter().map(move |step| {
             let turned = step.wrapping_mul(k as u64 + 1).wrapping_add(1 << 63);
             (turned >> 11) as f64 * 2.0_f64.powi(-53)

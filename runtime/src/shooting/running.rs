@@ -1,0 +1,62 @@
+//! Motions that run on: orbits but for a shift that changes nothing.
+//!
+//! Along a direction d of any shift the gain once around is no condition but a result: with p the state that no other such
+//! direction moves, s = (φ − x)ₚ/dₚ is taken out of the equations of all states, and the one of p is free for a condition
+//! that holds the orbit along d.
+
+use nalgebra::DVector;
+
+use super::pin::{Free, Pin};
+use super::problem::OrbitProblem;
+use super::shot::Shot;
+use crate::continuation::Linearisation;
+
+impl OrbitProblem {
+    /// Lets a motion that runs on gain what it does along each direction of any shift.
+    pub(super) fn run(&self, at: &mut Linearisation<Shot>) {
+        if self.shift.is_none() {
+            return;
+        }
+        for free in self.pins.iter().filter_map(|pin| pin.direction.as_ref()) {
+            let along = self.release(at, free);
+            let shift = at.extra.shift.iter_mut().flatten();
+            shift.zip(&free.1).for_each(|(gain, d)| *gain += along * d);
+        }
+        at.extra.closure = at.residual.rows(0, at.residual.len() - 1).norm();
+    }
+
+    /// Takes what the states gain along a direction out of the equations of closing, and says how much that is. The equation
+    /// of its state is empty then.
+    fn release(&self, at: &mut Linearisation<Shot>, (pivot, direction): &Free) -> f64 {
+        let (begin, magnitude) = (self.closing(), &self.magnitude);
+        let head = direction[*pivot] / magnitude[*pivot];
+        let (gain, rate) = (at.residual[begin + pivot], at.design[begin + pivot]);
+        let slopes = at.jacobian.row(begin + pivot).clone_owned();
+        for (j, d) in direction.iter().enumerate() {
+            let share = d / magnitude[j] / head;
+            let share = if j == *pivot { 1.0 } else { share };
+            at.residual[begin + j] -= share * gain;
+            at.design[begin + j] -= share * rate;
+            let rest = at.jacobian.row(begin + j) - &slopes * share;
+            at.jacobian.set_row(begin + j, &rest);
+        }
+        gain / head
+    }
+
+    /// Over the equations, where the condition of a pin stands: as its u says, or, where the motion runs on, in the equation
+    /// that was taken out.
+    pub(super) fn holds(&self, pin: &Pin) -> DVector<f64> {
+        match &pin.direction {
+            Some((pivot, _)) if self.shift.is_some() => {
+                let row = self.closing() + pivot;
+                DVector::from_fn(pin.left.len(), |i, _| f64::from(i == row))
+            }
+            _ => pin.left.clone(),
+        }
+    }
+
+    /// Where the equations begin by which the last segment closes the orbit.
+    fn closing(&self) -> usize {
+        (self.modes.len() - 1) * self.order()
+    }
+}

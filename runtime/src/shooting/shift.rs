@@ -1,0 +1,201 @@
+//! Shifts of states that change nothing: an angle that has turned, a carriage that has moved on.
+//!
+//! Where no rate depends on where the states are along a direction, a motion that has moved on along it is as good as one
+//! that has come back, and so is one in which an angle has turned once. Orbits are sought modulo such shifts.
+
+use std::f64::consts::TAU;
+
+use nalgebra::DMatrix;
+
+use super::echelon::Echelon;
+use crate::linear::svd;
+use crate::math::Spread;
+use crate::motion::Flow;
+
+/// States at which a shift is tried.
+const TRIED: usize = 12;
+/// Rates that agree to this share of their sizes are the same.
+const SAME: f64 = 1e-7;
+/// A shift this small, in usual sizes, is none.
+const SMALL: f64 = 1e-6;
+/// Singular values below this share of the largest are zero.
+const FREE: f64 = 1e-9;
+/// Shares of a usual size by which a direction is tried: no two are parts of each other.
+const SHARES: [f64; 2] = [1.0, 0.618_034];
+
+/// The shifts of one flow that change nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Shifts {
+    /// Directions of any shift, each the only one to move the state of its number.
+    directions: Vec<(usize, Vec<f64>)>,
+    /// States that are angles: a turn changes nothing.
+    angles: Vec<usize>,
+    phase: Option<usize>,
+}
+
+impl Shifts {
+    /// Those that states of `usual` sizes show.
+    pub(crate) fn of(flow: &dyn Flow, usual: &[f64]) -> Self {
+        let phase = flow.phase();
+        let free = |direction: &[f64]| {
+            SHARES.iter().all(|share| {
+                let shift: Vec<f64> = direction.iter().map(|d| share * d).collect();
+                changes_nothing(flow, &shift, usual)
+            })
+        };
+        let mut directions = directions(flow, usual);
+        directions.retain(|(_, direction)| free(direction));
+        let angle = |j: &usize| {
+            let mut turn = vec![0.0; usual.len()];
+            turn[*j] = TAU;
+            let moves = directions.iter().any(|(_, d)| d[*j] != 0.0);
+            phase != Some(*j) && !moves && changes_nothing(flow, &turn, usual)
+        };
+        let angles = (0..usual.len()).filter(angle).collect();
+        Self {
+            directions,
+            angles,
+            phase,
+        }
+    }
+
+    /// Whether a state can go on for ever and the motion repeat.
+    pub(crate) fn may_run(&self, state: usize) -> bool {
+        let moved = |(_, direction): &(usize, Vec<f64>)| direction[state] != 0.0;
+        self.angles.contains(&state) || self.directions.iter().any(moved)
+    }
+
+    /// What of a gain is a shift that changes nothing.
+    pub(crate) fn of_gain(&self, gain: &[f64]) -> Vec<f64> {
+        let mut rest = gain.to_vec();
+        let mut shift = vec![0.0; gain.len()];
+        for (pivot, direction) in &self.directions {
+            let along = rest[*pivot] / direction[*pivot];
+            for (j, d) in direction.iter().enumerate() {
+                rest[j] -= along * d;
+                shift[j] += along * d;
+            }
+        }
+        for &j in &self.angles {
+            shift[j] += TAU * (rest[j] / TAU).round();
+        }
+        shift
+    }
+
+    /// The state moved by such a shift to the origin, as far as one leads there.
+    pub(crate) fn home(&self, state: &[f64]) -> Vec<f64> {
+        let shift = self.of_gain(state);
+        state.iter().zip(shift).map(|(y, d)| y - d).collect()
+    }
+
+    /// What of a gain is such a shift, if no state lacks more than `closeness` in these units besides; `None` also where
+    /// the shift is no larger than that.
+    pub(crate) fn within(&self, gain: &[f64], units: &[f64], closeness: f64) -> Option<Vec<f64>> {
+        let shift = self.of_gain(gain);
+        let lacks = |j: usize| {
+            if self.phase == Some(j) {
+                0.0
+            } else {
+                gain[j] - shift[j]
+            }
+        };
+        let rest: Vec<f64> = (0..gain.len()).map(lacks).collect();
+        let size = |of: &[f64]| {
+            let shares = of.iter().zip(units).map(|(y, unit)| (y / unit).abs());
+            shares.fold(0.0, f64::max)
+        };
+        (size(&rest) <= closeness && size(&shift) > closeness).then_some(shift)
+    }
+}
+
+/// Directions in which no slope of the rates points, anywhere, in units of the states.
+fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<(usize, Vec<f64>)> {
+    let order = usual.len();
+    let mut rows = Vec::new();
+    if let Some(phase) = flow.phase() {
+        rows.push((0..order).map(|j| f64::from(j == phase)).collect());
+    }
+    for state in spread(usual) {
+        let velocity = flow.place(&state).and_then(|place| flow.velocity(&place));
+        let Ok(velocity) = velocity else {
+            continue;
+        };
+        for row in velocity.jacobian.row_iter() {
+            let scaled: Vec<f64> = row.iter().zip(usual).map(|(s, size)| s * size).collect();
+            let largest = scaled.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
+            if largest > 0.0 && largest.is_finite() {
+                rows.push(scaled.iter().map(|s| s / largest).collect());
+            }
+        }
+    }
+    while rows.len() < order {
+        rows.push(vec![0.0; order]);
+    }
+    let matrix = DMatrix::from_fn(rows.len(), order, |i, j| rows[i][j]);
+    let Some((values, vt)) = svd(matrix).and_then(|svd| Some((svd.singular_values, svd.v_t?)))
+    else {
+        return Vec::new();
+    };
+    let least = FREE * values.max();
+    let null = (0..order).filter(|i| values[*i] <= least);
+    let null: Vec<_> = null.map(|i| vt.row(i).transpose()).collect();
+    Echelon::of(&null, order, &[]).directions(usual)
+}
+
+/// States of these sizes, spread evenly.
+fn spread(usual: &[f64]) -> impl Iterator<Item = Vec<f64>> + '_ {
+    let spread = Spread::new(usual.len());
+    (0..TRIED).map(move |k| {
+        let point = spread.point(k).zip(usual);
+        point
+            .map(|(share, size)| (2.0 * share - 1.0) * size)
+            .collect()
+    })
+}
+
+/// Whether the rates are the same everywhere after this shift, as far as states of `usual` sizes tell.
+pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
+    let moved = shift.iter().zip(usual);
+    let mut moves = moved.clone().map(|(d, size)| d.abs() / size);
+    if !moves.any(|share| share > SMALL) {
+        return false;
+    }
+    let rates = |state: &[f64]| {
+        let place = flow.place(state).ok()?;
+        Some((flow.velocity(&place).ok()?.f, place.modes))
+    };
+    spread(usual).all(|here| {
+        let there: Vec<f64> = here.iter().zip(shift).map(|(y, d)| y + d).collect();
+        match (rates(&here), rates(&there)) {
+            (Some((f, modes)), Some((g, other))) => {
+                modes == other && (f.clone() - g).amax() <= SAME * f.amax()
+            }
+            _ => false,
+        }
+    })
+}
+
+/// The state moved by any share of a shift to where it is nearest to a point.
+pub(crate) fn slid(state: &[f64], point: &[f64], shift: &[f64]) -> Vec<f64> {
+    let turns = between(state, point, shift);
+    moved(state, shift, turns)
+}
+
+/// The state moved by whole shifts to where it is nearest to a point.
+pub(crate) fn unshifted(state: &[f64], point: &[f64], shift: &[f64]) -> Vec<f64> {
+    let turns = between(state, point, shift).round();
+    moved(state, shift, turns)
+}
+
+/// How many shifts a state is away from a point.
+fn between(state: &[f64], point: &[f64], shift: &[f64]) -> f64 {
+    let pairs = state.iter().zip(point).zip(shift);
+    let along: f64 = pairs.map(|((y, p), d)| (y - p) * d).sum();
+    let square: f64 = shift.iter().map(|d| d * d).sum();
+    along / square
+}
+
+fn moved(state: &[f64], shift: &[f64], turns: f64) -> Vec<f64> {
+    let back = state.iter().zip(shift).map(|(y, d)| y - turns * d);
+    back.collect()
+}

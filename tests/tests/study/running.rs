@@ -1,0 +1,160 @@
+//! Orbits but for a shift: angles that turn, bodies that crawl.
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::study::{Along, Case, Dynamics, OrbitRecord, System};
+use stickslip_models::friction::Coulomb;
+use stickslip_models::press::Compliant;
+
+model! {
+    /// A pendulum under a torque, with a bearing that rubs.
+    pub struct Turned {
+        state x: rad = 0.0;
+        state v: rad/s = 5.0;
+        param alpha: 1/s = 0.1;
+        param weight: 1/s^2 = 1.0;
+        param torque: 1/s^2 = 0.5;
+        param dry: 1/s^2 = 0.1 where dry >= 0.0;
+        friction F: 1/s^2 = Coulomb { level: dry } opposing v;
+        der(x) = v;
+        der(v) = torque + F - alpha * v - weight * sin(x);
+    }
+}
+
+model! {
+    /// A capsule that is shaken from within and crawls: where both masses are.
+    pub struct Capsule {
+        state x: m = 0.0;
+        state y: m = 0.0;
+        state vx: m/s = 0.0;
+        state vy: m/s = 0.0;
+        param inner: kg = 1.0 where inner > 0.0;
+        param outer: kg = 2.0 where outer > 0.0;
+        param k: N/m = 100.0;
+        param c: N*s/m = 1.0;
+        param wall: N/m = 2000.0 where wall > 0.0;
+        param gap: m = 0.01;
+        param load: N = 8.0;
+        param omega: rad/s = 10.0 where omega > 0.0;
+        param level: N = 3.0 where level >= 0.0;
+        drive phi at omega;
+        press N: N = Compliant { stiffness: wall, damping: 0.0 } closing gap - (x - y);
+        friction F: N = Coulomb { level: level } opposing vy;
+        der(x) = vx;
+        der(y) = vy;
+        der(vx) = (load * cos(phi) - k * (x - y) - c * (vx - vy) - N) / inner;
+        der(vy) = (F + k * (x - y) + c * (vx - vy) + N) / outer;
+    }
+}
+
+model! {
+    /// The same capsule: how far the inner mass is from the outer one.
+    pub struct Within {
+        state d: m = 0.0;
+        state vx: m/s = 0.0;
+        state vy: m/s = 0.0;
+        param inner: kg = 1.0 where inner > 0.0;
+        param outer: kg = 2.0 where outer > 0.0;
+        param k: N/m = 100.0;
+        param c: N*s/m = 1.0;
+        param wall: N/m = 2000.0 where wall > 0.0;
+        param gap: m = 0.01;
+        param load: N = 8.0;
+        param omega: rad/s = 10.0 where omega > 0.0;
+        param level: N = 3.0 where level >= 0.0;
+        drive phi at omega;
+        press N: N = Compliant { stiffness: wall, damping: 0.0 } closing gap - d;
+        friction F: N = Coulomb { level: level } opposing vy;
+        der(d) = vx - vy;
+        der(vx) = (load * cos(phi) - k * d - c * (vx - vy) - N) / inner;
+        der(vy) = (F + k * d + c * (vx - vy) + N) / outer;
+    }
+}
+
+fn along(system: &System, parameter: usize, from: f64, to: f64) -> Case {
+    let design = Design::Parameter(parameter);
+    Case {
+        along: Some(Along { design, from, to }),
+        ..Case::declared(system.info(), Dynamics::Exact).at(from)
+    }
+}
+
+fn close(found: f64, right: f64, accuracy: f64) {
+    let off = (found - right).abs();
+    assert!(
+        off <= accuracy * right.abs().max(1.0),
+        "{found} for {right}"
+    );
+}
+
+/// Over a turn areas shrink by exp(−α T), and the torque works as much as the damping: 2π (M − dry) = α ∫ v² dt.
+fn turns_as_it_should(orbit: &OrbitRecord, torque: f64) {
+    let gain = orbit.shift.as_ref().unwrap();
+    assert_eq!(*gain, [std::f64::consts::TAU, 0.0]);
+    let one = orbit.floquet.multipliers[0];
+    close(one.re, (-0.1 * orbit.period).exp(), 1e-8);
+    // ∫ v² dt is least, (2π)²/T, at a constant speed.
+    let mean = std::f64::consts::TAU / orbit.period;
+    assert!(mean < (torque - 0.1) / 0.1 && mean > orbit.min[1], "{mean}");
+}
+
+#[test]
+fn a_pendulum_turns_until_it_stops_at_the_top() {
+    let system = System::of::<Turned, _>();
+    let case = Case::declared(system.info(), Dynamics::Exact);
+    let case = Case {
+        start: Some(vec![0.0, 5.0]),
+        ..case
+    };
+    turns_as_it_should(&system.orbit(&case).unwrap(), 0.5);
+    let case = Case {
+        start: Some(vec![0.0, 5.0]),
+        ..along(&system, Turned::torque.index, 0.5, 0.1)
+    };
+    let branch = system.branch(&case).unwrap();
+    for orbit in branch.points.iter().filter(|orbit| orbit.period < 10.0) {
+        turns_as_it_should(orbit, orbit.r.unwrap());
+    }
+    // Its period grows without bound where it meets the saddle, by Melnikov's integral at M − dry = 4 α/π + O(α²).
+    let last = branch.points.last().unwrap();
+    assert!(
+        last.period > 20.0 && (last.r.unwrap() - 0.1 - 0.4 / std::f64::consts::PI).abs() < 1e-2
+    );
+}
+
+#[test]
+fn a_capsule_crawls_as_it_does_in_its_own_frame() {
+    let [whole, within] = [System::of::<Capsule, _>(), System::of::<Within, _>()];
+    let omega = [Capsule::omega.index, Within::omega.index];
+    let branch = |system: &System, omega| system.branch(&along(system, omega, 10.0, 14.0)).unwrap();
+    let (whole, within) = (branch(&whole, omega[0]), branch(&within, omega[1]));
+    assert!(whole.special.len() > 2 && whole.special.len() == within.special.len());
+    for (a, b) in whole.special.iter().zip(&within.special) {
+        close(a.r, b.r, 1e-7);
+    }
+    let (first, inner) = (&whole.points[0], &within.points[0]);
+    assert_eq!(first.word, inner.word);
+    for (a, b) in first
+        .floquet
+        .multipliers
+        .iter()
+        .zip(&inner.floquet.multipliers)
+    {
+        close((a - b).norm(), 0.0, 1e-8);
+    }
+    // Impulses over a period: friction's mean is nothing, and both masses get on by the same.
+    let gain = first.shift.as_ref().unwrap();
+    close(gain[0], gain[1], 1e-12);
+    assert!(gain[0] > 0.06 && first.held.len() == 1, "{gain:?}");
+}
+
+#[test]
+fn a_period_that_is_given_leads_to_the_same_motion() {
+    let system = System::of::<Turned, _>();
+    let case = Case {
+        start: Some(vec![3.1, 3.7]),
+        period: Some(1.57),
+        ..Case::declared(system.info(), Dynamics::Exact)
+    };
+    turns_as_it_should(&system.orbit(&case).unwrap(), 0.5);
+}
