@@ -1,6 +1,7 @@
 //! What an explicit step carries along: the state alone, or the state with its tangents.
 
 use super::Propagator;
+use super::estimate::{combined, ratio};
 use crate::field::{Field, Work};
 
 /// States from which on entries of a Jacobian are looked at before their row is multiplied: most are zero there, while
@@ -26,6 +27,12 @@ pub trait Carried<const N: usize>: Copy {
 
     /// This, led to `end` by a step whose derivatives are asked for only where they are carried.
     fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self;
+
+    /// How fast the tangents turn here, where this is the slope, in states of these sizes: nothing without tangents.
+    fn turning(&self, slope: &Self, sizes: &[f64; N]) -> f64;
+
+    /// Errors of the tangents over what they are, combined from orders 5 and 3 as those of states are.
+    fn strays(&self, fifth: &Self, third: &Self, sizes: &[f64; N]) -> f64;
 
     /// Whether every number is finite.
     fn is_finite(&self) -> bool;
@@ -58,9 +65,30 @@ impl<const N: usize> Carried<N> for [f64; N] {
     }
 
     #[inline]
+    fn turning(&self, _slope: &Self, _sizes: &[f64; N]) -> f64 {
+        0.0
+    }
+
+    #[inline]
+    fn strays(&self, _fifth: &Self, _third: &Self, _sizes: &[f64; N]) -> f64 {
+        0.0
+    }
+
+    #[inline]
     fn is_finite(&self) -> bool {
         self.iter().all(|y| y.is_finite())
     }
+}
+
+/// The squares of the lengths of the columns, in states of these sizes.
+fn lengths<const N: usize>(tangent: &[[f64; N]; N], sizes: &[f64; N]) -> [f64; N] {
+    let mut lengths = [0.0; N];
+    for (row, size) in tangent.iter().zip(sizes) {
+        for (length, entry) in lengths.iter_mut().zip(row) {
+            *length += (entry / size).powi(2);
+        }
+    }
+    lengths
 }
 
 /// A state with the derivatives of the motion that led to it.
@@ -164,6 +192,26 @@ impl<const N: usize> Carried<N> for Motion<N> {
             state: end,
             ..self.through(&step())
         }
+    }
+
+    fn turning(&self, slope: &Self, sizes: &[f64; N]) -> f64 {
+        let (before, turned) = (
+            lengths(&self.tangent, sizes),
+            lengths(&slope.tangent, sizes),
+        );
+        let pairs = turned.iter().zip(&before);
+        let fastest = pairs.map(|(turned, before)| ratio(*turned, *before));
+        fastest.fold(0.0, f64::max).sqrt()
+    }
+
+    fn strays(&self, fifth: &Self, third: &Self, sizes: &[f64; N]) -> f64 {
+        let before = lengths(&self.tangent, sizes);
+        let (fifth, third) = (
+            lengths(&fifth.tangent, sizes),
+            lengths(&third.tangent, sizes),
+        );
+        let stray = |j: usize| ratio(combined(fifth[j], third[j], 1), before[j].sqrt());
+        (0..N).map(stray).fold(0.0, f64::max)
     }
 
     fn is_finite(&self) -> bool {

@@ -6,6 +6,11 @@ use super::dop853::{ERROR_3, ERROR_5, Weights};
 use super::stepper::Stepper;
 use crate::field::{Field, Work};
 
+/// A step that turns the tangents by less has the derivatives that its states have.
+const TURNED: f64 = 0.5;
+/// Tolerance of the tangents, relative to themselves, over that of the states.
+const LOOSER: f64 = 1e3;
+
 impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
     /// Local error of the step over what is tolerated, combined from orders 5 and 3 as Hairer does.
     pub(super) fn error(&self) -> f64 {
@@ -21,8 +26,26 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
             sum_5 += (fifth[i] / scale).powi(2);
             sum_3 += (third[i] / scale).powi(2);
         }
-        let both = ((sum_5 + 0.01 * sum_3) * N as f64).sqrt();
-        self.length * ratio(sum_5, both)
+        let states = self.length * combined(sum_5, sum_3, N);
+        states.max(self.tangents_error(&before))
+    }
+
+    /// The same of the tangents, where a step turns them so far that they may be off: a motion that keeps still in a fast
+    /// direction says nothing of what a disturbance would do there.
+    fn tangents_error(&self, sizes: &[f64; N]) -> f64 {
+        if self.length * self.from.turning(&self.slopes[0], sizes) < TURNED {
+            return 0.0;
+        }
+        let sum = |weights: Weights| {
+            let mut sum = V::NOTHING;
+            for &(j, weight) in weights {
+                sum.add(weight, &self.slopes[j]);
+            }
+            sum
+        };
+        let off = self.from.strays(&sum(ERROR_5), &sum(ERROR_3), sizes);
+        let tolerance = &self.settings.tolerance;
+        self.length * off / (LOOSER * (tolerance.absolute + tolerance.relative))
     }
 
     fn state_sum(&self, weights: Weights) -> [f64; N] {
@@ -71,7 +94,12 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
     }
 }
 
+/// The errors of orders 5 and 3 in one number, from the sums of their squares over so many terms.
+pub(super) fn combined(sum_5: f64, sum_3: f64, terms: usize) -> f64 {
+    ratio(sum_5, ((sum_5 + 0.01 * sum_3) * terms as f64).sqrt())
+}
+
 /// a/b, and 0 where both vanish.
-fn ratio(a: f64, b: f64) -> f64 {
+pub(super) fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 { 0.0 } else { a / b }
 }

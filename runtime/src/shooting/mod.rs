@@ -43,6 +43,7 @@ pub(crate) use orbit::Solution;
 pub use orbit::{Heading, Orbit};
 pub use phase::Phase;
 pub use pin::Pin;
+pub(crate) use pin::through;
 pub use problem::OrbitProblem;
 pub use search::{Search, closest, settled};
 pub(crate) use shift::{changes_nothing, slid, unshifted};

@@ -29,7 +29,7 @@ pub struct Pin {
 }
 
 /// The same conditions, fulfilled by this state.
-pub(super) fn through(pins: &[Pin], state: &[f64]) -> Vec<Pin> {
+pub(crate) fn through(pins: &[Pin], state: &[f64]) -> Vec<Pin> {
     pins.iter().map(|pin| pin.clone().through(state)).collect()
 }
 

@@ -20,6 +20,8 @@ const SAME: f64 = 1e-7;
 const SMALL: f64 = 1e-6;
 /// Singular values below this share of the largest are zero.
 const FREE: f64 = 1e-9;
+/// Most parts of a turn that may change nothing: steps of a motor, blades, teeth.
+const PARTS: u32 = 400;
 /// Shares of a usual size by which a direction is tried: no two are parts of each other.
 const SHARES: [f64; 2] = [1.0, 0.618_034];
 
@@ -28,8 +30,8 @@ const SHARES: [f64; 2] = [1.0, 0.618_034];
 pub(crate) struct Shifts {
     /// Directions of any shift, each the only one to move the state of its number.
     directions: Vec<(usize, Vec<f64>)>,
-    /// States that are angles: a turn changes nothing.
-    angles: Vec<usize>,
+    /// States that are angles, each with the least part of a turn that changes nothing.
+    angles: Vec<(usize, f64)>,
     phase: Option<usize>,
 }
 
@@ -45,13 +47,20 @@ impl Shifts {
         };
         let mut directions = directions(flow, usual);
         directions.retain(|(_, direction)| free(direction));
-        let angle = |j: &usize| {
+        let turns = |j: usize, parts: u32| {
             let mut turn = vec![0.0; usual.len()];
-            turn[*j] = TAU;
-            let moves = directions.iter().any(|(_, d)| d[*j] != 0.0);
-            phase != Some(*j) && !moves && changes_nothing(flow, &turn, usual)
+            turn[j] = TAU / f64::from(parts);
+            changes_nothing(flow, &turn, usual)
         };
-        let angles = (0..usual.len()).filter(angle).collect();
+        let angle = |j: usize| {
+            let moves = directions.iter().any(|(_, d)| d[j] != 0.0);
+            if phase == Some(j) || moves || !turns(j, 1) {
+                return None;
+            }
+            let parts = (1..=PARTS).rev().find(|parts| turns(j, *parts))?;
+            Some((j, TAU / f64::from(parts)))
+        };
+        let angles = (0..usual.len()).filter_map(angle).collect();
         Self {
             directions,
             angles,
@@ -62,7 +71,7 @@ impl Shifts {
     /// Whether a state can go on for ever and the motion repeat.
     pub(crate) fn may_run(&self, state: usize) -> bool {
         let moved = |(_, direction): &(usize, Vec<f64>)| direction[state] != 0.0;
-        self.angles.contains(&state) || self.directions.iter().any(moved)
+        self.angles.iter().any(|(angle, _)| *angle == state) || self.directions.iter().any(moved)
     }
 
     /// What of a gain is a shift that changes nothing.
@@ -76,8 +85,8 @@ impl Shifts {
                 shift[j] += along * d;
             }
         }
-        for &j in &self.angles {
-            shift[j] += TAU * (rest[j] / TAU).round();
+        for &(j, turn) in &self.angles {
+            shift[j] += turn * (rest[j] / turn).round();
         }
         shift
     }

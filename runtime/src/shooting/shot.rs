@@ -97,7 +97,7 @@ impl Shot {
     }
 
     /// Half the extent of each state; `fallback` where it has none.
-    pub(super) fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
+    pub(crate) fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
         let (low, high) = self.extent();
         usual(&low, &high, self.shift.as_deref(), fallback)
     }

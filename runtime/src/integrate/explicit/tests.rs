@@ -227,3 +227,49 @@ fn a_motion_at_rest_stays() {
     assert_eq!(end_of(&Stiff, tight(1e-6), 1.0), Ok(1.0));
     assert_eq!(end_of(&BlowUp, tight(1e-6), 0.0), Ok(0.0));
 }
+
+/// A pendulum that hangs, y₁'' = −ω² y₁ − 2 δ y₁', with ω = 1000 and δ = 20.
+struct Hanging;
+
+const OMEGA: f64 = 1000.0;
+const DELTA: f64 = 20.0;
+
+impl Field<2> for Hanging {
+    fn f(&self, y: &[f64; 2]) -> [f64; 2] {
+        [y[1], -OMEGA * OMEGA * y[0] - 2.0 * DELTA * y[1]]
+    }
+
+    fn linearise(&self, y: &[f64; 2]) -> Linear<2> {
+        Linear {
+            f: self.f(y),
+            jacobian: [[0.0, 1.0], [-OMEGA * OMEGA, -2.0 * DELTA]],
+            design: [0.0, 0.0],
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_keeps_still_has_the_derivatives_of_what_would_move() {
+    let mut work = Work::default();
+    let from = Motion::from([0.0, 0.0]);
+    let span = 0.1;
+    let end = integrate(&Hanging, tight(1e-12), from, span, &mut work, |_| {
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    let ring = (OMEGA * OMEGA - DELTA * DELTA).sqrt();
+    let (sin, cos) = (ring * span).sin_cos();
+    let fall = (-DELTA * span).exp();
+    let exact = [
+        [cos + DELTA / ring * sin, sin / ring],
+        [-OMEGA * OMEGA / ring * sin, cos - DELTA / ring * sin],
+    ];
+    for (i, j, size) in [(0, 0, 1.0), (0, 1, 1e-3), (1, 0, 1e3), (1, 1, 1.0)] {
+        let off = (end.tangent[i][j] - fall * exact[i][j]).abs();
+        assert!(
+            off < 1e-7 * size,
+            "{i} {j}: {off:e} in {} steps",
+            work.steps
+        );
+    }
+}

@@ -6,8 +6,8 @@ use crate::continuation::{Branch, Settings, Stop, correct_at};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Place, half_extents};
-use crate::shooting::{Guess, OrbitError, problem};
+use crate::motion::{Family, Place};
+use crate::shooting::{Guess, OrbitError, Pin, problem, through};
 
 use super::lost::Lost;
 use super::record::Cost;
@@ -44,6 +44,9 @@ pub(super) struct Shooting {
     pub(super) period: f64,
     pub(super) min: Vec<f64>,
     pub(super) max: Vec<f64>,
+    magnitude: Vec<f64>,
+    pins: Vec<Pin>,
+    shift: Option<Vec<f64>>,
     /// Crossings of the section.
     pub(super) count: usize,
     /// Newton's last correction.
@@ -65,9 +68,9 @@ impl Shooting {
                 modes: Vec::new(),
             },
             period: self.period,
-            magnitude: half_extents(&self.min, &self.max, &vec![1.0; self.min.len()]),
-            pins: Vec::new(),
-            shift: None,
+            magnitude: self.magnitude.clone(),
+            pins: self.pins.clone(),
+            shift: self.shift.clone(),
             division: None,
         }
     }
@@ -113,6 +116,9 @@ pub(super) fn shoot(
         });
     }
     Ok(Shooting {
+        magnitude: shot.magnitude(&vec![1.0; max.len()]),
+        pins: shot.pins.clone(),
+        shift: shot.shift.clone(),
         state: found.z.rows(0, max.len()).iter().copied().collect(),
         period: found.z[max.len()],
         min,
@@ -138,18 +144,17 @@ pub(super) fn follow(
     let last = branch.by_ref().last().unwrap_or(first);
     match branch.stop() {
         Some(Stop::ReachedEnd) => {
-            let (min, max) = last.extra.extent();
             let lowest = last.extra.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
             let state = lowest.map_or(last.extra.start.state.clone(), |(_, state)| state);
             let guess = Guess {
                 place: Place {
-                    state,
+                    state: state.clone(),
                     modes: last.extra.start.modes.clone(),
                 },
                 period: last.extra.period,
-                magnitude: half_extents(&min, &max, &vec![1.0; min.len()]),
-                pins: Vec::new(),
-                shift: None,
+                magnitude: last.extra.magnitude(&vec![1.0; state.len()]),
+                pins: through(&last.extra.pins, &state),
+                shift: last.extra.shift.clone(),
                 division: None,
             };
             Ok((guess, branch.problem.work))
