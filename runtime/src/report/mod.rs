@@ -9,6 +9,7 @@ pub mod numerals;
 mod page;
 mod pdf;
 mod special;
+mod symbol;
 pub mod symbols;
 mod text;
 mod traced;
