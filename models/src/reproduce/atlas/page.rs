@@ -136,6 +136,16 @@ fn point(pair: &Subject, orbit: &OrbitRecord) -> Value {
         "s": u8::from(orbit.floquet.stability == Stability::Stable),
         "mu": list(multipliers.flat_map(|mu| [mu.re, mu.im]), 5), "p": list(section.copied(), 4),
     });
+    if let Some(further) = orbit.further() {
+        let along = |of: fn(&OrbitRecord) -> f64| of(&further) - of(orbit);
+        let way = [
+            along(|orbit| orbit.r.unwrap_or(f64::NAN)),
+            along(|orbit| orbit.period),
+            along(|orbit| orbit.max_abs[0]),
+        ];
+        let longest = way.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        point["d"] = list(way.map(|part| part / longest).into_iter(), 4).into();
+    }
     if let Some(word) = &orbit.word {
         point["w"] = word.as_str().into();
     }
