@@ -1,6 +1,8 @@
 //! Figures as SVG: real text, colours that colour-blind readers can tell apart, dashes that survive a printer.
 
 mod beside;
+#[cfg(test)]
+pub(super) mod contrast;
 mod curve;
 mod element;
 mod frame;
@@ -8,6 +10,7 @@ mod legend;
 mod scale;
 mod smooth;
 mod ticks;
+mod vector;
 mod view;
 
 use super::figure::Figure;
