@@ -1,8 +1,6 @@
 //! Figures as SVG: real text, colours that colour-blind readers can tell apart, dashes that survive a printer.
 
 mod beside;
-#[cfg(test)]
-pub(super) mod contrast;
 mod curve;
 mod element;
 mod frame;
@@ -53,3 +51,6 @@ impl Figure {
         )
     }
 }
+
+#[cfg(test)]
+pub(super) mod contrast;
