@@ -132,7 +132,7 @@ fn point(pair: &Subject, orbit: &OrbitRecord) -> Value {
     let section = orbit.section.iter().filter_map(|state| state.first());
     let mut point = json!({
         "r": digits(orbit.r.unwrap_or(0.0), 8), "T": digits(orbit.period, 8),
-        "m": digits(orbit.max_abs[0], 5), "n": orbit.period_count,
+        "m": digits(orbit.max_abs[0], 7), "n": orbit.period_count,
         "s": u8::from(orbit.floquet.stability == Stability::Stable),
         "mu": list(multipliers.flat_map(|mu| [mu.re, mu.im]), 5), "p": list(section.copied(), 4),
     });
@@ -176,7 +176,7 @@ fn special(special: &Special, named: bool, after: usize) -> Value {
     json!({
         "named": named, "a": after, "k": special.kind.name(), "l": special.label,
         "r": digits(special.r, 9), "T": digits(special.turns as f64 * special.period, 8),
-        "m": digits(special.max_abs[0], 5), "c": special.criticality,
+        "m": digits(special.max_abs[0], 7), "c": special.criticality,
     })
 }
 
