@@ -12,6 +12,7 @@ mod parse;
 mod repeated;
 mod structure;
 mod suggest;
+mod symbol;
 mod syntax;
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use crate::structure::Structures;
 pub(crate) mod word {
     syn::custom_keyword!(at);
     syn::custom_keyword!(closing);
+    syn::custom_keyword!(der);
     syn::custom_keyword!(keeping);
     syn::custom_keyword!(opposing);
     syn::custom_keyword!(with);

@@ -1,12 +1,23 @@
 //! Whole numbers that say which element of an array is meant.
 
+use quote::ToTokens;
 use syn::{BinOp, Expr, ExprLit, Lit, UnOp};
 
-const ONLY: &str = "an index is a whole number: made of the counter of a `for`, whole numbers, `+ - * %` and parentheses";
+use crate::formula::tight;
+
+/// What is no index, and how one is written.
+fn wrong(expression: &Expr) -> syn::Error {
+    let written = tight(&expression.to_token_stream());
+    let message = format!(
+        "`{written}` is no whole number that is known here: an index and the ends of a loop are made of counters of `for`, \
+         whole numbers, `+ - * %` and parentheses"
+    );
+    syn::Error::new_spanned(expression, message)
+}
 
 /// The value of an index.
 pub(crate) fn index(expression: &Expr) -> syn::Result<i64> {
-    let wrong = || syn::Error::new_spanned(expression, ONLY);
+    let wrong = || wrong(expression);
     match expression {
         Expr::Lit(ExprLit {
             lit: Lit::Int(whole),

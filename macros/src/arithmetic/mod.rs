@@ -51,9 +51,6 @@ pub(crate) fn apply(function: &Ident, x: f64) -> f64 {
     }
 }
 
-const ONLY: &str =
-    "a formula is made of numbers, names, `+ - * /`, parentheses and functions such as `sin(x)`";
-
 const WHOLE: &str = "the exponent of `powi` is a whole number such as 2; \
      other powers are written `powf(x, 1.5)`";
 
@@ -89,7 +86,7 @@ impl Arithmetic<'_> {
             Expr::Index(element) => self.element(element),
             Expr::Field(field) => self.point(field),
             Expr::If(_) | Expr::Match(_) => self.branch(expression),
-            _ => self.refuse(expression, ONLY),
+            _ => self.foreign(expression),
         }
     }
 
@@ -99,7 +96,7 @@ impl Arithmetic<'_> {
                 Ok(number) => Kind::Number(number),
                 Err(error) => self.refuse(literal, error),
             },
-            _ => self.refuse(literal, ONLY),
+            _ => self.no_formula(literal),
         }
     }
 
@@ -113,7 +110,7 @@ impl Arithmetic<'_> {
 
     fn path(&mut self, path: &ExprPath) -> Kind {
         if path.qself.is_some() {
-            return self.refuse(path, ONLY);
+            return self.no_formula(path);
         }
         match path.path.get_ident() {
             Some(name) => Kind::Name(name.clone()),
@@ -127,10 +124,10 @@ impl Arithmetic<'_> {
             path, qself: None, ..
         }) = element.expr.as_ref()
         else {
-            return self.refuse(element, ONLY);
+            return self.no_formula(element);
         };
         let Some(array) = path.get_ident() else {
-            return self.refuse(element, ONLY);
+            return self.no_formula(element);
         };
         match index(&element.index) {
             Ok(index) => Kind::Name(self.repeated.element(array, index, false)),
@@ -165,7 +162,7 @@ impl Arithmetic<'_> {
             | BinOp::Ne(_)
             | BinOp::And(_)
             | BinOp::Or(_) => return self.branch(binary),
-            _ => return self.refuse(binary, ONLY),
+            _ => return self.no_formula(binary),
         };
         let (left, right) = (self.boxed(&binary.left), self.boxed(&binary.right));
         Kind::Binary(left, operator, right)

@@ -30,7 +30,10 @@ pub(crate) fn number(literal: &Lit) -> syn::Result<Number> {
         }),
         _ => Err(syn::Error::new_spanned(
             literal,
-            "this number is too large for an `f64`",
+            format!(
+                "`{}` is too large for an `f64`, of which the largest is 1.8e308",
+                literal.to_token_stream()
+            ),
         )),
     }
 }

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use syn::{Expr, ExprCall, ExprField, ExprPath, Member};
 
-use super::{Arithmetic, ONLY};
+use super::Arithmetic;
 use crate::formula::Kind;
 use crate::structure::{Quantity, number};
 
@@ -14,7 +14,10 @@ impl Arithmetic<'_> {
     /// The displacement of a point, or its flexibility.
     pub(super) fn point(&mut self, field: &ExprField) -> Kind {
         match (field.base.as_ref(), &field.member) {
-            (Expr::Path(base), _) if base.path.is_ident("self") => self.refuse(field, ONLY),
+            (Expr::Path(base), Member::Named(name)) if base.path.is_ident("self") => self.refuse(
+                field,
+                format!("names of the declaration stand alone: write `{name}`, not `self.{name}`"),
+            ),
             (Expr::Path(base), Member::Named(point)) => {
                 self.quantity(field, base, point, Quantity::Displacement)
             }

@@ -89,6 +89,39 @@ impl Arithmetic<'_> {
         })
     }
 
+    /// What formulas of other languages hold, and ours do not.
+    pub(super) fn foreign(&mut self, expression: &Expr) -> Kind {
+        let (written, way_out) = match expression {
+            Expr::Closure(_) => return self.kink("abs", expression),
+            Expr::Cast(cast) => {
+                let inner = tidy(bare(&cast.expr));
+                (
+                    tidy(expression),
+                    format!("every number is an `f64`, so write `{inner}`"),
+                )
+            }
+            Expr::Block(_) => (tidy(expression), "write `( .. )`, not `{ .. }`".to_owned()),
+            Expr::Array(_) => (tidy(expression), "write `( .. )`, not `[ .. ]`".to_owned()),
+            Expr::Reference(reference) => {
+                let inner = tidy(bare(&reference.expr));
+                (tidy(expression), format!("write `{inner}`, without `&`"))
+            }
+            _ => return self.no_formula(expression),
+        };
+        self.refuse(expression, format!("`{written}` is no formula: {way_out}"))
+    }
+
+    pub(super) fn no_formula(&mut self, place: impl ToTokens) -> Kind {
+        let written = tidy(&place);
+        self.refuse(
+            place,
+            format!(
+                "`{written}` is no formula: that is made of numbers, names, `+ - * /`, parentheses and functions such as \
+                 `sin(x)`"
+            ),
+        )
+    }
+
     pub(super) fn exclusive_or(&mut self, binary: &ExprBinary) -> Kind {
         let (base, exponent) = (bare(last_factor(&binary.left)), first_factor(&binary.right));
         let function = if is_whole(exponent) { "powi" } else { "powf" };

@@ -162,6 +162,20 @@ fn unknown(text: &str) -> String {
              write `{unscaled}` and give the values in it"
         );
     }
+    if matches!(text, "f64" | "f32" | "Real" | "float" | "double") {
+        return format!(
+            "`{text}` is a type, and what stands after `:` is a unit, as in `x: m = 1.0`: every number is an `f64`"
+        );
+    }
+    let base = text.trim_end_matches(|letter: char| letter.is_ascii_digit());
+    if base != text && symbols().any(|symbol| symbol == base) {
+        let power = &text[base.len()..];
+        return format!("unknown unit `{text}`; a power is written `{base}^{power}`");
+    }
+    if text.contains(['·', '⋅']) {
+        let product = text.replace(['·', '⋅'], "*");
+        return format!("unknown unit `{text}`; a product is written `{product}`");
+    }
     match nearest(text, symbols()) {
         Some(near) => format!("unknown unit `{text}`; did you mean `{near}`?"),
         None => format!(

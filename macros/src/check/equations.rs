@@ -44,7 +44,7 @@ pub(super) fn check_a_state_named(
     errors: &mut Errors,
 ) {
     let text = name.to_string();
-    if states.contains(&text) {
+    if states.contains(&text) || names.doubt(name) {
         return;
     }
     let advice = if let Some(noun) = names.noun_of(name) {

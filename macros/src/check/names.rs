@@ -68,8 +68,13 @@ impl Names {
         found.map(|(_, word)| *word)
     }
 
+    /// Whether it is the name of a broken line of which not even the kind is known.
+    pub(super) fn doubt(&self, name: &Ident) -> bool {
+        self.doubtful.contains(name)
+    }
+
     fn know(&self, name: &Ident) -> bool {
-        self.noun_of(name).is_some() || self.doubtful.contains(name) || self.missing.contains(name)
+        self.noun_of(name).is_some() || self.doubt(name) || self.missing.contains(name)
     }
 
     fn texts(&self) -> Vec<String> {

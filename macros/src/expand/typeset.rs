@@ -5,13 +5,7 @@ use syn::Path;
 use syn::ext::IdentExt;
 
 use crate::formula::{Formula, Kind, Operator, last_word};
-
-/// The Greek letters in the order of Unicode.
-const GREEK: [&str; 24] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
-    "psi", "omega",
-];
+use crate::symbol::symbol;
 
 const TIMES: &str = "<mo>&#x2062;</mo><mspace width=\"0.17em\"/>";
 
@@ -84,33 +78,6 @@ fn indexed(base: &str, index: &str) -> String {
         "mi"
     };
     format!("<msub>{base}<{tag}>{index}</{tag}></msub>")
-}
-
-/// The letter and the index of a name such as `x`, `F_s`, `x1` or `mu_max`.
-fn symbol(name: &str) -> Option<(String, String)> {
-    let end = name
-        .find(|c: char| c == '_' || c.is_ascii_digit())
-        .unwrap_or(name.len());
-    let (base, index) = name.split_at(end);
-    let mut letters = base.chars();
-    let letter = match (letters.next(), letters.next()) {
-        (Some(letter), None) => letter,
-        _ => greek(base)?,
-    };
-    Some((
-        letter.to_string(),
-        index.trim_start_matches('_').replace('_', ","),
-    ))
-}
-
-fn greek(name: &str) -> Option<char> {
-    let place = GREEK
-        .iter()
-        .position(|known| known.eq_ignore_ascii_case(name))?;
-    let capital = name.chars().next().is_some_and(char::is_uppercase);
-    // Between rho and sigma stands another form of sigma.
-    let code = place as u32 + u32::from(place > 16);
-    char::from_u32(code + if capital { 0x391 } else { 0x3b1 })
 }
 
 /// A formula as one row.

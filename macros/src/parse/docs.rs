@@ -1,13 +1,20 @@
 //! What stands before a line: its documentation, and what it declares.
 
 use proc_macro2::Ident;
+use quote::ToTokens;
 use syn::Attribute;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
+use super::shape::next;
+use crate::formula::tight;
+
 pub(super) fn name(input: ParseStream) -> syn::Result<Ident> {
     let found = input.call(Ident::parse_any);
-    found.map_err(|error| syn::Error::new(error.span(), "expected a name"))
+    found.map_err(|error| {
+        let before = next(input).map_or_else(String::new, |next| format!(" before `{next}`"));
+        syn::Error::new(error.span(), format!("expected a name{before}"))
+    })
 }
 
 /// Doc comments; no other attribute has a meaning here.
@@ -20,7 +27,10 @@ pub(super) fn docs(input: ParseStream) -> syn::Result<Vec<Attribute>> {
         None => Ok(attributes),
         Some(other) => Err(syn::Error::new_spanned(
             other,
-            "only doc comments (`///`) may stand here",
+            format!(
+                "`#[{}]` has no meaning here: only doc comments (`///`) may stand before what is declared; remove it",
+                tight(&other.path().to_token_stream())
+            ),
         )),
     }
 }

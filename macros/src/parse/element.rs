@@ -1,12 +1,15 @@
 //! Names of elements: `x[10]` where an array is declared, `x[i + 1]` where one of its elements is meant.
 
 use proc_macro2::Ident;
+use quote::ToTokens;
 use syn::parse::ParseStream;
 use syn::{Expr, Token, bracketed, parenthesized, token};
 
 use super::Reader;
 use super::docs::name;
+use super::shape::next;
 use crate::arithmetic;
+use crate::formula::tight;
 use crate::syntax::word;
 
 /// Most elements of an array.
@@ -22,7 +25,15 @@ impl Reader<'_> {
         let inside;
         bracketed!(inside in input);
         let length: Expr = inside.parse()?;
-        match arithmetic::index(&length)? {
+        let unknown = |_| {
+            let written = tight(&length.to_token_stream());
+            let message = format!(
+                "`{name}[{written}]` has no number of elements: an array is declared as `{name}[10]`, and a unit is \
+                 stated as `{name}: m`"
+            );
+            syn::Error::new_spanned(&length, message)
+        };
+        match arithmetic::index(&length).map_err(unknown)? {
             count @ 1..=MOST => {
                 let elements = 0..count;
                 Ok(elements
@@ -60,6 +71,10 @@ impl Reader<'_> {
     /// `(name)`
     pub(super) fn argument(&mut self, input: ParseStream) -> syn::Result<Ident> {
         let inside;
+        if !input.peek(token::Paren) {
+            let found = next(input).unwrap_or_default();
+            return Err(input.error(format!("expected `(` before `{found}`")));
+        }
         parenthesized!(inside in input);
         if inside.peek2(token::Paren) {
             return Err(inside.error(
@@ -68,10 +83,11 @@ impl Reader<'_> {
         }
         let name = name(&inside)?;
         let name = self.element_if_indexed(name, &inside, false)?;
-        if inside.is_empty() {
-            Ok(name)
-        } else {
-            Err(inside.error("expected one name between the parentheses"))
+        match next(&inside) {
+            None => Ok(name),
+            Some(found) => Err(inside.error(format!(
+                "`{found}` follows `{name}`, and between these parentheses stands one name"
+            ))),
         }
     }
 

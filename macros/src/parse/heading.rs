@@ -5,6 +5,7 @@ use syn::parse::ParseStream;
 use syn::{Ident, Token, token};
 
 use super::docs::docs;
+use super::shape::next;
 use crate::syntax::Header;
 
 /// How a declaration begins.
@@ -40,7 +41,8 @@ pub(super) fn heading(input: ParseStream) -> syn::Result<Header> {
     } else if input.peek(token::Paren) {
         format!("the lines of `{name}` stand between braces")
     } else {
-        format!("after `{name}` its lines follow between braces")
+        let not = next(input).map_or_else(String::new, |found| format!(", not `{found}`"));
+        format!("after `{name}` its lines follow between braces{not}")
     };
     Err(input.error(format!("{advice}: write `pub struct {name} {{ ... }}`")))
 }

@@ -3,20 +3,22 @@
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Attribute, Path, Token, braced, parenthesized};
+use syn::{Attribute, Token, Visibility, parenthesized, token};
 
 use super::docs::{docs, name, undocumented};
-use super::shape::{no_keyword, shape, shaped, unknown_keyword};
+use super::foreign::{no_keyword, unknown_keyword};
+use super::shape::{next, shape, shaped};
 use super::{Grammar, Reader, value};
 use crate::arithmetic::Arithmetic;
 use crate::formula::Formula;
-use crate::syntax::{Field, Friction, Line, Rule, Value, word};
+use crate::syntax::{Line, Rule, Value, word};
 
 impl Reader<'_> {
     /// Reads a line up to its semicolon; mistakes inside a formula do not break it.
     pub(super) fn line(&mut self, input: ParseStream) -> syn::Result<Vec<Line>> {
         let docs = docs(input)?;
         let grammar = self.place.grammar;
+        self.nothing_more(input)?;
         let keyword = input.call(Ident::parse_any);
         let keyword = keyword.map_err(|_| no_keyword(input, grammar))?;
         let text = keyword.to_string();
@@ -31,17 +33,35 @@ impl Reader<'_> {
             );
             return Err(syn::Error::new(keyword.span(), message));
         }
-        shaped(shape, input, |input| match (grammar, text.as_str()) {
-            (Grammar::Model, "state") => self.values(&docs, input, false, Line::State),
-            (Grammar::Model, "param") => self.values(&docs, input, true, Line::Param),
-            (_, "structure") => undocumented(&docs).and_then(|()| self.structure(input)),
-            (_, "load") => self.load(docs, input),
-            (_, "state") => Ok(vec![Line::State(law_state(docs, input)?)]),
-            (_, "param") => Ok(vec![Line::Param(law_param(docs, input)?)]),
-            (_, "friction") => Ok(vec![Line::Friction(self.friction(docs, input)?)]),
-            (_, "press") => Ok(vec![Line::Press(self.press(docs, input)?)]),
-            _ => Ok(vec![self.rule(docs, keyword, input)?]),
+        shaped((&text, shape), input, |input| {
+            match (grammar, text.as_str()) {
+                (Grammar::Model, "state") => self.values(&docs, input, false, Line::State),
+                (Grammar::Model, "param") => self.values(&docs, input, true, Line::Param),
+                (_, "structure") => undocumented(&docs).and_then(|()| self.structure(input)),
+                (_, "load") => self.load(docs, input),
+                (_, "state") => Ok(vec![Line::State(law_state(docs, input)?)]),
+                (_, "param") => Ok(vec![Line::Param(law_param(docs, input)?)]),
+                (_, "friction") => self.whole("friction", Line::Friction, |reader| {
+                    reader.friction(docs, input)
+                }),
+                (_, "press") => {
+                    self.whole("press", Line::Press, |reader| reader.press(docs, input))
+                }
+                _ => Ok(vec![self.rule(docs, keyword, input)?]),
+            }
         })
+    }
+
+    /// What other declarations have before a name is told to be too much, and the line is read all the same.
+    fn nothing_more(&mut self, input: ParseStream) -> syn::Result<()> {
+        if input.peek(Token![pub]) {
+            let word: Visibility = input.parse()?;
+            self.errors.at(
+                word,
+                "`pub` says nothing here: all that is declared is public without it; remove it",
+            );
+        }
+        Ok(())
     }
 
     /// A word, what its formula is of, and the formula.
@@ -53,10 +73,8 @@ impl Reader<'_> {
         let mut rate = None;
         let (line, name, formula): (fn(Rule) -> Line, _, _) = match text.as_str() {
             "let" => {
-                if input.peek(Token![mut]) {
-                    return Err(input.error(
-                        "a `let` line is a formula: it follows the states by itself, without `mut`",
-                    ));
+                if let Some(word) = input.parse::<Option<Token![mut]>>()? {
+                    self.errors.at(word, "`mut` says nothing here: what a `let` line names follows the states by itself; remove it");
                 }
                 let name = self.declared(input)?;
                 no_unit(&name, input)?;
@@ -92,79 +110,6 @@ impl Reader<'_> {
         }))
     }
 
-    fn friction(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Friction> {
-        let mut line = self.force_of(docs, input, |input| {
-            input.parse::<word::opposing>().map(drop)
-        })?;
-        line.memory = self.memory_if_stated(input)?;
-        Ok(line)
-    }
-
-    fn press(&mut self, docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Friction> {
-        self.force_of(docs, input, |input| {
-            input.parse::<word::closing>().map(drop)
-        })
-    }
-
-    /// `name: unit = Law { fields } word formula`
-    fn force_of(
-        &mut self,
-        docs: Vec<Attribute>,
-        input: ParseStream,
-        word: impl FnOnce(ParseStream) -> syn::Result<()>,
-    ) -> syn::Result<Friction> {
-        let name = self.declared(input)?;
-        let unit = value::unit_if_stated(input)?;
-        input.parse::<Token![=]>()?;
-        let law = input.call(Path::parse_mod_style)?;
-        let fields = self.fields(input)?;
-        word(input)?;
-        Ok(Friction {
-            docs,
-            name,
-            unit,
-            law,
-            fields,
-            speed: self.formula(input)?,
-            memory: Vec::new(),
-        })
-    }
-
-    fn fields(&mut self, input: ParseStream) -> syn::Result<Vec<Field>> {
-        let body;
-        braced!(body in input);
-        let mut fields = Vec::new();
-        while !body.is_empty() {
-            let field = self.field(&body)?;
-            let name = &field.name;
-            if fields.iter().any(|other: &Field| other.name == *name) {
-                let message = format!("field `{name}` is given twice; keep one");
-                self.errors.at(name, message);
-            } else {
-                fields.push(field);
-            }
-            if !body.is_empty() {
-                body.parse::<Token![,]>()?;
-            }
-        }
-        Ok(fields)
-    }
-
-    /// `name: formula`, or `name` alone where both are called the same.
-    fn field(&mut self, input: ParseStream) -> syn::Result<Field> {
-        let name: Ident = input.parse()?;
-        if input.peek(Token![=]) {
-            let message = format!("a field takes its value after `:`: write `{name}: ...`");
-            return Err(input.error(message));
-        }
-        let formula = if input.parse::<Option<Token![:]>>()?.is_some() {
-            self.formula(input)?
-        } else {
-            Formula::name(&name)
-        };
-        Ok(Field { name, formula })
-    }
-
     /// A state or a parameter of a model, or each element of an array of them.
     fn values(
         &mut self,
@@ -180,7 +125,7 @@ impl Reader<'_> {
             ));
         }
         let unit = value::unit_if_stated(input)?;
-        input.parse::<Token![=]>()?;
+        value::equals(input)?;
         let number = Some(value::number(input)?);
         let bounds = bounded.then(|| value::bounds_if_stated(input));
         let bounds = bounds.transpose()?.flatten();
@@ -214,7 +159,10 @@ impl Reader<'_> {
 
     /// `at formula`
     fn at(&mut self, input: ParseStream) -> syn::Result<Formula> {
-        input.parse::<word::at>()?;
+        if input.parse::<Option<word::at>>()?.is_none() {
+            let found = next(input).unwrap_or_default();
+            return Err(input.error(format!("expected `at` before `{found}`")));
+        }
         self.formula(input)
     }
 
@@ -223,7 +171,7 @@ impl Reader<'_> {
         self.formula(input)
     }
 
-    fn formula(&mut self, input: ParseStream) -> syn::Result<Formula> {
+    pub(super) fn formula(&mut self, input: ParseStream) -> syn::Result<Formula> {
         self.formula_in(self.place.grammar, input)
     }
 
@@ -240,6 +188,9 @@ impl Reader<'_> {
 
 /// What a `let` line abbreviates has the unit that follows.
 fn no_unit(name: &Ident, input: ParseStream) -> syn::Result<()> {
+    if input.peek(Token![:]) && input.peek2(Token![=]) {
+        return Err(input.error(format!("`:=` is written `=` here: `let {name} = ...;`")));
+    }
     if input.peek(Token![:]) {
         return Err(input.error(format!(
             "a `let` line states no unit, for that of `{name}` follows from its formula: write `let {name} = ...;`"
@@ -250,15 +201,23 @@ fn no_unit(name: &Ident, input: ParseStream) -> syn::Result<()> {
 
 /// `(depth, rate)`
 fn two_names(input: ParseStream) -> syn::Result<(Ident, Ident)> {
+    const BOTH: &str = "a press depends on the depth of the contact and its rate: write `force(d, v) = ...;`, with both names";
+    if !input.peek(token::Paren) {
+        return Err(input.error(BOTH));
+    }
     let inside;
     parenthesized!(inside in input);
-    let depth = name(&inside)?;
-    inside.parse::<Token![,]>()?;
-    let rate = name(&inside)?;
+    let both = |input: ParseStream| {
+        let depth = name(input)?;
+        input.parse::<Token![,]>()?;
+        Ok((depth, name(input)?))
+    };
+    let place = inside.fork();
+    let found = both(&inside).map_err(|_: syn::Error| place.error(BOTH))?;
     if !inside.is_empty() {
-        return Err(inside.error("expected the depth and its rate, and nothing more"));
+        return Err(inside.error(BOTH));
     }
-    Ok((depth, rate))
+    Ok(found)
 }
 
 fn law_state(docs: Vec<Attribute>, input: ParseStream) -> syn::Result<Value> {

@@ -1,7 +1,9 @@
 //! From tokens to a declaration as written.
 
+mod contact;
 mod docs;
 mod element;
+mod foreign;
 mod heading;
 mod line;
 mod measure;
@@ -68,7 +70,10 @@ fn header(input: ParseStream) -> syn::Result<(Declaration, TokenStream)> {
     braced!(body in input);
     let body = body.parse()?;
     if !input.is_empty() {
-        return Err(input.error("one declaration each: nothing may follow the closing brace"));
+        let more = shape::next(input).unwrap_or_default();
+        return Err(input.error(format!(
+            "`{more}` follows the closing brace: one declaration each, and nothing after it; remove it"
+        )));
     }
     Ok((declaration, body))
 }
@@ -113,13 +118,15 @@ impl Reader<'_> {
     fn lines(&mut self, body: TokenStream) -> Vec<Line> {
         let mut lines = Vec::new();
         let mut line = TokenStream::new();
-        let mut begins = false;
+        let (mut begins, mut blocks) = (false, false);
         for token in body {
             let ends = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == ';');
             if line.is_empty() {
                 begins = self.place.grammar == Grammar::Model && repeat::begins(&token);
+                blocks = foreign::begins_block(&token);
             }
             let loops = begins && repeat::ends(&token);
+            let ends = ends || blocks && repeat::ends(&token);
             line.extend([token]);
             if loops {
                 lines.extend(self.repeat(std::mem::take(&mut line)));
@@ -139,10 +146,23 @@ impl Reader<'_> {
         let mut semicolon = Punct::new(';', Spacing::Alone);
         semicolon.set_span(last.as_ref().map_or_else(Span::call_site, TokenTree::span));
         line.extend([TokenTree::from(semicolon)]);
+        let before = self.errors.len();
         self.read(line, lines);
-        if !matches!(lines.last(), Some(Line::Broken(_))) {
+        if self.errors.len() == before {
             self.errors.at(last, "missing `;` at the end of this line");
         }
+    }
+
+    /// Marks that stand where a line should begin.
+    fn stray(&mut self, input: ParseStream) -> syn::Result<()> {
+        while input.peek(Token![,]) || input.peek(Token![;]) {
+            let mark: TokenTree = input.parse()?;
+            let message = format!(
+                "`{mark}` stands alone: each line ends with one `;`, and nothing parts it from the next; remove it"
+            );
+            self.errors.at(mark, message);
+        }
+        Ok(())
     }
 
     fn read(&mut self, tokens: TokenStream, lines: &mut Vec<Line>) {
@@ -153,14 +173,25 @@ impl Reader<'_> {
         }
         let whole = tokens.clone();
         let reader = |input: ParseStream| {
+            self.stray(input)?;
+            if input.is_empty() {
+                return Ok(Default::default());
+            }
             let line = self.line(input)?;
+            let comma = input.parse::<Option<Token![,]>>()?;
             input.parse::<Option<Token![;]>>()?;
-            Ok((line, input.parse::<TokenStream>()?))
+            Ok((line, comma, input.parse::<TokenStream>()?))
         };
         match reader.parse2(tokens) {
-            Ok((line, rest)) => {
+            Ok((line, comma, rest)) => {
                 lines.extend(line);
-                if let Some(keyword) = shape::keyword_of(&rest) {
+                if let Some(comma) = comma {
+                    self.errors
+                        .at(comma, "`,` ends no line: write `;` in its place");
+                    if !rest.is_empty() {
+                        self.read(rest, lines);
+                    }
+                } else if let Some(keyword) = shape::keyword_of(&rest) {
                     let missing = format!("missing `;` at the end of the line before `{keyword}`");
                     self.errors.at(&keyword, missing);
                     self.read(rest, lines);
@@ -169,6 +200,9 @@ impl Reader<'_> {
             Err(error) => {
                 self.errors.add(error);
                 lines.push(Line::Broken(self.place.broken(&whole)));
+                if let Some(next) = shape::after_comma(whole) {
+                    self.read(next, lines);
+                }
             }
         }
     }

@@ -5,10 +5,11 @@ use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
 use syn::{Expr, ExprRange, RangeLimits, Token, braced};
 
-use super::shape::with_shape;
+use super::shape::{next, with_shape};
 use super::{Place, Reader};
 use crate::arithmetic;
 use crate::errors::Errors;
+use crate::formula::tight;
 use crate::syntax::{Broken, Line};
 
 /// Most repetitions of a line.
@@ -81,8 +82,14 @@ fn read(input: ParseStream, place: Place) -> syn::Result<Loop> {
         let message = format!("loops are nested deeper than {DEEPEST} here");
         return Err(syn::Error::new_spanned(word, message));
     }
-    let counter: Ident = input.parse()?;
-    input.parse::<Token![in]>()?;
+    let found = next(input).unwrap_or_default();
+    let counter: Ident = input
+        .parse()
+        .map_err(|_| input.error(format!("expected the name of a counter before `{found}`")))?;
+    let found = next(input).unwrap_or_default();
+    input
+        .parse::<Token![in]>()
+        .map_err(|_| input.error(format!("expected `in` before `{found}`")))?;
     let range = Expr::parse_without_eager_brace(input)?;
     let (from, to) = ends_of(&range)?;
     let body;
@@ -121,7 +128,10 @@ fn ends_of(range: &Expr) -> syn::Result<(i64, i64)> {
     else {
         return Err(syn::Error::new_spanned(
             range,
-            "expected a range of whole numbers such as `0..10`",
+            format!(
+                "expected a range of whole numbers such as `0..10`, not `{}`",
+                tight(&range.to_token_stream())
+            ),
         ));
     };
     let last = matches!(limits, RangeLimits::Closed(_));

@@ -1,11 +1,12 @@
 //! How a line begins and ends, and what to say where it does not.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Spacing, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Token, parenthesized, token};
 
 use super::Grammar;
+use super::foreign::{has_block, meant_by};
 use crate::suggest::nearest;
 use crate::syntax::{Broken, Line};
 
@@ -62,18 +63,29 @@ const LET: &str = "let stretch = x - x_0;";
 const DER: &str = "der(x) = v;";
 
 /// The words that begin a line.
-fn keywords(grammar: Grammar) -> impl Iterator<Item = &'static str> + Clone {
+pub(super) fn keywords(grammar: Grammar) -> impl Iterator<Item = &'static str> + Clone {
     lines(grammar).iter().map(|(word, _)| *word)
 }
 
 /// Reads with `read` up to the semicolon; a syntax error shows how such a line is written.
 pub(super) fn shaped(
-    shape: &str,
+    (word, shape): (&str, &str),
     input: ParseStream,
     read: impl FnOnce(ParseStream) -> syn::Result<Vec<Line>>,
 ) -> syn::Result<Vec<Line>> {
-    let outcome = read(input).and_then(|line| ended(input).map(|()| line));
-    outcome.map_err(|error| with_shape(error, "the line", shape))
+    let outcome = read(input).and_then(|line| ended(word, input).map(|()| line));
+    outcome.map_err(|error| with_shape(with_next(error, input), "the line", shape))
+}
+
+/// An error of the parser with what it met, if it met that where it stands.
+fn with_next(error: syn::Error, input: ParseStream) -> syn::Error {
+    let message = error.to_string();
+    let told = message.contains(" before ") || message.contains(": ");
+    let here = format!("{:?}", input.span()) == format!("{:?}", error.span());
+    match next(input).filter(|_| here && !told && message.starts_with("expected")) {
+        Some(found) => syn::Error::new(error.span(), format!("{message} before `{found}`")),
+        None => error,
+    }
 }
 
 /// An error of the parser with how the whole is written.
@@ -87,17 +99,79 @@ pub(super) fn with_shape(error: syn::Error, whole: &str, shape: &str) -> syn::Er
     }
 }
 
-/// A line ends with a semicolon; where it is missing, the next line may begin.
-fn ended(input: ParseStream) -> syn::Result<()> {
-    let rest: TokenStream = input.fork().parse()?;
-    if input.peek(Token![;]) || keyword_of(&rest).is_some() {
+/// A line ends with a semicolon; where it is missing, or a comma stands for it, the next line may begin.
+fn ended(word: &str, input: ParseStream) -> syn::Result<()> {
+    if input.peek(Token![;]) || parted(input) {
         return Ok(());
     }
-    let next = rest.into_iter().next().map(|token| token.to_string());
-    let next = next.unwrap_or_default();
-    Err(input.error(format!(
-        "expected `;` before `{next}`, or `*` if a product is meant"
-    )))
+    let next = next(input).unwrap_or_default();
+    Err(input.error(match next.as_str() {
+        "," => "`,` parts nothing here: a line has one name and one formula, and ends with `;`".to_owned(),
+        "where" => format!("`where` bounds a `param`, and a `{word}` line has no bounds: remove them"),
+        "if" | "in" | "<" | ">" | "<=" | ">=" => {
+            format!("bounds follow `where`, not `{next}`: write `where 0.0 < k < 1.0`")
+        }
+        "and" | "or" | "&&" | "||" => {
+            format!("`{next}` joins no bounds: write both ends of an interval as `0.0 <= k < 1.0`")
+        }
+        "[" => "`[` has no place here: arrays are states and parameters of models, and have their number of elements where \
+                they are declared"
+            .to_owned(),
+        "+" | "-" | "*" | "/" => format!(
+            "`{next}` calculates where a number stands: a start and a default are one number, such as `0.5`, and formulas \
+             have a line of their own by `let`"
+        ),
+        _ => format!("expected `;` before `{next}`, or `*` if a product is meant"),
+    }))
+}
+
+/// Whether the next line begins here, or does so after a comma; or nothing comes after that.
+fn parted(input: ParseStream) -> bool {
+    let rest = input.fork();
+    let comma = rest.parse::<Option<Token![,]>>();
+    let comma = comma.is_ok_and(|comma| comma.is_some());
+    let last = comma && (rest.is_empty() || rest.peek(Token![;]));
+    rest.parse::<TokenStream>()
+        .is_ok_and(|rest| last || keyword_of(&rest).is_some())
+}
+
+/// Whether a comma stands where a line should end with a semicolon.
+pub(super) fn ends_with_comma(input: ParseStream) -> bool {
+    input.peek(Token![,]) && parted(input)
+}
+
+/// The line that begins after a comma in these tokens, if one does.
+pub(super) fn after_comma(line: TokenStream) -> Option<TokenStream> {
+    let mut rest = line.into_iter();
+    loop {
+        if matches!(rest.next()?, TokenTree::Punct(mark) if mark.as_char() == ',') {
+            let next: TokenStream = rest.clone().collect();
+            if keyword_of(&next).is_some() {
+                return Some(next);
+            }
+        }
+    }
+}
+
+/// What stands next as it is written; signs that touch are one.
+pub(super) fn next(input: ParseStream) -> Option<String> {
+    let mut rest = input.fork().parse::<TokenStream>().ok()?.into_iter();
+    let mut text = String::new();
+    loop {
+        let punct = match (rest.next(), text.is_empty()) {
+            (Some(TokenTree::Punct(punct)), _) => punct,
+            (Some(TokenTree::Group(group)), true) => {
+                return group.to_string().chars().next().map(String::from);
+            }
+            (Some(token), true) => return Some(token.to_string()),
+            _ => return (!text.is_empty()).then_some(text),
+        };
+        text.push(punct.as_char());
+        let ends = matches!(punct.as_char(), ';' | ',') || punct.spacing() == Spacing::Alone;
+        if ends {
+            return Some(text);
+        }
+    }
 }
 
 /// The word with which another line begins in these tokens, if one does.
@@ -119,18 +193,44 @@ fn first_word(input: ParseStream) -> syn::Result<Ident> {
 
 /// What a line that cannot be read was meant to declare.
 pub(super) fn broken(tokens: &TokenStream, grammar: Grammar) -> Broken {
+    let equation = || Broken {
+        keyword: Some("der"),
+        name: None,
+    };
     let reader = |input: ParseStream| {
         let first = first_word(input)?;
         let keyword = meant(&first, grammar);
-        let name = if keyword.is_none() && input.peek(Token![=]) {
-            Some(first)
-        } else {
-            second_word(input).ok()
+        let model = grammar == Grammar::Model;
+        let rate = model && keyword.is_none() && (input.peek(Token![/]) || holds_rate(tokens));
+        let (named, block) = (
+            input.peek(Token![=]) || input.peek(Token![:]),
+            has_block(&first),
+        );
+        let name = match keyword {
+            None if named => Some(first),
+            _ => second_word(input).ok(),
         };
         input.parse::<TokenStream>()?;
-        Ok(Broken { keyword, name })
+        Ok(if rate || (model && block) {
+            equation()
+        } else {
+            Broken { keyword, name }
+        })
     };
-    reader.parse2(tokens.clone()).unwrap_or_default()
+    let read = reader.parse2(tokens.clone());
+    read.unwrap_or_else(|_| {
+        if holds_rate(tokens) {
+            equation()
+        } else {
+            Broken::default()
+        }
+    })
+}
+
+/// Whether a rate stands somewhere in a line.
+fn holds_rate(tokens: &TokenStream) -> bool {
+    let rate = |token| matches!(token, TokenTree::Ident(word) if word == "der");
+    tokens.clone().into_iter().any(rate)
 }
 
 fn second_word(input: ParseStream) -> syn::Result<Ident> {
@@ -145,84 +245,17 @@ fn second_word(input: ParseStream) -> syn::Result<Ident> {
 }
 
 /// The keyword that is written, or that the written word is near to.
-fn meant(word: &Ident, grammar: Grammar) -> Option<&'static str> {
+pub(super) fn meant(word: &Ident, grammar: Grammar) -> Option<&'static str> {
     let word = word.to_string();
     let exact = keywords(grammar).find(|keyword| *keyword == word);
-    exact.or_else(|| nearest(&word, keywords(grammar)))
+    let other = || meant_by(&word, grammar);
+    exact
+        .or_else(other)
+        .or_else(|| nearest(&word, keywords(grammar)))
 }
 
-pub(super) fn no_keyword(input: ParseStream, grammar: Grammar) -> syn::Error {
-    input.error(format!("a line begins with {}", listed(grammar)))
-}
-
-/// Words with which people begin lines, and what to write instead.
-const OTHERS: [(&str, &str); 7] = [
-    ("pub", "states and parameters are public without it"),
-    (
-        "fn",
-        "a formula has a name by `let stretch = x - x_0;`, and a force that depends on a speed is a law, by `friction_law!`",
-    ),
-    (
-        "const",
-        "a number that does not change is a `param`: `param g: m/s^2 = 9.81;`",
-    ),
-    (
-        "constant",
-        "a number that does not change is a `param`: `param g: m/s^2 = 9.81;`",
-    ),
-    ("var", "what moves is a `state`: `state x: m = 1.0;`"),
-    (
-        "force",
-        "a force of friction is declared by `friction`, others stand in equations, or have a name by `let`",
-    ),
-    ("equation", "an equation is written `der(x) = v;`"),
-];
-
-/// A `stop` line where none can be.
-const NO_STOP: &str = "it is for the internal state of a law in `friction_law!`, as that of an elastic slider: \
-     `friction F = Jenkins { .. } opposing v with z;`; a coordinate that meets a wall is pressed back by it: \
-     `press N = Law { .. } closing gap;`";
-
-pub(super) fn unknown_keyword(written: &Ident, grammar: Grammar, input: ParseStream) -> syn::Error {
-    let word = written.to_string();
-    let advice = if word == "stop" && grammar == Grammar::Model {
-        NO_STOP.to_owned()
-    } else if let Some(near) = meant(written, grammar) {
-        format!("did you mean `{near}`?")
-    } else if let Some((_, advice)) = OTHERS.iter().find(|(other, _)| *other == word) {
-        (*advice).to_owned()
-    } else if let Some(home) = home(&word, grammar) {
-        format!("it belongs to `{home}`")
-    } else if word.starts_with('d') && input.peek(Token![/]) {
-        "a rate of change is written `der(x) = v;`".to_owned()
-    } else if grammar == Grammar::Model && input.peek(Token![=]) {
-        format!(
-            "write `der({word}) = ...;` for an equation, `let {word} = ...;` for an abbreviation"
-        )
-    } else {
-        format!("a line begins with {}", listed(grammar))
-    };
-    syn::Error::new(
-        written.span(),
-        format!("`{word}` does not begin a line; {advice}"),
-    )
-}
-
-/// The macro of which this word begins a line, if it is another one.
-fn home(word: &str, grammar: Grammar) -> Option<&'static str> {
-    let homes = [
-        (Grammar::Model, "model!"),
-        (Grammar::Law, "friction_law!"),
-        (Grammar::Press, "press_law!"),
-    ];
-    let mut others = homes
-        .into_iter()
-        .filter(|(other, _)| keywords(*other).any(|keyword| keyword == word));
-    let own = keywords(grammar).any(|keyword| keyword == word);
-    others.next().filter(|_| !own).map(|(_, home)| home)
-}
-
-fn listed(grammar: Grammar) -> String {
+/// The words that begin a line, as a message lists them.
+pub(super) fn listed(grammar: Grammar) -> String {
     let quoted = keywords(grammar).map(|word| format!("`{word}`"));
     let quoted: Vec<String> = quoted.collect();
     let (last, first) = quoted.split_last().expect("a grammar has keywords");

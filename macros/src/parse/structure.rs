@@ -7,8 +7,9 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Attribute, LitInt, LitStr, Token};
 
-use super::Reader;
 use super::docs::name;
+use super::shape::next;
+use super::{Reader, value};
 use crate::structure::{Load, Quantity, Reduced, Structure, named};
 use crate::syntax::{Broken, Line, word};
 
@@ -16,11 +17,17 @@ impl Reader<'_> {
     /// `name = "path" keeping count`
     pub(super) fn structure(&mut self, input: ParseStream) -> syn::Result<Vec<Line>> {
         let name = name(input)?;
-        input.parse::<Token![=]>()?;
+        value::equals(input)?;
         let path: LitStr = input.parse()?;
         let kept = match input.parse::<Option<word::keeping>>()? {
             None => None,
-            Some(_) => Some(input.parse::<LitInt>()?),
+            Some(_) if input.peek(LitInt) => Some(input.parse::<LitInt>()?),
+            Some(_) => {
+                let found = next(input).unwrap_or_default();
+                return Err(input.error(format!(
+                    "`{found}` is no number of modes: `keeping` is followed by a whole number, as in `keeping 12`"
+                )));
+            }
         };
         match read(&name, &path, kept.as_ref()) {
             Ok(structure) => {

@@ -4,31 +4,51 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{BinOp, Lit, LitInt, Token};
+use syn::{BinOp, Lit, LitInt, LitStr, Token, token};
 
+use super::shape::{ends_with_comma, next};
 use crate::arithmetic;
 use crate::formula::Number;
 use crate::syntax::{Bound, Bounds, Unit, UnitFactor};
 
 /// `=`
 pub(super) fn equals(input: ParseStream) -> syn::Result<()> {
-    input.parse::<Token![=]>()?;
-    match input.peek(Token![=]) {
-        true => Err(input.error("a line says by one `=` what its left side is")),
-        false => Ok(()),
+    if input.peek(Token![==]) {
+        return Err(input.error("a line says by one `=`, not by `==`, what its left side is"));
     }
+    if input.parse::<Option<Token![=]>>()?.is_some() {
+        return Ok(());
+    }
+    let found = next(input).unwrap_or_default();
+    Err(input.error(match found.as_str() {
+        ";" => "expected `=` and a value before `;`".to_owned(),
+        "(" => "`(` has no place after a name: what is declared moves with time by itself, and is written alone".to_owned(),
+        "+" | "-" | "*" | "/" => {
+            format!("`{found}` stands left of `=`: a left side is one name or one rate, and all else is taken to the right")
+        }
+        "." => "`.` joins no symbols of a unit: write `*` or `/`, as in `N*m`".to_owned(),
+        _ => format!("expected `=` before `{found}`"),
+    }))
 }
 
 /// `["-"] literal`
 pub(super) fn number(input: ParseStream) -> syn::Result<Number> {
     let sign: Option<Token![-]> = input.parse()?;
+    if input.peek(Token![+]) {
+        return Err(input.error("`+` says nothing before a number: remove it"));
+    }
+    if input.peek(token::Bracket) {
+        return Err(input.error(
+            "`[` begins no number: all elements of an array begin at the same one, such as `1.0`",
+        ));
+    }
     if let Ok(name) = input.fork().call(Ident::parse_any) {
         let message = format!(
             "expected a number such as `1.0`, not the name `{name}`: starts, defaults and bounds are numbers"
         );
         return Err(input.error(message));
     }
-    if !input.peek(Lit) {
+    if !input.peek(Lit) || input.peek(LitStr) {
         return Err(input.error("expected a number such as `1.0`"));
     }
     let magnitude = arithmetic::number(&input.parse()?)?;
@@ -49,10 +69,12 @@ pub(super) fn bounds_if_stated(input: ParseStream) -> syn::Result<Option<Bounds>
     let ahead = input.fork();
     let mut bounds = bounds(input)?;
     bounds.source = consumed(&ahead, input)?;
-    if input.peek(Token![,]) || input.peek(Token![&&]) {
+    let joined =
+        next(input).filter(|next| matches!(next.as_str(), "," | "&&" | "and" | "or" | "||"));
+    if let Some(joined) = joined.filter(|_| !ends_with_comma(input)) {
         let name = &bounds.name;
         return Err(input.error(format!(
-            "write both ends of an interval as `0.0 <= {name} < 1.0`"
+            "`{joined}` joins no bounds: write both ends of an interval as `0.0 <= {name} < 1.0`"
         )));
     }
     Ok(Some(bounds))
@@ -68,6 +90,11 @@ fn bounds(input: ParseStream) -> syn::Result<Bounds> {
         lower = Some(Bound { number, inclusive });
     }
     let name = input.call(Ident::parse_any)?;
+    if input.peek(token::Paren) {
+        return Err(input.error(format!(
+            "`{name}(` bounds no parameter: write both ends of an interval as `-10.0 < k < 10.0`"
+        )));
+    }
     if one_sided {
         let (less, inclusive) = relation(input)?;
         let number = number(input)?;
@@ -104,7 +131,12 @@ fn relation(input: ParseStream) -> syn::Result<(bool, bool)> {
         Ok(BinOp::Le(_)) => (true, true),
         Ok(BinOp::Gt(_)) => (false, false),
         Ok(BinOp::Ge(_)) => (false, true),
-        _ => return Err(input.error("expected one of `>`, `>=`, `<`, `<=`")),
+        _ => {
+            let found = next(input).unwrap_or_default();
+            return Err(input.error(format!(
+                "expected one of `>`, `>=`, `<`, `<=` before `{found}`"
+            )));
+        }
     };
     input.parse::<BinOp>()?;
     Ok(found)
@@ -130,8 +162,15 @@ pub(super) fn unit_if_stated(input: ParseStream) -> syn::Result<Option<Unit>> {
         factors.push(factor(input, divides)?);
     }
     let source = consumed(&ahead, input)?;
-    if input.peek(syn::Ident) {
-        return Err(input.error("join the symbols of a unit with `*` or `/`, as in `N*m`"));
+    if let Ok(symbol) = input.fork().parse::<Ident>() {
+        return Err(input.error(match symbol.to_string().as_str() {
+            word @ ("opposing" | "closing" | "with") => {
+                format!("`{word}` stands behind the law: `= Law {{ field: value }} {word} v`")
+            }
+            symbol => {
+                format!("join the symbol `{symbol}` to a unit with `*` or `/`, as in `N*m`")
+            }
+        }));
     }
     Ok(Some(Unit { factors, source }))
 }
@@ -153,8 +192,14 @@ fn factor(input: ParseStream, divides: bool) -> syn::Result<UnitFactor> {
     if input.peek(syn::token::Paren) {
         return Err(input.error("units have no parentheses: write `N/m/s` for N/(m s)"));
     }
+    if input.peek(LitStr) {
+        return Err(input.error("a unit stands without quotes, as in `kg*m/s^2`"));
+    }
+    if input.peek(Token![=]) {
+        return Err(input.error("between `:` and `=` stands a unit, as in `x: m = 1.0`; write `=` alone where there is none"));
+    }
     if !input.peek(syn::Ident::peek_any) {
-        return Err(input.error("expected the symbol of a unit, as in `kg*m/s^2`"));
+        return Err(input.error("expected the symbol of a unit, as in `kg*m/s^2`,"));
     }
     let symbol = input.call(Ident::parse_any)?;
     let mut exponent = 1;

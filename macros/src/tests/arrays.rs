@@ -72,7 +72,8 @@ fn indices_lie_within_their_arrays() {
     assert_eq!(
         of_chain("- k * x[0]", "- k * x[0.5]"),
         [
-            "an index is a whole number: made of the counter of a `for`, whole numbers, `+ - * %` and parentheses"
+            "`0.5` is no whole number that is known here: an index and the ends of a loop are made of counters of `for`, \
+             whole numbers, `+ - * %` and parentheses"
         ]
     );
     assert_eq!(
@@ -92,7 +93,7 @@ fn loops_count_whole_numbers() {
     );
     assert_eq!(
         of_chain("for i in 1..3", "for i = 1..3"),
-        ["expected `in`; a loop has the form `for i in 0..10 { der(x[i]) = v[i]; }`"]
+        ["expected `in` before `=`; a loop has the form `for i in 0..10 { der(x[i]) = v[i]; }`"]
     );
     assert_eq!(
         of_chain(
@@ -110,8 +111,10 @@ fn loops_count_whole_numbers() {
     );
     assert_eq!(
         of_chain("for i in 1..3", "for i in v"),
-        ["expected a range of whole numbers such as `0..10`; \
-          a loop has the form `for i in 0..10 { der(x[i]) = v[i]; }`"]
+        [
+            "expected a range of whole numbers such as `0..10`, not `v`; \
+          a loop has the form `for i in 0..10 { der(x[i]) = v[i]; }`"
+        ]
     );
     assert_eq!(
         of_chain("param mass", "param i: N = 2.0; param mass")[..1],
@@ -144,7 +147,7 @@ fn a_mistake_in_a_loop_is_told_once() {
     );
     assert_eq!(
         of_chain("der(x[i]) = v[i];", "der(x[i]) v[i];"),
-        ["expected `=`; the line has the form `der(x) = v;`"]
+        ["expected `=` before `v`; the line has the form `der(x) = v;`"]
     );
 }
 

@@ -57,7 +57,7 @@ fn bounds_are_about_their_own_parameter() {
 fn other_forms_are_shown_the_right_one() {
     assert_eq!(
         told("where k > 0.0 && k < 2.0"),
-        ["write both ends of an interval as `0.0 <= k < 1.0`"]
+        ["`&&` joins no bounds: write both ends of an interval as `0.0 <= k < 1.0`"]
     );
     assert_eq!(
         told("where 2.0 > k > 0.0"),
@@ -70,11 +70,11 @@ fn other_forms_are_shown_the_right_one() {
     assert_eq!(
         told("where k = 1.0"),
         [
-            "expected one of `>`, `>=`, `<`, `<=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"
+            "expected one of `>`, `>=`, `<`, `<=` before `=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"
         ]
     );
     assert_eq!(
         told("where k > 1e999"),
-        ["this number is too large for an `f64`"]
+        ["`1e999` is too large for an `f64`, of which the largest is 1.8e308"]
     );
 }

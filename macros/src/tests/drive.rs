@@ -75,7 +75,7 @@ fn one_drive_advances_as_its_parameters_say() {
     );
     assert_eq!(
         of_driven("drive phi at", "drive phi ="),
-        ["expected `at`; the line has the form `drive phi at omega;`"]
+        ["expected `at` before `=`; the line has the form `drive phi at omega;`"]
     );
     assert_eq!(
         of_driven("drive phi", "drive psi"),

@@ -20,7 +20,9 @@ fn a_line_begins_with_a_keyword() {
     );
     assert_eq!(
         of_law("stick = 1.0; slip(s) = 1.0; (3)"),
-        ["a line begins with `param`, `let`, `stick`, `slip`, `state`, `der`, `stop` or `force`"]
+        [
+            "`(` does not begin a line; a line begins with `param`, `let`, `stick`, `slip`, `state`, `der`, `stop` or `force`"
+        ]
     );
 }
 
@@ -49,16 +51,15 @@ fn a_missing_semicolon_is_found_where_the_next_line_begins() {
 fn a_broken_line_shows_the_form_it_should_have() {
     assert_eq!(
         of_belt("k: N/m = 1.0", "k: N/m 1.0"),
-        ["expected `=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
+        ["expected `=` before `1.0`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
     );
     assert_eq!(
         of_belt("opposing v", "against v"),
-        ["expected `opposing`; the line has the form \
-          `friction F: N = Law { field: value } opposing v - v_belt;`"]
+        ["what `F` depends on follows `opposing`, not `against`: write `opposing v - v_belt`"]
     );
     assert_eq!(
         of_belt("der(x) = v;", "der(x, v) = v;"),
-        ["expected one name between the parentheses; the line has the form `der(x) = v;`"]
+        ["`,` follows `x`, and between these parentheses stands one name"]
     );
     assert_eq!(
         of_belt("param v_dr: m/s = 0.2", "param v_dr = 0.2 m/s"),
@@ -88,7 +89,9 @@ fn only_declarations_are_documented() {
     );
     assert_eq!(
         of_belt("param k", "#[cfg(test)] param k"),
-        ["only doc comments (`///`) may stand here"]
+        [
+            "`#[cfg]` has no meaning here: only doc comments (`///`) may stand before what is declared; remove it"
+        ]
     );
 }
 
@@ -100,7 +103,9 @@ fn laws_have_no_defaults_and_models_have() {
     );
     assert_eq!(
         of_belt("v_dr: m/s = 0.2", "v_dr: m/s"),
-        ["expected `=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"]
+        [
+            "expected `=` and a value before `;`; the line has the form `param k: N/m = 1.0 where k > 0.0;`"
+        ]
     );
 }
 
@@ -113,7 +118,9 @@ fn one_macro_declares_one_struct() {
     );
     assert_eq!(
         declared("struct M { state x = 1.0; der(x) = -x; } struct N {}"),
-        ["one declaration each: nothing may follow the closing brace"]
+        [
+            "`struct` follows the closing brace: one declaration each, and nothing after it; remove it"
+        ]
     );
     assert_eq!(
         of_model(""),
@@ -128,7 +135,7 @@ fn what_belongs_elsewhere_is_shown_the_way() {
         (
             "state v: m/s = 0.0",
             "pub state v: m/s = 0.0",
-            "are public without it",
+            "is public without it",
         ),
         (
             "state v: m/s = 0.0",
@@ -147,7 +154,7 @@ fn what_belongs_elsewhere_is_shown_the_way() {
         ),
         ("der(x) = v;", "der(x) == v;", "by one `=`"),
         ("der(v) =", "der(der(x)) =", "are of first order"),
-        ("let stretched", "let mut stretched", "without `mut`"),
+        ("let stretched", "let mut stretched", "remove it"),
         (
             "opposing v - v_dr",
             "opposing v_dr - 1.0",

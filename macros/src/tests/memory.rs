@@ -220,7 +220,7 @@ fn stops_are_of_states() {
     );
     assert_eq!(
         of_jenkins("stop z at level;", "stop z = level;"),
-        ["expected `at`; the line has the form `stop z at limit;`"]
+        ["expected `at` before `=`; the line has the form `stop z at limit;`"]
     );
     let bare = of_law("param a; stop z at a; stick = a; slip(s) = a;");
     let wanted = "`z` is not a state; declare it with `state z;`";

@@ -99,8 +99,8 @@ fn several_mistakes_are_reported_at_once() {
     assert_eq!(
         of_model(lines),
         [
-            "expected a number such as `1.0`; the line has the form `state x: m = 1.0;`",
-            "expected a name; the line has the form `param k: N/m = 1.0 where k > 0.0;`",
+            "expected a number such as `1.0` before `;`; the line has the form `state x: m = 1.0;`",
+            "expected a name before `=`; the line has the form `param k: N/m = 1.0 where k > 0.0;`",
             "`signum` is not smooth, and no switch is declared for its jump; \
              write dry friction as `friction F = Law { .. } opposing speed;`, a wall or a gap as \
              `press N = Law { .. } closing gap;`",

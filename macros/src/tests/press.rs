@@ -51,9 +51,7 @@ fn a_press_is_used_and_its_words_are_known() {
     );
     assert_eq!(
         with("closing", "opposing"),
-        [
-            "expected `closing`; the line has the form `press N: N = Law { field: value } closing y - y_wall;`"
-        ]
+        ["what `N` depends on follows `closing`, not `opposing`: write `closing y - y_wall`"]
     );
     assert_eq!(
         with("press N", "pres N")[0],

@@ -127,7 +127,7 @@ fn units_have_one_form() {
     assert_eq!(told("rad*kg"), NONE);
     assert_eq!(
         told("N s"),
-        ["join the symbols of a unit with `*` or `/`, as in `N*m`"]
+        ["join the symbol `s` to a unit with `*` or `/`, as in `N*m`"]
     );
     assert_eq!(
         told("N/(m*s)"),

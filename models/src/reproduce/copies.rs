@@ -2,13 +2,15 @@
 
 use stickslip::bifurcation::Stability;
 use stickslip::field::{Kernel, Smoothing};
+use stickslip::report::chart::placed;
 use stickslip::report::numerals::power;
 use stickslip::report::{Coordinate, Curve, traced};
 use stickslip::study::{Dynamics, OrbitRecord, parallel};
 
 use super::ReproduceError;
 use super::ask::{Cycle, Subject};
-use super::branch::{Branch, at};
+use super::branch::Branch;
+use super::pieces::{UNKNOWN, directed};
 
 /// A system with one friction.
 pub(super) struct Member {
@@ -59,15 +61,12 @@ impl Member {
         points
     }
 
-    /// The largest magnitude of the first state along the branches.
-    pub(super) fn amplitudes(&self) -> Vec<[f64; 2]> {
-        self.along(|orbit| orbit.max_abs[0])
-    }
-
-    /// A quantity of the orbits along the branches.
-    pub(super) fn along(&self, of: fn(&OrbitRecord) -> f64) -> Vec<[f64; 2]> {
+    /// A quantity of the orbits along the branches, in the style of series number `series`.
+    pub(super) fn along(&self, label: &str, series: usize, of: fn(&OrbitRecord) -> f64) -> Curve {
         let points = self.points().into_iter();
-        points.map(|orbit| [at(orbit), of(orbit)]).collect()
+        let placed = points.map(|orbit| placed(orbit, |orbit| Some(of(orbit))));
+        let points = placed.map(|(at, direction)| (at, direction.unwrap_or(UNKNOWN)));
+        directed(label, series, points.collect())
     }
 
     /// The orbit at the beginning, in the plane of the first two states.
@@ -127,7 +126,7 @@ impl Copies {
     }
 
     fn along(&self, of: fn(&OrbitRecord) -> f64) -> Vec<Curve> {
-        self.curves(|one, series| Curve::smooth(&one.label, series, one.along(of)))
+        self.curves(|one, series| one.along(&one.label, series, of))
     }
 
     /// The orbits at the beginning, in the plane of the first two states.

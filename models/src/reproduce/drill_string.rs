@@ -7,6 +7,7 @@ use stickslip::study::Dynamics;
 
 use super::ReproduceError;
 use super::ask::Subject;
+use super::branch::at;
 use super::copies::{Copies, copy, stability};
 use super::equilibrium::{drawn, hopf};
 use super::errors::{Measured, Thesis, printed};
@@ -71,8 +72,10 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
     let [first, second] = hopf(&rest);
     let equilibrium = Curve::points("stable equilibrium", 0, Marker::Cross, vec![[0.0, 0.0]]);
     let hopf = "Hopf points: artefacts of smoothing";
-    let tip: Vec<[f64; 2]> = copies.exact.amplitudes().pop().into_iter().collect();
-    let grazes = tip.first().map_or(f64::NAN, |point| point[0]);
+    let orbits = copies.exact.points();
+    let tip = orbits.last().map(|orbit| [at(orbit), orbit.max_abs[0]]);
+    let grazes = tip.map_or(f64::NAN, |point| point[0]);
+    let tip = tip.into_iter().collect();
     let tip = Curve::points("end by grazing", 0, Marker::Diamond, tip);
     let last = copies.exact.branches.last();
     let end = last.map_or(f64::NAN, |branch| branch.end);

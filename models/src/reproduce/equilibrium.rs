@@ -4,7 +4,7 @@ use stickslip::bifurcation::Stability;
 use stickslip::report::{Curve, Marker};
 use stickslip::study::EquilibriaRecord;
 
-use super::pieces::pieces;
+use super::pieces::{Directed, UNKNOWN, directed, pieces};
 
 /// Series of stable equilibria: a solid line; of unstable ones: a dashed line; of Hopf points; of the exact system.
 const STABLE: usize = 6;
@@ -35,24 +35,27 @@ pub(super) fn drawn(
             true => ("copy, stable", STABLE),
             false => ("copy, unstable", UNSTABLE),
         };
-        Curve::smooth(label, series, points)
+        directed(label, series, points)
     });
     let exact = curve(exact).into_iter().map(|(_, point)| point).collect();
     let hopf = Curve::points(artefacts, HOPF, Marker::Diamond, points(copy));
-    let others = [hopf, Curve::smooth(label, EXACT, exact)];
+    let others = [hopf, directed(label, EXACT, exact)];
     stretches.chain(others).collect()
 }
 
 /// The first state along a branch, with the stability from there on.
-fn curve(branch: &EquilibriaRecord) -> Vec<(bool, [f64; 2])> {
-    let mut curve: Vec<(bool, [f64; 2])> = Vec::new();
+fn curve(branch: &EquilibriaRecord) -> Vec<(bool, Directed)> {
+    let mut curve: Vec<(bool, Directed)> = Vec::new();
     let mut special = points(branch).into_iter();
     for found in &branch.points {
         let stable = found.stability == Stability::Stable;
         if curve.last().is_some_and(|(before, _)| *before != stable) {
-            curve.extend(special.next().map(|change| (stable, change)));
+            curve.extend(special.next().map(|change| (stable, (change, UNKNOWN))));
         }
-        curve.push((stable, [found.r.unwrap_or(f64::NAN), found.state[0]]));
+        let at = [found.r.unwrap_or(f64::NAN), found.state[0]];
+        let beside = found.beside.as_ref();
+        let way = beside.map_or(UNKNOWN, |(r, state)| [r - at[0], state[0] - at[1]]);
+        curve.push((stable, (at, way)));
     }
     curve
 }

@@ -34,20 +34,16 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
         .curves(
             "3.2",
             [vec![
-                Curve::smooth("max |*x*|", 1, cycles.amplitudes()),
-                Curve::smooth("max |*x*′|", 2, cycles.along(|orbit| orbit.max_abs[1])),
+                cycles.along("max |*x*|", 1, |orbit| orbit.max_abs[0]),
+                cycles.along("max |*x*′|", 2, |orbit| orbit.max_abs[1]),
             ]],
         )
         .curves(
             "3.3",
             [
-                vec![Curve::smooth(
-                    "",
-                    0,
-                    cycles.along(|orbit| 1.0 / orbit.period),
-                )],
+                vec![cycles.along("", 0, |orbit| 1.0 / orbit.period)],
                 vec![
-                    Curve::smooth("*λ*_{1} = 1, the trivial one", 1, cycles.along(|_| 0.0)),
+                    cycles.along("*λ*_{1} = 1, the trivial one", 1, |_| 0.0),
                     Curve::smooth("*λ*_{2}", 2, second.collect()),
                 ],
             ],

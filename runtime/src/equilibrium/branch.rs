@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use super::EquilibriumProblem;
 use super::special::{EquilibriumPoint, monitors, turns};
 use super::spectrum::Spectrum;
-use crate::continuation::{self, Failure, Monitor, Point, Reader, Settings, Walked};
+use crate::continuation::{self, Failure, Monitor, Point, Reader, Settings, Walked, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Family, Place, Velocity, sticking};
@@ -73,6 +73,9 @@ impl Reader for Equilibria {
             margins: flow.map_or_else(|_| Vec::new(), |flow| flow.margins(&place)),
             state: place.state,
             r: point.r,
+            way: point
+                .tangent
+                .component_mul(&problem.scale().push(point.r_scale)),
             slope: point.tangent[point.z.len()],
             determinant: problem.determinant(&point.z, point.r, velocity),
             critical: None,

@@ -1,6 +1,6 @@
 //! Points of a branch of equilibria, and what is looked for on it.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
 use crate::bifurcation::Growths;
@@ -19,6 +19,8 @@ pub struct EquilibriumPoint {
     pub residual: f64,
     /// Of each contact that slides, presses or bears, see [`Flow::margins`](crate::motion::Flow::margins).
     pub margins: Vec<(usize, f64)>,
+    /// The tangent of the branch in the units of (state, r).
+    pub way: DVector<f64>,
     /// r-component of the unit tangent: changes sign at a fold.
     pub(super) slope: f64,
     /// Sign of the product of all eigenvalues.

@@ -5,8 +5,16 @@ use super::{Curve, Panel};
 use crate::bifurcation::{Kind, Stability};
 use crate::study::{BranchRecord, OrbitRecord, Special};
 
-/// A point of a branch to be drawn: the design variable with the value shown, and its stability.
-pub type Point = ([f64; 2], Stability);
+/// A point of a branch to be drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// The design variable with the value shown.
+    pub at: [f64; 2],
+    /// The direction of the branch there, of any length, where it is known.
+    pub direction: Option<[f64; 2]>,
+    /// Its stability.
+    pub stability: Stability,
+}
 
 /// A branch to be drawn.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -25,6 +33,7 @@ pub struct Drawn {
 #[derive(Debug, Clone, Copy)]
 struct Vertex {
     at: [f64; 2],
+    direction: Option<[f64; 2]>,
     stability: Option<Stability>,
     kind: Option<Kind>,
 }
@@ -112,15 +121,19 @@ impl Drawn {
             at: [one.r, special(one)],
             shown: true,
         };
-        let placed = |mark: &Mark| mark.at[1].is_finite();
+        let seen = |mark: &Mark| mark.at[1].is_finite();
         let points = branch.points.iter().map(|one| {
-            let at = [one.r.unwrap_or(f64::NAN), of(one).unwrap_or(f64::NAN)];
-            (at, one.floquet.stability)
+            let (at, direction) = placed(one, &mut of);
+            Point {
+                at,
+                direction,
+                stability: one.floquet.stability,
+            }
         });
         Self {
             points: points.collect(),
-            marks: branch.special.iter().map(mark).filter(placed).collect(),
-            root: branch.root.as_ref().map(mark).filter(placed),
+            marks: branch.special.iter().map(mark).filter(seen).collect(),
+            root: branch.root.as_ref().map(mark).filter(seen),
             closed: branch.ended.is_closed(),
         }
     }
@@ -142,10 +155,11 @@ impl Drawn {
 }
 
 impl Vertex {
-    fn plain(&(at, stability): &Point) -> Self {
+    fn plain(point: &Point) -> Self {
         Self {
-            at,
-            stability: Some(stability),
+            at: point.at,
+            direction: point.direction,
+            stability: Some(point.stability),
             kind: None,
         }
     }
@@ -153,6 +167,7 @@ impl Vertex {
     fn special(mark: &Mark) -> Self {
         Self {
             at: mark.at,
+            direction: None,
             stability: None,
             kind: Some(mark.kind),
         }
@@ -174,10 +189,31 @@ impl Vertex {
     }
 }
 
+/// Where a quantity of an orbit is drawn over the design variable, and the direction of its branch there if that is known.
+pub fn placed(
+    orbit: &OrbitRecord,
+    mut of: impl FnMut(&OrbitRecord) -> Option<f64>,
+) -> ([f64; 2], Option<[f64; 2]>) {
+    let mut place = |orbit: &OrbitRecord| {
+        let r = orbit.r.unwrap_or(f64::NAN);
+        [r, of(orbit).unwrap_or(f64::NAN)]
+    };
+    let at = place(orbit);
+    let further = orbit.further().map(|further| place(&further));
+    let direction = further.map(|to| [to[0] - at[0], to[1] - at[1]]);
+    (
+        at,
+        direction.filter(|way| way.iter().all(|part| part.is_finite())),
+    )
+}
+
 /// The direction of a branch at a vertex; NaN where it is left to be seen from the stretch alone.
 fn direction(vertices: &[Vertex], i: usize) -> [f64; 2] {
     let unknown = [f64::NAN; 2];
     let here = &vertices[i];
+    if let Some(known) = here.direction {
+        return known;
+    }
     match here.kind {
         Some(Kind::Fold) => return [0.0, 1.0],
         _ if here.is_corner() => return unknown,
@@ -209,6 +245,14 @@ mod tests {
         chart.panel()
     }
 
+    fn point(r: f64, stability: Stability) -> Point {
+        Point {
+            at: [r, r],
+            direction: None,
+            stability,
+        }
+    }
+
     fn mark(kind: Kind, after: usize, at: [f64; 2]) -> Mark {
         let label = format!("{}1", kind.letters());
         Mark {
@@ -224,7 +268,7 @@ mod tests {
     fn the_style_changes_at_the_special_point() {
         use Stability::{Stable, Unstable};
         let points = [(0.0, Stable), (1.0, Unstable), (2.0, Unstable)]
-            .map(|(r, stability)| ([r, r], stability));
+            .map(|(r, stability)| point(r, stability));
         let panel = chart(Drawn {
             points: points.to_vec(),
             marks: vec![mark(Kind::Flip, 1, [0.5, 0.5])],
@@ -240,7 +284,7 @@ mod tests {
     #[test]
     fn a_branch_goes_from_its_root_to_its_last_special_point() {
         let panel = chart(Drawn {
-            points: vec![([1.0, 1.0], Stability::Stable)],
+            points: vec![point(1.0, Stability::Stable)],
             marks: vec![mark(Kind::Flip, 1, [2.0, 2.0])],
             root: Some(mark(Kind::Flip, 0, [0.0, 0.0])),
             closed: false,

@@ -1,6 +1,7 @@
 //! A report: sections of text, figures and tables, written as one page with its data beside it.
 
 pub mod chart;
+mod curve;
 mod data;
 mod draw;
 mod figure;
@@ -9,6 +10,7 @@ pub mod numerals;
 mod page;
 mod pdf;
 mod special;
+mod symbol;
 pub mod symbols;
 mod text;
 mod traced;
@@ -18,7 +20,8 @@ mod written;
 use std::io;
 use std::path::PathBuf;
 
-pub use figure::{Axis, Curve, Figure, Inset, Marker, Panel, SHADES, Shape};
+pub use curve::{Curve, Marker, SHADES, Shape};
+pub use figure::{Axis, Figure, Inset, Panel};
 pub use manuscript::Manuscript;
 pub use traced::{Coordinate, traced};
 pub use written::{Report, Written};

@@ -133,3 +133,36 @@ fn table(table: &Table) -> String {
         caption = html(&table.caption),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::draw::contrast::contrast;
+
+    /// The colours that a style sheet gives to letters after its `n`th `:root`.
+    fn letters(n: usize) -> Vec<&'static str> {
+        let root = STYLE
+            .split(":root {")
+            .nth(n)
+            .and_then(|css| css.split('}').next());
+        let all = root
+            .expect("colours")
+            .split("--")
+            .filter(|rule| !rule.starts_with("rule"));
+        all.filter_map(|rule| rule.split_once(": ")?.1.get(..7))
+            .filter(|colour| colour.starts_with('#'))
+            .collect()
+    }
+
+    #[test]
+    fn letters_are_read_by_day_and_by_night() {
+        assert!(STYLE.contains("background: #fff;") && STYLE.contains("background: #161616;"));
+        for (n, paper) in [(1, "#ffffff"), (2, "#161616")] {
+            let letters = letters(n);
+            assert_eq!(letters.len(), 3, "{letters:?}");
+            for colour in letters {
+                assert!(contrast(colour, paper) >= 4.5, "{colour} on {paper}");
+            }
+        }
+    }
+}

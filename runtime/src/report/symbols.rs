@@ -1,11 +1,6 @@
 //! Names as they are typeset: letters in italics, Greek ones as such, what follows them as an index.
 
-/// The Greek letters in the order of Unicode.
-const GREEK: [&str; 24] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
-    "psi", "omega",
-];
+use super::symbol::{GREEK, symbol};
 
 /// A text in the markup of reports, in which every name that is a letter with an index is typeset.
 ///
@@ -48,29 +43,6 @@ fn element(text: &str) -> (&str, &str) {
         Some((number, rest)) if number.bytes().all(|byte| byte.is_ascii_digit()) => (number, rest),
         _ => ("", text),
     }
-}
-
-/// A letter, perhaps Greek, and its index; `None` for a word.
-fn symbol(name: &str) -> Option<(char, String)> {
-    let end = name.find(|c: char| c == '_' || c.is_ascii_digit());
-    let (base, index) = name.split_at(end.unwrap_or(name.len()));
-    let mut letters = base.chars();
-    let letter = match (letters.next(), letters.next()) {
-        (Some(letter), None) => letter,
-        _ => greek(base)?,
-    };
-    let index = index.trim_start_matches('_').replace('_', ",");
-    Some((letter, index))
-}
-
-fn greek(name: &str) -> Option<char> {
-    let place = GREEK
-        .iter()
-        .position(|known| known.eq_ignore_ascii_case(name))?;
-    let capital = name.chars().next().is_some_and(char::is_uppercase);
-    // Between rho and sigma stands another form of sigma.
-    let code = place as u32 + u32::from(place > 16);
-    char::from_u32(code + if capital { 0x391 } else { 0x3b1 })
 }
 
 /// The name of a Greek letter, if this is one.

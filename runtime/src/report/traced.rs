@@ -33,18 +33,21 @@ pub fn traced(
     if motion.rates.len() != motion.times.len() {
         return Curve::line(label, series, rows.map(place).collect());
     }
-    let (mut points, mut directions) = (Vec::new(), Vec::new());
+    let (mut points, mut directions, mut times) = (Vec::new(), Vec::new(), Vec::new());
     for (row, rates) in rows.zip(&motion.rates) {
         let [comes, goes] = rates
             .each_ref()
             .map(|rates| plane.map(|one| one.value(1.0, rates)));
         let corner = (comes != goes).then_some(goes);
         for direction in [Some(comes), corner].into_iter().flatten() {
+            times.push(*row.0);
             points.push(place(row));
             directions.push(direction);
         }
     }
-    Curve::smooth(label, series, points).directed(directions)
+    Curve::smooth(label, series, points)
+        .directed(directions)
+        .timed(times)
 }
 
 #[cfg(test)]

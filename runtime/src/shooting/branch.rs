@@ -13,7 +13,7 @@ use super::shrunk::shrunk;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
     Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading, Settings,
-    Started,
+    Started, ZeroProblem,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -105,6 +105,7 @@ impl Reader for Orbits {
         };
         let mut orbit = Orbit::read(&problem.family, solution, self.accuracy, work);
         orbit.heading.follow(&point.tangent, point.r_scale);
+        orbit.heading.lead(&problem.scale());
         orbit
     }
 

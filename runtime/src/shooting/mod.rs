@@ -1,6 +1,7 @@
 //! Periodic orbits by shooting: thesis section 2.2.
 
 mod anchor;
+mod beside;
 mod border;
 mod bound;
 mod branch;
@@ -32,6 +33,7 @@ mod watched;
 
 pub use anchor::anchored;
 pub(crate) use anchor::problem;
+pub use beside::Beside;
 pub use border::{Border, BorderProblem, BorderShot, Condition, Sheet, borders};
 pub use branch::{OrbitBranch, Orbits};
 pub use certificate::{Certificate, Constants, Uncertified, certify};

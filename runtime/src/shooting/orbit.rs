@@ -59,6 +59,8 @@ pub struct Heading {
     /// Unit tangent of the branch in scaled coordinates (start, period, r); `None` off any branch, or
     /// where shooting has several segments.
     pub tangent: Option<DVector<f64>>,
+    /// The tangent of the branch in the units of (start, period, r), if it is known.
+    pub way: Option<DVector<f64>>,
     /// The magnitude of r in these coordinates.
     pub r_scale: f64,
     /// r-component of the unit tangent; 1 off any branch.
@@ -71,6 +73,13 @@ impl Heading {
         self.r_scale = r_scale;
         self.slope = tangent[tangent.len() - 1];
         self.tangent = (tangent.len() == self.start.state.len() + 2).then(|| tangent.clone());
+    }
+
+    /// Takes the direction that the tangent has where the unknowns have these magnitudes.
+    pub(super) fn lead(&mut self, scale: &DVector<f64>) {
+        let scale = scale.push(self.r_scale);
+        let way = self.tangent.as_ref();
+        self.way = way.map(|tangent| tangent.component_mul(&scale));
     }
 }
 
@@ -156,6 +165,7 @@ impl Orbit {
             heading: Heading {
                 start: solution.start(),
                 tangent: None,
+                way: None,
                 r_scale: 1.0,
                 slope: 1.0,
             },

@@ -103,7 +103,7 @@ pub use nalgebra::Complex;
 pub use needs::{
     ContactNeed, Lack, ModesNeed, ModesPoint, NeedsRecord, ParameterNeed, Placed, Role, Topic,
 };
-pub use orbit::{CertifiedOrbit, Held, OrbitRecord};
+pub use orbit::{Beside, CertifiedOrbit, Held, OrbitRecord};
 pub use question::{Along, Beginning, Case, Choice, Dynamics, Span, Switch, choose};
 pub use system::{News, System};
 pub use trade::{End, TradeRecord};

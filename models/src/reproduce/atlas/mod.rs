@@ -94,7 +94,7 @@ pub(super) fn section() -> Result<(Section, usize), ReproduceError> {
                 (|orbit| orbit.max_abs[0], |special| special.max_abs[0]),
             ),
         )
-        .panels("3.18", both.map(drawn::points));
+        .panels("3.18", drawn::points(both));
     Ok((manuscript.section()?, branches))
 }
 

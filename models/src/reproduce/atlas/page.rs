@@ -132,10 +132,20 @@ fn point(pair: &Subject, orbit: &OrbitRecord) -> Value {
     let section = orbit.section.iter().filter_map(|state| state.first());
     let mut point = json!({
         "r": digits(orbit.r.unwrap_or(0.0), 8), "T": digits(orbit.period, 8),
-        "m": digits(orbit.max_abs[0], 5), "n": orbit.period_count,
+        "m": digits(orbit.max_abs[0], 7), "n": orbit.period_count,
         "s": u8::from(orbit.floquet.stability == Stability::Stable),
         "mu": list(multipliers.flat_map(|mu| [mu.re, mu.im]), 5), "p": list(section.copied(), 4),
     });
+    if let Some(further) = orbit.further() {
+        let along = |of: fn(&OrbitRecord) -> f64| of(&further) - of(orbit);
+        let way = [
+            along(|orbit| orbit.r.unwrap_or(f64::NAN)),
+            along(|orbit| orbit.period),
+            along(|orbit| orbit.max_abs[0]),
+        ];
+        let longest = way.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        point["d"] = list(way.map(|part| part / longest).into_iter(), 4).into();
+    }
     if let Some(word) = &orbit.word {
         point["w"] = word.as_str().into();
     }
@@ -166,7 +176,7 @@ fn special(special: &Special, named: bool, after: usize) -> Value {
     json!({
         "named": named, "a": after, "k": special.kind.name(), "l": special.label,
         "r": digits(special.r, 9), "T": digits(special.turns as f64 * special.period, 8),
-        "m": digits(special.max_abs[0], 5), "c": special.criticality,
+        "m": digits(special.max_abs[0], 7), "c": special.criticality,
     })
 }
 

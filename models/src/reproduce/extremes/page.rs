@@ -1,6 +1,7 @@
 //! The map as a section of the report: a picture for each system, and all cells in a table.
 
 use stickslip::report::numerals::{decimals, power};
+use stickslip::report::symbols::typeset;
 use stickslip::report::{Axis, Curve, Manuscript, Marker, Panel, ReportError, Section};
 
 use super::{Cell, Outcome, Range};
@@ -56,7 +57,7 @@ fn panel(range: &Range, cells: &[Cell]) -> Panel {
         Axis::new(&format!("log_{{10}} {}", range.axis)).from(first, last),
         Axis::new("digits").from(0.0, 16.0),
     )
-    .titled(format!("{}: {}", range.system(), range.varied()))
+    .titled(format!("{}: {}", range.system(), typeset(range.varied())))
     .curves(curves.into_iter().filter(|curve| !curve.points.is_empty()))
 }
 

@@ -3,7 +3,8 @@
 use super::curve::MARKER;
 use super::element::{path, words};
 use super::view::View;
-use crate::report::figure::{Curve, Panel, Shape};
+use crate::report::curve::{Curve, Shape};
+use crate::report::figure::Panel;
 use crate::report::text::{number, width};
 
 /// The size of the words, px.

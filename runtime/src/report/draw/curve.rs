@@ -3,7 +3,7 @@
 use super::element::{filled, path};
 use super::smooth::{Knot, smooth};
 use super::view::View;
-use crate::report::figure::{Curve, Marker, SHADES, Shape};
+use crate::report::curve::{Curve, Marker, SHADES, Shape};
 use crate::report::text::number;
 
 /// Black and three colours of Okabe and Ito, then such as stand out on white paper and differ from them and from each
@@ -75,6 +75,7 @@ fn knots(curve: &Curve, frame: &View) -> Vec<Knot> {
         .map(|(i, point)| Knot {
             place: frame.place(*point),
             directions: [known(i, point); 2],
+            times: [curve.times.get(i).copied(); 2],
         })
         .collect()
 }
@@ -170,20 +171,25 @@ fn outline(marker: Marker, [x, y]: [f64; 2]) -> String {
 mod tests {
     use super::*;
 
-    /// Luminance of a colour as the eye weighs it, by the formula of WCAG.
-    fn luminance(colour: &str) -> f64 {
-        let channel = |i: usize| {
-            let value = u8::from_str_radix(&colour[i..i + 2], 16).unwrap();
-            ((f64::from(value) / 255.0 + 0.055) / 1.055).powf(2.4)
-        };
-        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
-    }
+    use crate::report::draw::contrast::{contrast, luminance};
 
     #[test]
     fn every_colour_stands_out_on_white() {
         for colour in COLOURS {
-            assert!(1.05 / (luminance(colour) + 0.05) >= 3.0, "{colour}");
+            assert!(contrast(colour, "#ffffff") >= 3.0, "{colour}");
         }
+        assert!(contrast("#ffffff", "#000000") > 20.9);
+        assert!(contrast("#949494", "#ffffff") >= 3.0 && contrast("#969696", "#ffffff") < 3.0);
+    }
+
+    #[test]
+    fn series_and_shades_differ_in_grey() {
+        for (i, dashes) in DASHES.iter().enumerate() {
+            assert!(!DASHES[i + 1..].contains(dashes), "{dashes}");
+        }
+        // The shades of a map grow lighter step by step.
+        let mut steps = SHADING.windows(2);
+        assert!(steps.all(|pair| luminance(pair[0]) < luminance(pair[1])));
     }
 
     #[test]

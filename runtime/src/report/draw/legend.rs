@@ -2,7 +2,8 @@
 
 use super::curve;
 use super::element::{WIDTH, words};
-use crate::report::figure::{Curve, Figure};
+use crate::report::curve::Curve;
+use crate::report::figure::Figure;
 use crate::report::text::width;
 
 /// Heights and widths of what it consists of, px.

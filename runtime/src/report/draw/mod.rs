@@ -8,6 +8,7 @@ mod legend;
 mod scale;
 mod smooth;
 mod ticks;
+mod vector;
 mod view;
 
 use super::figure::Figure;
@@ -50,3 +51,6 @@ impl Figure {
         )
     }
 }
+
+#[cfg(test)]
+pub(super) mod contrast;

@@ -1,5 +1,6 @@
 //! Smooth lines through places: cubics, of known directions where there are any.
 
+use super::vector::{Vector, angle, difference, dot, length, unit};
 use crate::report::text::number;
 
 /// Places nearer to each other than this, px, are one.
@@ -14,16 +15,18 @@ const SLIGHT: f64 = 0.9995;
 const ASIDE: f64 = 0.5;
 const LEAST: f64 = 0.2;
 
+/// By how much of its chord a motion with the rates at both ends may miss it: more, and they are those of a layer between.
+const ASTRAY: f64 = 0.5;
 /// By how much more than the line turns at a place its known direction there may differ from what is seen, rad.
 const DOUBT: f64 = 0.05;
 
-type Vector = [f64; 2];
-
-/// A place of a line, and its directions there as it comes and as it goes on, if they are known.
+/// A place of a line, and its directions there as it comes and as it goes on, if they are known; of a motion they are its
+/// rates, and it is known when it comes and goes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Knot {
     pub(super) place: Vector,
     pub(super) directions: [Option<Vector>; 2],
+    pub(super) times: [Option<f64>; 2],
 }
 
 /// A smooth line through these, with gaps where there is no place.
@@ -38,6 +41,7 @@ fn run(knots: &[Knot]) -> String {
         match distinct.last_mut() {
             Some(last) if length(difference(knot.place, last.place)) < SAME => {
                 last.directions[1] = knot.directions[1];
+                last.times[1] = knot.times[1];
             }
             _ => distinct.push(*knot),
         }
@@ -49,22 +53,38 @@ fn run(knots: &[Knot]) -> String {
     let [x, y] = first.place.map(number);
     let mut path = format!("M{x} {y}");
     for (pair, heading) in distinct.windows(2).zip(headings.windows(2)) {
+        let ends = [pair[0].place, pair[1].place];
+        let handles = moved([&pair[0], &pair[1]]);
         path += &cubic(
-            [pair[0].place, pair[1].place],
-            [heading[0][1], heading[1][0]],
+            ends,
+            handles.unwrap_or_else(|| held(ends, [heading[0][1], heading[1][0]])),
         );
     }
     path
 }
 
-/// The cubic between two places with these unit tangents, without loops.
-fn cubic([from, to]: [Vector; 2], tangents: [Vector; 2]) -> String {
+/// What a cubic between two knots has for handles if it is the motion itself, to fourth order: Hermite's; nothing where its
+/// rates are not known, or do not lead from one knot to the other.
+fn moved([from, to]: [&Knot; 2]) -> Option<[Vector; 2]> {
+    let time = to.times[0]? - from.times[1]?;
+    let rates = [from.directions[1]?, to.directions[0]?];
+    let chord = difference(to.place, from.place);
+    let way = [0, 1].map(|k| 0.5 * time * (rates[0][k] + rates[1][k]));
+    let leads = time > 0.0 && length(difference(way, chord)) <= ASTRAY * length(chord);
+    leads.then(|| rates.map(|rate| rate.map(|part| part * time / 3.0)))
+}
+
+/// The handles of a cubic between two places with these unit tangents, without loops.
+fn held([from, to]: [Vector; 2], tangents: [Vector; 2]) -> [Vector; 2] {
     let chord = difference(to, from);
     let handle = |tangent: Vector| {
         let along = dot(tangent, chord) / length(chord);
         length(chord) / 3.0 * (along / ASIDE).clamp(LEAST, 1.0)
     };
-    let [a, b] = tangents.map(|tangent| tangent.map(|part| part * handle(tangent)));
+    tangents.map(|tangent| tangent.map(|part| part * handle(tangent)))
+}
+
+fn cubic([from, to]: [Vector; 2], [a, b]: [Vector; 2]) -> String {
     let places = [
         [from[0] + a[0], from[1] + a[1]],
         [to[0] - b[0], to[1] - b[1]],
@@ -149,28 +169,6 @@ fn towards(known: Vector, way: Vector) -> Vector {
     }
 }
 
-fn difference(to: Vector, from: Vector) -> Vector {
-    [to[0] - from[0], to[1] - from[1]]
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// The angle between two unit vectors.
-fn angle(a: Vector, b: Vector) -> f64 {
-    (a[0] * b[1] - a[1] * b[0]).atan2(dot(a, b)).abs()
-}
-
-fn length(vector: Vector) -> f64 {
-    vector[0].hypot(vector[1])
-}
-
-fn unit(vector: Vector) -> Vector {
-    let length = length(vector);
-    vector.map(|part| part / length)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -179,6 +177,7 @@ mod tests {
         let knot = |&place: &Vector| Knot {
             place,
             directions: [None; 2],
+            times: [None; 2],
         };
         numbers(&smooth(&places.iter().map(knot).collect::<Vec<_>>()))
     }
@@ -213,6 +212,7 @@ mod tests {
         let knot = |x: f64| Knot {
             place: [x, x * x * x / 100.0],
             directions: [Some([-1.0, -3.0 * x * x / 100.0]); 2],
+            times: [None; 2],
         };
         let path = numbers(&smooth(&[knot(0.0), knot(5.0), knot(10.0)]));
         assert_eq!(path[3], 0.0, "level at 0");
@@ -220,6 +220,25 @@ mod tests {
             // A polygon would be off by seven times as much.
             assert!((y - x * x * x / 100.0).abs() < 0.2, "{x} {y}");
         }
+    }
+
+    #[test]
+    fn a_motion_is_drawn_as_it_moves() {
+        // A parabola thrown far aside of its chord: of degree two in time, and so exact.
+        let knot = |t: f64| Knot {
+            place: [900.0 * (1.0 - t * t), 10.0 * t],
+            directions: [Some([-1800.0 * t, 10.0]); 2],
+            times: [Some(t); 2],
+        };
+        let path = numbers(&smooth(&[knot(-1.0), knot(1.0)]));
+        assert_eq!(middles(&path), [[900.0, 0.0]]);
+        // Rates that lead elsewhere are those of a layer, and only their directions count.
+        let late = Knot {
+            times: [Some(9.0); 2],
+            ..knot(1.0)
+        };
+        let path = numbers(&smooth(&[knot(-1.0), late]));
+        assert!(middles(&path)[0][0] < 20.0);
     }
 
     #[test]
@@ -233,6 +252,7 @@ mod tests {
         let knot = |x: f64, direction: Vector| Knot {
             place: [x, 0.0],
             directions: [Some(direction), Some(direction)],
+            times: [None; 2],
         };
         let (up, down) = ([1.0, 1.0], [1.0, -1.0]);
         let knots = [
@@ -252,6 +272,7 @@ mod tests {
         let knot = |x: f64, slope: f64| Knot {
             place: [x, 0.0],
             directions: [Some([1.0, slope]); 2],
+            times: [None; 2],
         };
         let path = |slope| {
             numbers(&smooth(&[

@@ -32,6 +32,9 @@ pub struct Special {
     /// Its largest magnitude of each state.
     #[serde(skip)]
     pub max_abs: Vec<f64>,
+    /// Its points on the default section, in the order of time.
+    #[serde(skip)]
+    pub section: Vec<Vec<f64>>,
     /// `supercritical` or `subcritical`, where that was looked at.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub criticality: Option<&'static str>,
@@ -57,6 +60,7 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         multipliers: found.point.floquet.multipliers.clone(),
         state: found.point.place.state.clone(),
         max_abs: found.point.max_abs(),
+        section: found.point.section.clone(),
         criticality: None,
         turns: 1 + usize::from(found.last && found.kind == Kind::Flip),
         note: None,

@@ -20,6 +20,9 @@ use crate::study::label::labels;
 use crate::study::question::{Along, Case};
 use crate::study::system::System;
 
+/// How far along a branch how it goes on is told, in scaled coordinates.
+const STEP: f64 = 1e-6;
+
 /// Told of each point of a branch.
 pub(in crate::study) type Watch<'a> = &'a mut dyn FnMut(&EquilibriumRecord) -> ControlFlow<()>;
 
@@ -74,6 +77,7 @@ impl System {
             };
             let point = EquilibriumRecord {
                 r: Some(along.value(spot.r)),
+                beside: Some(beside(along, spot)),
                 ..self.record(&at, place, &spot.spectrum)
             };
             let verdict = watch(&point);
@@ -197,6 +201,7 @@ impl System {
             stability: spectrum.stability,
             set: None,
             artefact: false,
+            beside: None,
         };
         if let Some(exact) = self.counterpart(case) {
             record.artefact = exact.differs(&record);
@@ -219,6 +224,14 @@ impl System {
             ..self.record(case, place, &set.spectrum)
         }
     }
+}
+
+/// The design variable and the state a little further along the branch.
+fn beside(along: Along, spot: &EquilibriumPoint) -> (f64, Vec<f64>) {
+    let order = spot.state.len();
+    let moved = spot.state.iter().zip(spot.way.iter());
+    let state = moved.map(|(value, rate)| value + STEP * rate).collect();
+    (along.value(spot.r + STEP * spot.way[order]), state)
 }
 
 fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<SpecialEquilibrium> {

@@ -34,6 +34,9 @@ pub struct EquilibriumRecord {
     pub set: Option<Extent>,
     /// Whether only the smooth copy has it like this: the exact system has none there, or one of other stability.
     pub artefact: bool,
+    /// On a branch, the design variable and the state a little further along it, to first order.
+    #[serde(skip)]
+    pub beside: Option<(f64, Vec<f64>)>,
 }
 
 /// How far a set of sticking equilibria reaches.

@@ -1,8 +1,9 @@
 //! The periodic orbit of a case.
 
 use super::held::Held;
-use super::record::{CertifiedOrbit, OrbitRecord};
+use super::record::{Beside, CertifiedOrbit, OrbitRecord};
 use super::sought::Sought;
+use crate::field::Work;
 use crate::flow::FlowError;
 use crate::harmonics::{Around, Harmonic, harmonics};
 use crate::integrate::Tolerance;
@@ -49,18 +50,12 @@ impl System {
 impl Sought<'_> {
     /// The harmonics of an orbit that the case asks for; their errors are also those of the orbit.
     fn harmonics(&self, orbit: &Orbit) -> Result<Vec<Harmonic>, FlowError> {
-        let orders = &self.case.harmonics;
-        if orders.is_empty() {
-            return Ok(Vec::new());
-        }
-        let family = self.family.with_magnitude(&orbit.magnitude());
         let around = Around {
             place: &orbit.place,
             period: orbit.period,
             shift: orbit.shift.as_deref().unwrap_or_default(),
         };
-        let tolerance = Tolerance::for_accuracy(self.case.accuracy);
-        let mut found = harmonics(&family, orbit.r, around, orders, tolerance)?;
+        let mut found = self.harmonics_at(orbit, orbit.r, around)?;
         // The period of a driven orbit is certain, and its start has been corrected.
         let doubt = self.family.phase().map_or(orbit.error_estimate, |_| 0.0);
         for harmonic in &mut found {
@@ -71,11 +66,58 @@ impl Sought<'_> {
         Ok(found)
     }
 
+    /// The harmonics of a motion at r once around, which is as large as this orbit.
+    fn harmonics_at(
+        &self,
+        orbit: &Orbit,
+        r: f64,
+        around: Around<'_>,
+    ) -> Result<Vec<Harmonic>, FlowError> {
+        let orders = &self.case.harmonics;
+        if orders.is_empty() {
+            return Ok(Vec::new());
+        }
+        let family = self.family.with_magnitude(&orbit.magnitude());
+        let tolerance = Tolerance::for_accuracy(self.case.accuracy);
+        harmonics(&family, r, around, orders, tolerance)
+    }
+
+    /// The orbit a little further along its branch, and what that cost.
+    fn beside(&self, orbit: &Orbit) -> (Option<Beside>, Work) {
+        let tolerance = Tolerance::for_accuracy(self.case.accuracy);
+        let family = self.family.with_tolerance(tolerance);
+        let Some(beside) = orbit.beside(&family) else {
+            return Default::default();
+        };
+        let counted = orbit.heading.start.state == orbit.place.state;
+        let around = Around {
+            place: &beside.start,
+            period: beside.period,
+            shift: &[],
+        };
+        let harmonics = counted
+            .then(|| self.harmonics_at(orbit, beside.r, around).ok())
+            .flatten();
+        let along = self.case.along.map(|along| along.value(beside.r));
+        let record = Beside {
+            r: along.unwrap_or(beside.r),
+            period: beside.period,
+            max: beside.max,
+            min: beside.min,
+            section: beside.section,
+            harmonics: harmonics.unwrap_or_default(),
+        };
+        (Some(record), beside.work)
+    }
+
     /// The orbit as it is reported.
     pub(in crate::study) fn record(&self, orbit: &Orbit) -> OrbitRecord {
         let r = self.case.along.map(|along| along.value(orbit.r));
         let case = r.map_or_else(|| self.case.clone(), |r| self.case.at(r));
         let rubs = self.system.touches(self.case);
+        let (beside, spent) = self.beside(orbit);
+        let mut work = orbit.work;
+        work += spent;
         OrbitRecord {
             r,
             parameters: case.parameters,
@@ -98,7 +140,8 @@ impl Sought<'_> {
             word: rubs.then(|| word(self.system.info(), &orbit.segments)),
             residual: orbit.residual,
             error_estimate: orbit.error_estimate,
-            work: orbit.work,
+            beside,
+            work,
         }
     }
 }

@@ -7,5 +7,5 @@ mod seed;
 mod sought;
 
 pub use held::Held;
-pub use record::{CertifiedOrbit, OrbitRecord};
+pub use record::{Beside, CertifiedOrbit, OrbitRecord};
 pub(in crate::study) use sought::Sought;

@@ -45,8 +45,51 @@ pub struct OrbitRecord {
     pub residual: f64,
     /// Estimated relative error of period and extrema.
     pub error_estimate: f64,
+    /// The same a little further along its branch, where that is known.
+    pub beside: Option<Beside>,
     /// What it cost.
     pub work: Work,
+}
+
+/// What is reported of an orbit a little further along its branch, to first order: how things change there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beside {
+    /// The design variable, in the user's own values.
+    pub r: f64,
+    /// The period.
+    pub period: f64,
+    /// Largest value of each state.
+    pub max: Vec<f64>,
+    /// Smallest value of each state.
+    pub min: Vec<f64>,
+    /// Its points on the default section, in the order of those of the orbit.
+    pub section: Vec<Vec<f64>>,
+    /// Its harmonics; none where their phases would be counted from elsewhere.
+    pub harmonics: Vec<Harmonic>,
+}
+
+impl OrbitRecord {
+    /// The orbit a little further along its branch as far as it is known: its design variable, period, extent, section and
+    /// harmonics. It has no multipliers.
+    #[must_use]
+    pub fn further(&self) -> Option<Self> {
+        let beside = self.beside.clone()?;
+        let largest = |(low, high): (&f64, &f64)| low.abs().max(high.abs());
+        let mut further = self.clone();
+        further.floquet.multipliers.clear();
+        further.floquet.log_moduli.clear();
+        Some(Self {
+            r: Some(beside.r),
+            period: beside.period,
+            max_abs: beside.min.iter().zip(&beside.max).map(largest).collect(),
+            max: beside.max,
+            min: beside.min,
+            section: beside.section,
+            harmonics: Ok(beside.harmonics),
+            beside: None,
+            ..further
+        })
+    }
 }
 
 /// An orbit with its certificate, or with the reason for which it has none.

@@ -10,7 +10,7 @@ use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{certain, followed, heading, number, states, time_unit, timed};
 use crate::equilibrium::{Proof, Unproven};
 use crate::model::ModelInfo;
-use crate::report::chart::{Chart, Drawn, Mark};
+use crate::report::chart::{Chart, Drawn, Mark, Point};
 use crate::report::{Figure, Panel};
 use crate::study::{Along, Case, EquilibriaRecord, EquilibriumRecord, SpecialEquilibrium};
 
@@ -223,7 +223,15 @@ fn picture(info: &ModelInfo, branch: &EquilibriaRecord) -> Figure {
         after: one.after,
     };
     let points = branch.points.iter();
-    let points = points.filter_map(|one| Some(([one.r?, value(&one.state)], one.stability)));
+    let points = points.filter_map(|one| {
+        let at = [one.r?, value(&one.state)];
+        let further = one.beside.as_ref();
+        Some(Point {
+            at,
+            direction: further.map(|(r, state)| [r - at[0], value(state) - at[1]]),
+            stability: one.stability,
+        })
+    });
     chart.add(Drawn {
         points: points.collect(),
         marks: branch.special.iter().map(mark).collect(),

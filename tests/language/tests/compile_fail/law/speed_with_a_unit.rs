@@ -1,0 +1,12 @@
+use stickslip::friction_law;
+
+friction_law! {
+    pub struct Weakening {
+        param limit: N where limit >= 0.0;
+        param decay: s/m;
+        stick = limit;
+        slip(s: m/s) = limit / (1.0 + decay * s);
+    }
+}
+
+fn main() {}
