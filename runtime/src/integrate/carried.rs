@@ -1,7 +1,7 @@
 //! What an explicit step carries along: the state alone, or the state with its tangents.
 
 use super::Propagator;
-use super::estimate::{combined, ratio};
+use super::control::{combined, ratio};
 use crate::field::{Field, Work};
 
 /// States from which on entries of a Jacobian are looked at before their row is multiplied: most are zero there, while

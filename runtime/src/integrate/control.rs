@@ -106,3 +106,13 @@ impl Control {
         self.stiff >= limit
     }
 }
+
+/// The errors of orders 5 and 3 in one number, from the sums of their squares over so many terms.
+pub(super) fn combined(sum_5: f64, sum_3: f64, terms: usize) -> f64 {
+    ratio(sum_5, ((sum_5 + 0.01 * sum_3) * terms as f64).sqrt())
+}
+
+/// a/b, and 0 where both vanish.
+pub(super) fn ratio(a: f64, b: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { a / b }
+}
