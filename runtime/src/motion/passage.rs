@@ -3,9 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use super::Modes;
+use super::{Flow, Modes};
 use crate::field::Work;
-use crate::flow::{self, passage};
+use crate::flow::{self, FlowError, passage};
+
+/// Share of a motion up to which two times are the same instant.
+const INSTANT: f64 = 1e-9;
 
 /// A field, with its derivatives.
 pub type Velocity = passage::Velocity<DVector<f64>, DMatrix<f64>>;
@@ -82,6 +85,24 @@ pub struct Segment {
 }
 
 impl Place {
+    /// A state in modes that are known, or else in those that the flow finds.
+    ///
+    /// # Errors
+    /// The flow has no place there.
+    pub(crate) fn known(
+        flow: &dyn Flow,
+        state: &[f64],
+        modes: Option<&Modes>,
+    ) -> Result<Self, FlowError> {
+        match modes {
+            Some(modes) => Ok(Self {
+                state: state.to_vec(),
+                modes: modes.clone(),
+            }),
+            None => flow.place(state),
+        }
+    }
+
     pub(super) fn of<const N: usize, M>(
         place: &flow::Place<N, M>,
         modes: impl Fn(&M) -> Modes,
@@ -94,6 +115,17 @@ impl Place {
 }
 
 impl Passage {
+    /// The modes at a time inside a stretch of constant mode: of what rests, a state with rounding errors does not tell them.
+    /// `None` where they change.
+    pub(crate) fn modes_within(&self, time: f64) -> Option<&Modes> {
+        let (mut begins, near) = (0.0, INSTANT * self.time);
+        self.segments.iter().find_map(|segment| {
+            let within = begins + near < time && time < begins + segment.duration - near;
+            begins += segment.duration;
+            within.then_some(&segment.modes)
+        })
+    }
+
     pub(super) fn of<const N: usize, M>(
         passage: flow::Passage<N, M>,
         modes: impl Fn(&M) -> Modes,

@@ -78,8 +78,8 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
     let shot = &found.linearisation.extra;
     let first = shot.minima().next();
     let place = match first {
-        Some((_, first)) if first != shot.start.state && shot.passages.len() == 1 => {
-            family.at(r)?.place(&first)?
+        Some((time, first)) if first != shot.start.state && shot.passages.len() == 1 => {
+            shot.place(family.at(r)?.as_ref(), time, &first)?
         }
         _ => shot.start.clone(),
     };

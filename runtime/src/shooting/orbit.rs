@@ -112,7 +112,8 @@ fn section_place(family: &Family, solution: &Solution<'_>) -> (Place, Option<Pla
     }
     let lowest = shot.minima().min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
     let place = lowest.and_then(|(time, state)| {
-        let place = family.at(solution.r).ok()?.place(&state).ok()?;
+        let flow = family.at(solution.r).ok()?;
+        let place = shot.place(flow.as_ref(), time, &state).ok()?;
         Some((place, shot.switches_at(time).then(|| start.clone())))
     });
     place.unwrap_or((start, None))

@@ -3,10 +3,11 @@
 use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from};
 use super::error::OrbitError;
-use super::guess::{Guess, Settled, settle};
+use super::guess::Guess;
 use super::least::parts;
 use super::neutral::neutral;
 use super::orbit::Orbit;
+use super::settle::{Settled, settle};
 use super::shift::Shifts;
 use super::stay::stays;
 use crate::flow::{FlowError, Want};

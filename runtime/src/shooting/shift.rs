@@ -12,8 +12,9 @@ use crate::linear::svd;
 use crate::math::Spread;
 use crate::motion::Flow;
 
-/// States at which a shift is tried.
+/// States at which a shift is tried, and those of them that must have rates.
 const TRIED: usize = 12;
+const KNOWN: usize = 3;
 /// Rates that agree to this share of their sizes are the same.
 const SAME: f64 = 1e-7;
 /// A shift this small, in usual sizes, is none.
@@ -173,15 +174,19 @@ pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> 
         let place = flow.place(state).ok()?;
         Some((flow.velocity(&place).ok()?.f, place.modes))
     };
-    spread(usual).all(|here| {
+    let mut known = 0;
+    let same = spread(usual).all(|here| {
         let there: Vec<f64> = here.iter().zip(shift).map(|(y, d)| y + d).collect();
         match (rates(&here), rates(&there)) {
             (Some((f, modes)), Some((g, other))) => {
+                known += 1;
                 modes == other && (f.clone() - g).amax() <= SAME * f.amax()
             }
-            _ => false,
+            // Behind a wall no motion begins.
+            (here, there) => here.is_none() && there.is_none(),
         }
-    })
+    });
+    same && known >= KNOWN
 }
 
 /// The state moved by any share of a shift to where it is nearest to a point.

@@ -6,8 +6,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::division::Division;
 use super::pin::Pin;
+use crate::flow::FlowError;
 use crate::motion::{
-    Event, Factor, Modes, Passage, Place, Segment as Stretch, Velocity, half_extents,
+    Event, Factor, Flow, Modes, Passage, Place, Segment as Stretch, Velocity, half_extents,
 };
 
 /// Whether two times are the same instant of a period.
@@ -240,6 +241,21 @@ impl Shot {
             .starts_on_section()
             .then(|| (0.0, self.start.state.clone()));
         start.into_iter().chain(inside)
+    }
+
+    /// The place of a state on the way, at a time in the period.
+    ///
+    /// # Errors
+    /// The flow has no place there.
+    pub(super) fn place(
+        &self,
+        flow: &dyn Flow,
+        time: f64,
+        state: &[f64],
+    ) -> Result<Place, FlowError> {
+        let segment = self.begins.partition_point(|begin| *begin <= time).max(1) - 1;
+        let modes = self.passages[segment].modes_within(time - self.begins[segment]);
+        Place::known(flow, state, modes)
     }
 
     /// Whether the section's state is least at the start; with a drive, whether its phase begins there.

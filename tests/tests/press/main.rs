@@ -4,6 +4,7 @@ mod audit;
 mod bilinear;
 mod copies;
 mod derivatives;
+mod follower;
 mod graze;
 mod hopf;
 mod impact;

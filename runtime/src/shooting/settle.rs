@@ -1,0 +1,283 @@
+//! A first guess: let the motion settle, and watch it come back to its section.
+
+use std::f64::consts::TAU;
+
+use super::guess::Guess;
+use super::shift::Shifts;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Extremum, Flow, Modes, Passage, Place, apart};
+use crate::poincare::radian;
+
+/// Most minima of the first state that are awaited.
+const PATIENCE: usize = 3000;
+/// Most steps of the integrator that are spent on it.
+const STEPS: u64 = 500_000;
+/// Crossings in a chunk that suffice, and turns of another state after which it is the section's.
+const ENOUGH: usize = 2;
+const OFTEN: usize = 8;
+/// Share of a chunk within which two times are the same instant.
+const INSTANT: f64 = 1e-9;
+/// Chunks without a crossing after which the motion is no oscillation.
+const SILENCE: u32 = 60;
+/// An oscillation this small, relative to its first swing, has settled on an equilibrium.
+const VANISHED: f64 = 1e-7;
+
+/// Where a settling motion ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Settled<T> {
+    /// `accept` was satisfied with a guess.
+    Orbit(T),
+    /// It came to rest.
+    Equilibrium(Vec<f64>),
+    /// Neither, after this time.
+    Neither(f64),
+}
+
+/// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest; guesses have
+/// periods of up to `longest` crossings of the section.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub fn settle<T>(
+    flow: &dyn Flow,
+    start: Place,
+    longest: usize,
+    mut accept: impl FnMut(&Guess) -> Option<T>,
+) -> Result<Settled<T>, FlowError> {
+    let mut chunk = radian(flow, &start)?;
+    let mut watch = Watch::new(start, flow.phase().unwrap_or(0));
+    let mut silent = 0;
+    while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < STEPS {
+        let crossings = watch.follow(flow, chunk)?;
+        if flow.phase().is_none() && watch.at_rest() {
+            return Ok(Settled::Equilibrium(watch.place.state.clone()));
+        }
+        if crossings < ENOUGH {
+            chunk *= 2.0;
+            silent += 1;
+        } else {
+            silent = 0;
+        }
+        for guess in watch.guesses(flow, longest)? {
+            if let Some(orbit) = accept(&guess) {
+                return Ok(Settled::Orbit(orbit));
+            }
+        }
+    }
+    Ok(if watch.slow(flow)? {
+        Settled::Equilibrium(watch.place.state)
+    } else {
+        Settled::Neither(watch.time)
+    })
+}
+
+/// A minimum of the section's state.
+#[derive(Debug, Clone)]
+struct Minimum {
+    time: f64,
+    state: Vec<f64>,
+    /// Those on the way, if they do not change there.
+    modes: Option<Modes>,
+}
+
+struct Watch {
+    place: Place,
+    time: f64,
+    minima: Vec<Minimum>,
+    /// Minima already offered as guesses.
+    offered: usize,
+    /// A return must be this close to be offered.
+    closeness: f64,
+    /// The state whose minima are its section.
+    section: usize,
+    /// The shifts that change nothing, once they are asked for.
+    shifts: Option<Shifts>,
+    extent: Vec<f64>,
+    first_extent: f64,
+    swings: Vec<f64>,
+    steps: u64,
+}
+
+impl Watch {
+    fn new(place: Place, section: usize) -> Self {
+        Self {
+            section,
+            shifts: None,
+            extent: vec![0.0; place.state.len()],
+            place,
+            time: 0.0,
+            minima: Vec::new(),
+            offered: 0,
+            closeness: 3e-2,
+            first_extent: 0.0,
+            swings: Vec::new(),
+            steps: 0,
+        }
+    }
+
+    /// Follows one chunk; returns the number of minima in it.
+    fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
+        let passage = flow.advance(&self.place, chunk, Want::EXTREMA);
+        let passage = passage.map_err(|error| error.later(self.time))?;
+        self.steps += passage.work.steps + passage.work.rejected;
+        let before = self.minima.len();
+        let minima = passage.extrema.iter();
+        let minima = minima.filter(|one| one.index == self.section && !one.maximum);
+        self.minima.extend(minima.map(|one| Minimum {
+            time: self.time + one.time,
+            state: one.state.clone(),
+            modes: passage.modes_within(one.time).cloned(),
+        }));
+        let run = self.run(&passage.end.state);
+        let (mut low, mut high) = bounds(&passage, &run, chunk);
+        let crossings = self.minima.len() - before;
+        if self.minima.is_empty() && self.turned_away(flow, &passage, chunk) {
+            self.place = passage.end;
+            self.time += chunk;
+            return Ok(ENOUGH);
+        }
+        // A motion that creeps to rest has been somewhere else, too.
+        let reach = (self.place.state[0] - low[0]).abs().max(high[0] - low[0]);
+        self.first_extent = self.first_extent.max(reach);
+        if crossings >= ENOUGH {
+            if let Some(phase) = flow.phase() {
+                (low[phase], high[phase]) = (0.0, TAU);
+            }
+            self.extent = high
+                .iter()
+                .zip(&low)
+                .map(|(high, low)| high - low)
+                .collect();
+            self.swings.push(self.extent[0].max(run[0].abs()));
+        }
+        self.place = passage.end;
+        self.place.state = flow.wrapped(std::mem::take(&mut self.place.state));
+        self.time += chunk;
+        Ok(crossings)
+    }
+
+    /// What of the way to the end of a chunk is a shift that changes nothing.
+    fn run(&self, end: &[f64]) -> Vec<f64> {
+        let gain = end.iter().zip(&self.place.state);
+        let gain: Vec<f64> = gain.map(|(end, start)| end - start).collect();
+        let shifts = self.shifts.as_ref();
+        shifts.map_or_else(|| vec![0.0; end.len()], |shifts| shifts.of_gain(&gain))
+    }
+
+    fn at_rest(&self) -> bool {
+        let size = self.place.state[0].abs().max(self.first_extent);
+        self.swings
+            .last()
+            .is_some_and(|&swing| swing <= VANISHED * size)
+    }
+
+    /// Whether the state hardly moves over the time watched.
+    fn slow(&self, flow: &dyn Flow) -> Result<bool, FlowError> {
+        let velocity = flow.velocity(&self.place)?.f;
+        Ok((0..velocity.len()).all(|j| {
+            velocity[j].abs() * self.time
+                <= 1e-3 * self.place.state[j].abs().max(self.extent[j]).max(1e-9)
+        }))
+    }
+
+    /// New returns to the section that are close enough; later ones must be closer.
+    fn guesses(&mut self, flow: &dyn Flow, longest: usize) -> Result<Vec<Guess>, FlowError> {
+        let mut guesses = Vec::new();
+        if self.minima.len() > 1 && self.shifts.is_none() {
+            self.shifts = Some(Shifts::of(flow, &self.magnitude()));
+        }
+        for last in self.offered..self.minima.len() {
+            let here = &self.minima[last];
+            let close = (1..=longest.min(last)).find_map(|k| Some((k, self.returns(last, k)?)));
+            if let Some((k, shift)) = close {
+                let home = || Some(self.shifts.as_ref()?.home(&here.state));
+                let home = shift.as_ref().and_then(|_| home());
+                let state = home.as_ref().unwrap_or(&here.state);
+                let place = Place::known(flow, state, here.modes.as_ref())?;
+                let period = here.time - self.minima[last - k].time;
+                guesses.push(Guess {
+                    place,
+                    period,
+                    magnitude: self.magnitude(),
+                    pins: Vec::new(),
+                    shift,
+                    division: None,
+                });
+            }
+        }
+        self.offered = self.minima.len();
+        if guesses.len() > 1 {
+            guesses.drain(..guesses.len() - 1);
+        }
+        if !guesses.is_empty() {
+            self.closeness = (0.7 * self.closeness).max(1e-6);
+        }
+        Ok(guesses)
+    }
+
+    /// Whether the motion came back `k` minima before this one, and but for which shift.
+    fn returns(&self, last: usize, k: usize) -> Option<Option<Vec<f64>>> {
+        let (here, before) = (&self.minima[last].state, &self.minima[last - k].state);
+        if self.distance(here, before) < self.closeness {
+            return Some(None);
+        }
+        let gain: Vec<f64> = here.iter().zip(before).map(|(y, x)| y - x).collect();
+        let shifts = self.shifts.as_ref()?;
+        Some(Some(shifts.within(
+            &gain,
+            &self.magnitude(),
+            self.closeness,
+        )?))
+    }
+
+    /// Where the first state only runs on, another one that turns often is the section's from now on.
+    fn turned_away(&mut self, flow: &dyn Flow, passage: &Passage, chunk: f64) -> bool {
+        // Where contacts switch, a motion that begins there may be in another mode.
+        let switches = |one: &Extremum| {
+            let mut events = passage.events.iter();
+            events.any(|event| event.switches() && (event.time - one.time).abs() <= INSTANT * chunk)
+        };
+        let often = |j: &usize| {
+            let minima = passage.extrema.iter();
+            let minima = minima.filter(|one| one.index == *j && !one.maximum);
+            minima.filter(|one| !switches(one)).count() >= OFTEN
+        };
+        let Some(other) = (0..self.extent.len()).find(often) else {
+            return false;
+        };
+        let usual: Vec<f64> = (0..self.extent.len())
+            .map(|j| passage.calm.high[j] - passage.calm.low[j])
+            .map(|extent| if extent > 0.0 { 0.5 * extent } else { 1.0 })
+            .collect();
+        let shifts = Shifts::of(flow, &usual);
+        let runs = shifts.may_run(self.section);
+        if runs {
+            self.section = other;
+        }
+        self.shifts = Some(shifts);
+        runs
+    }
+
+    fn magnitude(&self) -> Vec<f64> {
+        let half = |extent: &f64| if *extent > 0.0 { 0.5 * extent } else { 1.0 };
+        self.extent.iter().map(half).collect()
+    }
+
+    fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
+        apart(a, b, &self.magnitude())
+    }
+}
+
+/// Smallest and largest values of what does not run on in a chunk.
+fn bounds(passage: &Passage, run: &[f64], chunk: f64) -> (Vec<f64>, Vec<f64>) {
+    let end = passage.end.state.iter().zip(run);
+    let mut low: Vec<f64> = end.map(|(y, run)| y - run).collect();
+    let mut high = low.clone();
+    for extremum in &passage.extrema {
+        let j = extremum.index;
+        let value = extremum.state[j] - run[j] * (extremum.time / chunk);
+        low[j] = low[j].min(value);
+        high[j] = high[j].max(value);
+    }
+    (low, high)
+}

@@ -1,0 +1,107 @@
+//! What a wall that moves carries: contact that lasts all the way round, until it is thrown off.
+
+use stickslip::field::Design;
+use stickslip::model;
+use stickslip::study::{Along, Case, Dynamics, System};
+use stickslip_models::friction::Coulomb;
+use stickslip_models::press::Rigid;
+
+model! {
+    /// A follower that a spring presses on its cam.
+    pub struct Cam {
+        state x: m = 0.02;
+        state v: m/s = 0.0;
+        param m: kg = 0.2 where m > 0.0;
+        param k: N/m = 800.0 where k > 0.0;
+        param preload: N = 20.0;
+        param c: N*s/m = 1.0 where c >= 0.0;
+        param lift: m = 0.01;
+        param omega: rad/s = 60.0 where omega > 0.0;
+        param e: 1 = 0.4 where 0.0 <= e < 1.0;
+        drive phi at omega;
+        press N: N = Rigid { restitution: e } closing x - lift * cos(phi);
+        der(x) = v;
+        der(v) = (N - preload - k * x - c * v) / m;
+    }
+}
+
+model! {
+    /// A part on a trough that shakes along a slope: it rubs, is carried along, and hops where the trough falls too fast.
+    pub struct Feeder {
+        state x: m = 0.0;
+        state y: m = 0.001;
+        state vx: m/s = 0.0;
+        state vy: m/s = 0.0;
+        param g: m/s^2 = 9.81;
+        param throw: m = 0.0005;
+        param omega: rad/s = 150.0 where omega > 0.0;
+        param slope: rad = 0.5;
+        param mu: 1 = 0.4 where mu >= 0.0;
+        param e: 1 = 0.2 where 0.0 <= e < 1.0;
+        drive phi at omega;
+        press N: m/s^2 = Rigid { restitution: e } closing y - throw * sin(slope) * cos(phi);
+        friction F: m/s^2 = Coulomb { level: mu * N } opposing vx + throw * omega * cos(slope) * sin(phi);
+        der(x) = vx;
+        der(y) = vy;
+        der(vx) = F;
+        der(vy) = N - g;
+    }
+}
+
+/// The branch along a parameter, and where the first segment of another mode appears on it.
+fn first(
+    system: &System,
+    parameter: usize,
+    from: f64,
+    to: f64,
+) -> (Vec<stickslip::study::OrbitRecord>, f64) {
+    let design = Design::Parameter(parameter);
+    let case = Case {
+        along: Some(Along { design, from, to }),
+        harmonics: vec![1],
+        ..Case::declared(system.info(), Dynamics::Exact).at(from)
+    };
+    let branch = system.branch(&case).unwrap();
+    let first = branch
+        .special
+        .first()
+        .unwrap_or_else(|| panic!("{:?}", branch.ended));
+    (branch.points, first.r)
+}
+
+#[test]
+fn a_cam_carries_its_follower_until_the_reaction_vanishes() {
+    let (points, lost) = first(&System::of::<Cam, _>(), Cam::omega.index, 60.0, 125.0);
+    for orbit in points.iter().filter(|orbit| orbit.r.unwrap() < lost) {
+        assert_eq!(orbit.word.as_deref(), Some("rest(N)"));
+        let found = &orbit.harmonics.as_ref().unwrap()[0];
+        assert!(
+            (found.amplitude[0] - 0.01).abs() < 1e-11 && found.phase[0].abs() < 1e-9,
+            "{found:?}"
+        );
+    }
+    // ((k − m ω²)² + c² ω²) h² = P², with k = 800, m = 0.2, c = 1, h = 0.01 and P = 20.
+    let square = |w: f64| (800.0 - 0.2 * w * w).powi(2) + w * w - 2000.0_f64.powi(2);
+    assert!(
+        square(lost * (1.0 - 1e-8)) < 0.0 && square(lost * (1.0 + 1e-8)) > 0.0,
+        "{lost}"
+    );
+}
+
+#[test]
+fn a_part_is_carried_along_and_hops_where_the_trough_falls_faster() {
+    let (points, hops) = first(
+        &System::of::<Feeder, _>(),
+        Feeder::omega.index,
+        150.0,
+        210.0,
+    );
+    let right = (9.81 / (0.0005 * 0.5_f64.sin())).sqrt();
+    assert!((hops / right - 1.0).abs() < 1e-8, "{hops} {right}");
+    for orbit in points.iter().filter(|orbit| orbit.r.unwrap() < hops) {
+        let gain = orbit.shift.as_ref().unwrap();
+        // Friction has no mean over a period, so that the part moves on by what the mean of its speed is.
+        assert!(gain[0] > 5e-4 && gain[1..] == [0.0; 4], "{gain:?}");
+        assert!((orbit.max[1] - 0.0005 * 0.5_f64.sin()).abs() < 1e-12);
+    }
+}
