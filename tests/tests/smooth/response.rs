@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use stickslip::field::Design;
 use stickslip::flow::SmoothFamily;
-use stickslip::harmonics::{Harmonic, harmonics};
+use stickslip::harmonics::{Around, Harmonic, harmonics};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::motion::Family;
@@ -151,7 +151,11 @@ fn a_stuck_blade_is_linear() {
             .expect("a flow")
             .place(&start)
             .expect("a place");
-        let around = (&place, TAU / omega);
+        let around = Around {
+            place: &place,
+            period: TAU / omega,
+            shift: &[],
+        };
         let found = harmonics(&family, 0.0, around, &[1], tolerance).expect("harmonics");
         for (state, expected) in expected.iter().enumerate() {
             let what = format!("x{} at {omega}", state + 1);
