@@ -43,6 +43,8 @@ pub struct Crossings<'f> {
     arrived: Option<(f64, Vec<f64>)>,
     reach: Reach,
     whole: Reach,
+    /// How large the states usually are.
+    usual: Vec<f64>,
     patience: Patience,
     /// Work of all passages.
     pub work: Work,
@@ -77,10 +79,19 @@ impl<'f> Crossings<'f> {
             arrived: None,
             reach: Reach::at(&place.state),
             whole: Reach::at(&place.state),
+            usual: vec![0.0; place.state.len()],
             patience: Patience::from(&place),
             place,
             work: Work::default(),
         })
+    }
+
+    /// The same of a motion whose states usually are this large: what moves next to nothing of that rests, though it has
+    /// never moved more.
+    #[must_use]
+    pub fn among(mut self, usual: &[f64]) -> Self {
+        self.usual = usual.to_vec();
+        self
     }
 
     /// How far the motion has been followed: at least to the last crossing.
@@ -199,8 +210,11 @@ impl<'f> Crossings<'f> {
             self.chunk = (2.0 * self.chunk).min(self.longest);
         }
         if found == 0 {
-            let window = (time, reach);
-            return self.patience.take(self.flow, passage, window, &self.whole);
+            let extents = self.extent().into_iter().zip(&self.usual);
+            let sizes: Vec<f64> = extents.map(|(extent, usual)| extent.max(*usual)).collect();
+            return self
+                .patience
+                .take(self.flow, passage, (time, reach), &sizes);
         }
         self.patience = Patience::from(&self.place);
         Ok(())

@@ -17,7 +17,7 @@ const TURNS: usize = 16;
 const LAPS: usize = 2;
 /// Extents that agree to this share of themselves are the same.
 const SAME: f64 = 1e-5;
-/// A motion whose extent is this share of what it has been before is at rest.
+/// A motion whose extent is this share of what it has been before, or usually is, is at rest.
 const REST: f64 = 1e-6;
 /// A rate this small, in units of its terms, is rounding error.
 const NOISE: f64 = 16.0 * f64::EPSILON;
@@ -84,14 +84,14 @@ impl Patience {
         }
     }
 
-    /// Told of a passage without a crossing that took `time` and reached from bound to bound; `whole` is what the motion
-    /// has reached since it began.
+    /// Told of a passage without a crossing that took `time` and reached from bound to bound; `sizes` are those of
+    /// the states.
     pub(super) fn take(
         &mut self,
         flow: &dyn Flow,
         passage: &Passage,
         (time, reach): (f64, Reach),
-        whole: &Reach,
+        sizes: &[f64],
     ) -> Result<(), FlowError> {
         self.time += time;
         self.steps += passage.work.steps + passage.work.rejected;
@@ -99,7 +99,7 @@ impl Patience {
         self.reach.join(&reach);
         let bounded = turns(flow, passage) && self.last.as_ref().is_some_and(|l| same(l, &reach));
         self.bounded = if bounded { self.bounded + 1 } else { 0 };
-        let resting = rests(flow, &passage.end, time, (&reach, whole))?;
+        let resting = rests(flow, &passage.end, time, (&reach, sizes))?;
         self.resting = if resting { self.resting + 1 } else { 0 };
         self.last = Some(reach);
         Ok(())
@@ -148,14 +148,14 @@ fn same(a: &Reach, b: &Reach) -> bool {
     })
 }
 
-/// Whether nothing moved in a passage, and nothing would in one more, measured against what the motion has reached.
+/// Whether nothing moved in a passage, and nothing would in one more, measured against the sizes of the states.
 fn rests(
     flow: &dyn Flow,
     end: &Place,
     time: f64,
-    (reach, whole): (&Reach, &Reach),
+    (reach, sizes): (&Reach, &[f64]),
 ) -> Result<bool, FlowError> {
-    let small = |j: usize, change: f64| change <= REST * whole.extent(j);
+    let small = |j: usize, change: f64| change <= REST * sizes[j];
     if flow.phase().is_some() || !(0..reach.low.len()).all(|j| small(j, reach.extent(j))) {
         return Ok(false);
     }

@@ -124,11 +124,15 @@ fn gained(
     period: f64,
     magnitude: &[f64],
 ) -> Result<Option<Vec<f64>>, FlowError> {
+    let shifts = Shifts::of(flow, magnitude);
+    if shifts.is_empty() {
+        return Ok(None);
+    }
     let passage = flow.advance(start, period, Want::default())?;
     let gain = passage.end.state.iter().zip(&start.state);
     let gain: Vec<f64> = gain.map(|(end, start)| end - start).collect();
     let units = half_extents(&passage.calm.low, &passage.calm.high, magnitude);
-    Ok(Shifts::of(flow, magnitude).within(&gain, &units, RETURNED))
+    Ok(shifts.within(&gain, &units, RETURNED))
 }
 
 /// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the

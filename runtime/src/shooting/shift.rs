@@ -69,6 +69,11 @@ impl Shifts {
         }
     }
 
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.directions.is_empty() && self.angles.is_empty()
+    }
+
     /// Whether a state can go on for ever and the motion repeat.
     pub(crate) fn may_run(&self, state: usize) -> bool {
         let moved = |(_, direction): &(usize, Vec<f64>)| direction[state] != 0.0;

@@ -50,22 +50,26 @@ fn begins(flow: &dyn Flow, start: &[f64], guess: &Guess, orbit: &Orbit) -> Resul
 fn approaches(flow: &dyn Flow, guess: &Guess, orbit: &Orbit) -> Result<bool, FlowError> {
     let apart = |state: &[f64]| to_orbit(state, orbit, guess, flow.phase());
     let before = apart(&guess.place.state);
-    if before <= ON || before > NEAR {
+    let undecided = orbit.floquet.stability == Stability::Undecided;
+    if before > NEAR || before <= ON && !undecided {
         return Ok(before <= ON);
-    }
-    if orbit.floquet.stability == Stability::Undecided {
-        return Ok(true);
     }
     let multipliers = orbit.floquet.multipliers.iter();
     let largest = multipliers.fold(0.0_f64, |most, multiplier| most.max(multiplier.norm()));
     let laps = (FALL.ln() / largest.ln()).ceil();
-    let laps = if laps >= 1.0 { laps.min(LAPS) } else { LAPS };
+    let laps = match laps {
+        // Multipliers that decide nothing say nothing of how soon either.
+        _ if undecided => 1.0,
+        laps if laps >= 1.0 => laps.min(LAPS),
+        _ => LAPS,
+    };
     let section = Section::usual(flow.phase());
     let mut crossings = Crossings::new(flow, guess.place.clone(), section, Horizon::Recurrence)?;
     let count = laps as usize * orbit.section.len().max(1);
     match crossings.nth(count - 1) {
+        Some(crossing) if undecided => Ok(apart(&crossing?.state) <= (2.0 * before).max(ON)),
         Some(crossing) => Ok(apart(&crossing?.state) <= 0.5 * (1.0 + largest.powf(laps)) * before),
-        None => Ok(false),
+        None => Ok(undecided),
     }
 }
 

@@ -37,7 +37,8 @@ impl Watched {
         diagram: &Diagram,
         usual: &[f64],
     ) -> Result<Self, FlowError> {
-        let mut crossings = Crossings::new(flow, start, diagram.section, Horizon::Recurrence)?;
+        let crossings = Crossings::new(flow, start, diagram.section, Horizon::Recurrence)?;
+        let mut crossings = crossings.among(usual);
         let (mut points, times) = gather(&mut crossings, diagram)?;
         let missing = points.len() < diagram.points;
         let silence = crossings.silence().filter(|_| missing);
