@@ -10,7 +10,7 @@ use crate::field::{Field, Work};
 /// A step that turns the tangents by less has the derivatives that its states have.
 const TURNED: f64 = 0.5;
 /// Tolerance of the tangents, relative to themselves, over that of the states.
-const LOOSER: f64 = 1e3;
+const LOOSER: f64 = 1e4;
 
 impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
     /// Local error of the step over what is tolerated, combined from orders 5 and 3 as Hairer does.

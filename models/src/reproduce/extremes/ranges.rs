@@ -214,8 +214,7 @@ pub fn ranges() -> Vec<Range> {
         )
         .zero(Refused("not-isolated"))
         .at(-6..=-6, Digits(5))
-        .at(-5..=5, Digits(7))
-        .at(6..=6, Refused("not-settled")),
+        .at(-5..=6, Digits(7)),
         parameter(BeltPair::beta, "*β*", none).at(-6..=0, Digits(7)),
         parameter(BeltPair::gamma, "*γ*", none).at(-6..=1, Digits(7)),
     ];
