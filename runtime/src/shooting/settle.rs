@@ -221,8 +221,8 @@ impl Watch {
         if self.distance(here, before) < self.closeness {
             return Some(None);
         }
+        let shifts = self.shifts.as_ref().filter(|shifts| !shifts.is_empty())?;
         let gain: Vec<f64> = here.iter().zip(before).map(|(y, x)| y - x).collect();
-        let shifts = self.shifts.as_ref()?;
         Some(Some(shifts.within(
             &gain,
             &self.magnitude(),
