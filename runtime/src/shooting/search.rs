@@ -129,10 +129,9 @@ fn gained(
         return Ok(None);
     }
     let passage = flow.advance(start, period, Want::default())?;
-    let gain = passage.end.state.iter().zip(&start.state);
-    let gain: Vec<f64> = gain.map(|(end, start)| end - start).collect();
     let units = half_extents(&passage.calm.low, &passage.calm.high, magnitude);
-    Ok(shifts.within(&gain, &units, RETURNED))
+    let ends = [start.state.as_slice(), &passage.end.state];
+    Ok(shifts.within(ends, &units, RETURNED))
 }
 
 /// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the
