@@ -5,7 +5,8 @@ use serde_json::Value;
 use crate::{stickslip, words};
 
 /// One line for each form of a document.
-const LINES: [&str; 38] = [
+const LINES: [&str; 39] = [
+    "attractors belt-oscillator --box x=-2..2,v=-1..1 --starts 5 --along v_dr=0.2..0.4 --values 2 --follow",
     "branch drill-string --along eta=4..6 --and zeta=0.05..0.06",
     "models drill-string",
     "laws hertz",

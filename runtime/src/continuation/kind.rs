@@ -37,6 +37,11 @@ words! {
         BoundaryEquilibrium = "boundary-equilibrium",
         /// The quadratic coefficient of a fold vanishes: its curve turns back in both variables at once.
         Cusp = "cusp",
+        /// A curve of folds stands still in one variable, at which a closed branch along the other shrinks to this point.
+        IsolaCentre = "isola-centre",
+        /// A curve of folds stands still in one variable, at which two branches along the other meet and exchange their parts:
+        /// there an isola joins another branch, or leaves it.
+        Exchange = "branch-exchange",
         /// A multiplier 1 beside a multiplier −1.
         FoldFlip = "fold-flip",
         /// Two multipliers 1.
@@ -73,6 +78,8 @@ impl Kind {
             Self::Krein => "KC",
             Self::BoundaryEquilibrium => "BE",
             Self::Cusp => "CP",
+            Self::IsolaCentre => "IC",
+            Self::Exchange => "BX",
             Self::FoldFlip => "LPPD",
             Self::Resonance1 => "R1-",
             Self::Resonance2 => "R2-",

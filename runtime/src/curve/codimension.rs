@@ -3,21 +3,26 @@
 use nalgebra::Complex;
 
 use super::condition::pairs;
+use super::isola::Unfolding;
 use super::point::CurvePoint;
 use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{Kind, Monitor, Verdict};
 
-/// The part along p that is left of a tangent at a cusp, relative to its neighbours.
+/// The part along the other variable that is left of a tangent at a cusp, relative to its neighbours.
 const CUSP: f64 = 0.1;
 
+/// The part of a tangent along a variable that is constant.
+const CONSTANT: f64 = 1e-6;
+
 /// What is looked for on a curve of this kind.
-pub(super) fn monitors<'a>(of: Kind) -> Vec<Monitor<'a, CurvePoint>> {
+pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a, CurvePoint>> {
     let last = |kind| move |_: [&CurvePoint; 2], _: &CurvePoint| Some(Verdict::Last(kind));
     let multipliers = |point: &CurvePoint| point.floquet().multipliers.clone();
     let cosine = move |point: &CurvePoint| cosine(&multipliers(point)).unwrap_or(f64::NAN);
     match of {
         Kind::Fold => vec![
-            Monitor::new(Kind::Cusp, |point: &CurvePoint| point.tangent[1]).judged(cusp),
+            still(unfolding, 1),
+            still(unfolding, 0),
             Monitor::new(Kind::FoldFlip, move |point| flip(&multipliers(point))),
             Monitor::new(Kind::Resonance1, move |point| {
                 fold(&without(&multipliers(point), 1.0))
@@ -42,11 +47,25 @@ pub(super) fn monitors<'a>(of: Kind) -> Vec<Monitor<'a, CurvePoint>> {
     }
 }
 
-/// Whether the curve stands still in p too where it turns in q.
-fn cusp([before, after]: [&CurvePoint; 2], at: &CurvePoint) -> Option<Verdict> {
-    let along_p = |point: &CurvePoint| point.tangent[0].abs();
-    let still = along_p(at) <= CUSP * along_p(before).max(along_p(after));
-    still.then_some(Verdict::Special(Kind::Cusp))
+/// Where the curve of folds stands still in one variable: in the other one, too, at a cusp, which is told of once; else
+/// branches along that other one appear there, vanish, or exchange their parts.
+fn still(unfolding: &Unfolding, still: usize) -> Monitor<'_, CurvePoint> {
+    let monitor = Monitor::new(Kind::Cusp, move |point: &CurvePoint| point.tangent[still]);
+    // A curve along which one variable is constant all the way stands still nowhere.
+    let moves =
+        move |ends: [&CurvePoint; 2]| ends.iter().any(|end| end.tangent[still].abs() > CONSTANT);
+    let marked = monitor
+        .only_if(moves)
+        .marked(move |point| point.still = Some(still));
+    marked.judged(move |[before, after], at| {
+        let other = |point: &CurvePoint| point.tangent[1 - still].abs();
+        let kind = if other(at) <= CUSP * other(before).max(other(after)) {
+            (still == 1).then_some(Kind::Cusp)
+        } else {
+            unfolding.kind(at, still)
+        };
+        kind.map(Verdict::Special)
+    })
 }
 
 /// Where p leaves its range.

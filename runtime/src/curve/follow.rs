@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::codimension::{monitors, window as bounds};
 use super::condition::Condition;
 use super::critical::{CriticalProblem, CriticalShot, joined, split};
+use super::isola::Unfolding;
 use super::plane::Plane;
 use super::point::CurvePoint;
 use crate::continuation::{self, Branch, Failure, Kind, Monitor, Point, Reader, Settings, Walked};
@@ -50,6 +51,10 @@ pub fn follow(
         (window[1] - window[0]).abs(),
         (settings.to - settings.from).abs(),
     ];
+    let unfolding = Unfolding {
+        plane: plane.clone(),
+        scales,
+    };
     let mut problem = CriticalProblem::new(plane, orbit_problem, condition, scales);
     let z = joined(&z, p);
     problem.align(&z, q).map_err(Failure::Evaluation)?;
@@ -57,6 +62,7 @@ pub fn follow(
     let reader = Critical {
         kind,
         window,
+        unfolding,
         accuracy: settings.accuracy,
     };
     Ok(Some(continuation::follow(reader, started, settings, watch)))
@@ -67,6 +73,7 @@ pub fn follow(
 struct Critical {
     kind: Kind,
     window: [f64; 2],
+    unfolding: Unfolding,
     accuracy: f64,
 }
 
@@ -96,12 +103,13 @@ impl Reader for Critical {
             orbit,
             test: point.extra.test,
             tangent: [point.tangent[order + 1], point.tangent[order + 2]],
+            still: None,
         }
     }
 
     fn monitors(&self) -> Vec<Monitor<'_, CurvePoint>> {
         let bounds = bounds(self.window, |point: &CurvePoint| point.p);
-        bounds.chain(monitors(self.kind)).collect()
+        bounds.chain(monitors(self.kind, &self.unfolding)).collect()
     }
 
     /// Whether the multipliers do not say what the condition does any more.

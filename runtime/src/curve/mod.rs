@@ -9,6 +9,7 @@ mod condition;
 mod critical;
 mod follow;
 mod follow_graze;
+mod isola;
 mod plane;
 mod point;
 

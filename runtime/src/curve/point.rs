@@ -17,6 +17,8 @@ pub struct CurvePoint {
     pub test: f64,
     /// Components of the unit tangent along p and q, in scaled coordinates.
     pub tangent: [f64; 2],
+    /// Which of p and q, the first or the second, stands still here along the curve, if it was found because one does.
+    pub still: Option<usize>,
 }
 
 impl CurvePoint {

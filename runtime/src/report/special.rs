@@ -56,6 +56,8 @@ const fn look(kind: Kind) -> (Marker, usize) {
         Kind::Krein => (Marker::Circle, 3),
         Kind::BoundaryEquilibrium => (Marker::Cross, 3),
         Kind::Cusp => (Marker::Triangle, 3),
+        Kind::IsolaCentre => (Marker::Circle, 5),
+        Kind::Exchange => (Marker::Cross, 5),
         Kind::FoldFlip => (Marker::Plus, 3),
         Kind::Resonance1 => (Marker::Circle, 6),
         Kind::Resonance2 => (Marker::Cross, 6),

@@ -86,7 +86,8 @@ pub use crate::field::{Design, Kernel, Smoothing};
 pub use crate::poincare::Section;
 pub use crate::shooting::OrbitError;
 pub use attractors::{
-    Attractor, AttractorsRecord, Class, Edge, Fate, Found, Region, Sampling, Side, Survey,
+    Attractor, AttractorsRecord, Class, Edge, Fate, Followed, FollowedRecord, Found, Region,
+    Sampling, Side, Spot, Survey,
 };
 pub use branch::{BranchRecord, Special};
 pub use curve::{

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::attractors::{AttractorsRecord, Sampling};
+use super::attractors::{AttractorsRecord, FollowedRecord, Sampling};
 use super::branch::BranchRecord;
 use super::curve::{CurveScope, Curved};
 use super::diagram::{Diagram, DiagramRecord};
@@ -61,6 +61,18 @@ impl System {
     ) -> Result<AttractorsRecord, StudyError> {
         let list = List::default();
         self.attractors_watched(case, sampling, &list, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The branches on which the periodic motions lie that were found along the design variable of the case.
+    ///
+    /// # Errors
+    /// The case cannot be asked, or nothing is followed.
+    pub fn followed(
+        &self,
+        case: &Case,
+        record: &AttractorsRecord,
+    ) -> Result<FollowedRecord, StudyError> {
+        self.followed_watched(case, record, &mut |_| ControlFlow::Continue(()))
     }
 
     /// The answer to a question at each node of a grid of two parameters.

@@ -4,7 +4,11 @@
 use std::f64::consts::TAU;
 
 use stickslip::model;
-use stickslip::study::{Along, Case, CurveRecord, CurveScope, Dynamics, StudyError, System};
+use stickslip::model::Model;
+use stickslip::study::{
+    Along, Beginning, Case, CurveRecord, CurveScope, Dynamics, SpecialCurvePoint, StudyError,
+    System,
+};
 use stickslip_models::{BeltPair, DrillString, closed_form};
 use stickslip_tests::range::{place, range};
 
@@ -339,4 +343,89 @@ fn the_drill_strings_graze_follows_its_closed_form() {
             assert!((point.state[0] + 2.0 * bit.zeta * point.p).abs() < 1e-7);
         }
     }
+}
+
+model! {
+    /// A forced oscillator that every rotation of its plane leaves as it is: z' = (−d − (|z|² − 1)² + i (1 + b |z|²)) z + F e^{iΩt}.
+    /// Its orbits are circles, and with s = |z|² they obey F² = s ((d + (s − 1)²)² + (1 + b s − Ω)²).
+    pub struct Rotating {
+        state x = 0.9;
+        state v = -0.4;
+        param d = 0.152 where d > 0.0;
+        param b = 0.1;
+        param F = 0.25;
+        param omega: rad/s = 1.09 where omega > 0.0;
+        drive phi at omega;
+        let s = powi(x, 2) + powi(v, 2);
+        let drop = d + powi(s - 1.0, 2);
+        let turn = 1.0 + b * s;
+        der(x) = -drop * x - turn * v + F * cos(phi);
+        der(v) = turn * x - drop * v + F * sin(phi);
+    }
+}
+
+/// Where s (d + (s − 1)²)² is stationary: 5 s² − 6 s + 1 + d = 0. At the larger one a closed branch of s over Ω appears while F
+/// grows, at the smaller one it joins the branch of weak response.
+fn stationary(d: f64) -> [(f64, f64); 2] {
+    [1.0, -1.0].map(|sign: f64| {
+        let s = (3.0 + sign * (4.0 - 5.0 * d).sqrt()) / 5.0;
+        (1.0 + 0.1 * s, s.sqrt() * (d + (s - 1.0).powi(2)))
+    })
+}
+
+/// The special points of folds of the oscillator, from where it responds strongly.
+fn folds(of: &str, along: (&str, f64, f64), and: (&str, f64, f64)) -> Vec<SpecialCurvePoint> {
+    let model = System::of::<Rotating, _>();
+    let (mut case, mut scope) = question(&model, Dynamics::Smooth, along, and);
+    let middle = 0.5 * (along.1 + along.2);
+    case = case.at(middle);
+    case.beginning = Beginning::At(middle);
+    scope.of = Some(of.to_owned());
+    case.period = Some(TAU / case.parameters[Rotating::omega.index]);
+    let curve = model.curve(&case, &scope).unwrap().followed().unwrap();
+    assert_eq!(curve.kind.name(), "fold");
+    curve.special
+}
+
+/// The only point of a kind, with the name of that along which branches meet there.
+fn only(special: &[SpecialCurvePoint], label: &str) -> (&'static str, [f64; 2]) {
+    let of_kind = |one: &&SpecialCurvePoint| one.label[..2] == label[..2];
+    let found: Vec<_> = special.iter().filter(of_kind).collect();
+    let [one] = found[..] else {
+        panic!("{special:?}");
+    };
+    let along = one.branches.expect("what it is a special point of");
+    (along.name(Rotating::INFO), [one.point.p, one.point.q])
+}
+
+#[test]
+fn an_isola_is_born_and_merges_where_its_closed_form_says() {
+    let [(omega, force), (joined, strong)] = stationary(0.152);
+    let near = |[a, b]: [f64; 2], [c, d]: [f64; 2]| (a - c).abs() < 1e-8 && (b - d).abs() < 1e-8;
+    let born = folds("LP1", ("omega", 0.6, 1.6), ("F", 0.25, 0.1));
+    let (along, at) = only(&born, "IC1");
+    assert!(
+        along == "omega" && near(at, [omega, force]),
+        "{along} {at:?}"
+    );
+    assert!(born.iter().all(|one| one.label != "BX1"));
+    let merges = folds("LP1", ("omega", 0.5, 1.7), ("F", 0.25, 0.5));
+    let (along, at) = only(&merges, "BX1");
+    assert!(
+        along == "omega" && near(at, [joined, strong]),
+        "{along} {at:?}"
+    );
+    assert!(merges.iter().all(|one| one.label != "IC1"));
+}
+
+#[test]
+fn a_birth_is_seen_whatever_variable_is_named_first() {
+    let [(omega, force), _] = stationary(0.152);
+    let born = folds("LP2", ("F", 0.1, 0.4), ("omega", 1.1, 1.05));
+    let (along, [p, q]) = only(&born, "IC1");
+    assert_eq!(along, "omega");
+    assert!(
+        (p - force).abs() < 1e-8 && (q - omega).abs() < 1e-7,
+        "{p} {q}"
+    );
 }

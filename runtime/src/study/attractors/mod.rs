@@ -10,8 +10,10 @@ mod areas;
 mod basin;
 mod closely;
 mod edge;
+mod followed;
 mod ground;
 mod memo;
+mod passes;
 mod pursuit;
 mod record;
 mod returns;
@@ -22,6 +24,7 @@ mod statistics;
 mod survey;
 mod trap;
 
+pub use followed::{Followed, FollowedRecord, Spot};
 pub(in crate::study) use ground::closely;
 pub use record::{Attractor, AttractorsRecord, Class, Edge, Fate, Found, Survey};
 pub use setting::{Region, Sampling, Side};

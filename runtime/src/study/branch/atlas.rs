@@ -14,7 +14,7 @@ use crate::study::system::System;
 type Here = Located<Orbit>;
 
 /// A Hopf point of an equilibrium.
-struct Hopf {
+pub(in crate::study) struct Hopf {
     /// The design variable, as the family counts it.
     r: f64,
     /// The equilibrium.
@@ -46,7 +46,11 @@ impl System {
     }
 
     /// The Hopf point at which the branch of a case begins, if it begins at one.
-    fn hopf(&self, case: &Case, along: Along) -> Result<Option<Hopf>, StudyError> {
+    pub(in crate::study) fn hopf(
+        &self,
+        case: &Case,
+        along: Along,
+    ) -> Result<Option<Hopf>, StudyError> {
         if case.beginning != Beginning::Hopf {
             return Ok(None);
         }
@@ -72,19 +76,30 @@ impl Sought<'_> {
         hopf: Option<Hopf>,
         watch: Watch<'_>,
     ) -> Result<BranchRecord, StudyError> {
+        let mut atlas = self.atlas(along, watch);
+        let stretch = atlas.root(hopf)?;
+        Ok(atlas.record(stretch, None, self.case.switch.depth))
+    }
+
+    /// The same without those that leave it.
+    pub(in crate::study) fn stem(
+        &self,
+        along: Along,
+        hopf: Option<Hopf>,
+        watch: Watch<'_>,
+    ) -> Result<Stretch, StudyError> {
+        self.atlas(along, watch).root(hopf)
+    }
+
+    fn atlas<'a>(&'a self, along: Along, watch: Watch<'a>) -> Atlas<'a> {
         let (from, to) = along.span();
-        let mut atlas = Atlas {
+        Atlas {
             sought: self,
             along,
             settings: Settings::new(from, to, self.search.accuracy),
             known: Vec::new(),
             watch,
-        };
-        let stretch = match hopf {
-            Some(hopf) => atlas.hopf(&hopf)?,
-            None => atlas.first()?,
-        };
-        Ok(atlas.record(stretch, None, self.case.switch.depth))
+        }
     }
 }
 
@@ -99,6 +114,14 @@ struct Atlas<'a> {
 }
 
 impl Atlas<'_> {
+    /// The branch of the case.
+    fn root(&mut self, hopf: Option<Hopf>) -> Result<Stretch, StudyError> {
+        match hopf {
+            Some(hopf) => self.hopf(&hopf),
+            None => Ok(self.first()?),
+        }
+    }
+
     /// The first branch: from one end, or from a place within in both directions.
     fn first(&mut self) -> Result<Stretch, OrbitError> {
         let Settings { from, to, .. } = self.settings;

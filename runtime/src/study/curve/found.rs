@@ -9,10 +9,7 @@ use crate::continuation::{Kind, Settings};
 use crate::curve::{self, CurvePoint, GrazingPoint, Plane, follow, follow_graze};
 use crate::field::Work;
 use crate::integrate::Tolerance;
-use crate::shooting::{OrbitBranch, OrbitError};
-use crate::study::branch::BranchRecord;
-use crate::study::branch::follow as follow_branch;
-use crate::study::branch::numbered;
+use crate::study::branch::{BranchRecord, Hopf, numbered};
 use crate::study::ended::Ended;
 use crate::study::error::StudyError;
 use crate::study::label::labels;
@@ -47,7 +44,8 @@ impl System {
             };
             self.check(&other.at(value))?;
         }
-        self.sought(case)?.curve(along, scope, watch)
+        let hopf = self.hopf(case, along)?;
+        self.sought(case)?.curve((along, hopf), scope, watch)
     }
 }
 
@@ -55,19 +53,13 @@ impl Sought<'_> {
     /// Follows the branch along `along` to the special point asked for, and that point in both variables.
     fn curve(
         &self,
-        along: Along,
+        (along, hopf): (Along, Option<Hopf>),
         scope: &CurveScope,
         watch: Watch<'_>,
     ) -> Result<Curved, StudyError> {
         let (from, to) = along.span();
         let accuracy = self.search.accuracy;
-        let first = self.orbit(from)?;
-        let settings = Settings::new(from, to, accuracy);
-        let branch = OrbitBranch::start(&self.family, &first, &self.search, settings)
-            .map_err(OrbitError::Newton)?;
-        let stretch = follow_branch(self, along, branch, first.work, &mut |orbit| {
-            watch(CurveFinding::Orbit(orbit))
-        });
+        let stretch = self.stem(along, hopf, &mut |orbit| watch(CurveFinding::Orbit(orbit)))?;
         let located = stretch.located;
         let branch = BranchRecord {
             along,
@@ -107,11 +99,11 @@ impl Sought<'_> {
             let mut seen = |point: &GrazingPoint| see(&read.graze(point));
             let (orbit, r) = (&located.point, located.r);
             let found = follow_graze(&plane, orbit, r, window, settings, &mut seen);
-            found.map(|found| found.map(|found| read.curve(found, Reader::graze)))
+            found.map(|found| found.map(|found| read.curve(found, Reader::graze, |_| None)))
         } else {
             let mut seen = |point: &CurvePoint| see(&read.point(point));
             let found = follow(&plane, kind, &located.point, window, settings, &mut seen);
-            found.map(|found| found.map(|found| read.curve(found, Reader::point)))
+            found.map(|found| found.map(|found| read.curve(found, Reader::point, |at| at.still)))
         };
         let curve = curve.map_err(StudyError::Curve)?;
         let (points, special, ended, work) = curve.ok_or_else(|| not_followed(label, kind))?;
@@ -168,6 +160,7 @@ impl Reader {
         &self,
         (walked, work): curve::Curve<P>,
         read: fn(&Self, &P) -> CurvePointRecord,
+        still: fn(&P) -> Option<usize>,
     ) -> (Vec<CurvePointRecord>, Vec<SpecialCurvePoint>, Ended, Work) {
         let labels = labels(walked.located.iter().map(|found| found.kind));
         let special = walked
@@ -177,6 +170,7 @@ impl Reader {
             .map(|(found, label)| SpecialCurvePoint {
                 kind: found.kind,
                 label,
+                branches: self.unfolded(found.kind, still(&found.point)),
                 point: read(self, &found.point),
             });
         let special = special.collect();
@@ -187,6 +181,15 @@ impl Reader {
             Ended::of(&walked.ending, self.and),
             work,
         )
+    }
+
+    /// Along what branches appear or meet where a curve of folds stands still in this variable.
+    fn unfolded(&self, kind: Kind, still: Option<usize>) -> Option<Along> {
+        let other = match still? {
+            0 => self.and,
+            _ => self.along,
+        };
+        matches!(kind, Kind::IsolaCentre | Kind::Exchange).then_some(other)
     }
 
     fn point(&self, point: &CurvePoint) -> CurvePointRecord {

@@ -86,10 +86,12 @@ pub struct CurvePointRecord {
 /// A point of codimension two.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpecialCurvePoint {
-    /// What: `cusp`, `fold-flip`, `resonance-1-2`, ...
+    /// What: `cusp`, `isola-centre`, `fold-flip`, `resonance-1-2`, ...
     pub kind: Kind,
     /// Kind and number, for instance `CP1`.
     pub label: String,
+    /// Along what the branches are followed that appear or meet there while the other variable changes; none at other kinds.
+    pub branches: Option<Along>,
     /// Where.
     pub point: CurvePointRecord,
 }

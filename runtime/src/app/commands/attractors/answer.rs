@@ -1,6 +1,6 @@
 //! Motions with their shares in all forms.
 
-use super::picture;
+use super::{branches, picture};
 use crate::app::answer::Answer;
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, Holds, Spreadsheet, full, headed, optional};
@@ -8,7 +8,7 @@ use crate::app::text::{
     brief, digits, followed, heading, line, number, short, states, table, timed,
 };
 use crate::model::ModelInfo;
-use crate::study::{Attractor, AttractorsRecord, Case, Class, Edge, Found, Survey};
+use crate::study::{Attractor, AttractorsRecord, Case, Class, Edge, FollowedRecord, Found, Survey};
 
 /// Digits shown of shares, and of what only shows how a motion is drawn in.
 const SHARE: usize = 4;
@@ -16,17 +16,24 @@ const SHARE: usize = 4;
 pub(super) fn answer<'a>(
     info: &'a ModelInfo,
     case: &'a Case,
-    record: &'a AttractorsRecord,
+    found: (&'a AttractorsRecord, Option<&'a FollowedRecord>),
     shown: [usize; 2],
 ) -> Answer<'a> {
-    Answer::new(
+    let record = found.0;
+    let followed = record.along.as_ref().zip(found.1);
+    let more = move || followed.map(|(along, followed)| branches::text(info, along, followed));
+    let answer = Answer::new(
         "attractors",
-        move || describe(info, case, record),
-        move || document(info, case, record),
+        move || describe(info, case, record) + &more().unwrap_or_default(),
+        move || document(info, case, found),
     )
-    .figure("attractors", move || picture::picture(info, record, shown))
+    .figure("attractors", move || picture::picture(info, found, shown))
     .sheet("attractors", move || motions(info, record))
-    .sheet("starts", move || starts(info, record))
+    .sheet("starts", move || starts(info, record));
+    match followed {
+        Some((along, followed)) => branches::sheets(answer, (info, case), along, followed),
+        None => answer,
+    }
 }
 
 fn describe(info: &ModelInfo, case: &Case, record: &AttractorsRecord) -> String {
@@ -174,7 +181,11 @@ fn remarks(record: &AttractorsRecord) -> String {
     said.concat()
 }
 
-fn document<'a>(info: &'a ModelInfo, case: &Case, record: &AttractorsRecord) -> Document<'a> {
+fn document<'a>(
+    info: &'a ModelInfo,
+    case: &Case,
+    (record, followed): (&AttractorsRecord, Option<&FollowedRecord>),
+) -> Document<'a> {
     let side = |side: &crate::study::Side| {
         let name = info.states.get(side.state).map_or("", |state| state.name);
         serde_json::json!({ "state": name, "from": side.low, "to": side.high })
@@ -196,10 +207,12 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, record: &AttractorsRecord) -> 
         Some(along) => document.range("along", along),
         None => document,
     };
-    document
-        .list("surveys", &record.surveys, survey)
-        .maybe("interrupted", missing)
-        .units()
+    let document = document.list("surveys", &record.surveys, survey);
+    let document = match followed {
+        Some(followed) => branches::documents(document, info, followed),
+        None => document,
+    };
+    document.maybe("interrupted", missing).units()
 }
 
 fn motion<'a>(info: &'a ModelInfo, found: &Found) -> Document<'a> {

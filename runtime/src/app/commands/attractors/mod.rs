@@ -1,6 +1,7 @@
 //! `attractors`: all motions on which a system settles, without a seed.
 
 mod answer;
+mod branches;
 mod picture;
 mod region;
 
@@ -15,7 +16,7 @@ use crate::app::request::request;
 use crate::app::show::Show;
 use crate::app::values::{Reading, counted};
 use crate::model::ModelInfo;
-use crate::study::{Fate, Item, Region, Rows, Sampling};
+use crate::study::{Fate, FollowedRecord, Item, Region, Rows, Sampling};
 pub(in crate::app::commands) use region::Sides;
 
 /// Most starts in all: so many are kept in memory.
@@ -48,6 +49,9 @@ pub(in crate::app) struct Arguments {
     /// Saddles too, on the edges between basins
     #[arg(long)]
     edges: bool,
+    /// Follow the periodic motions along the parameter, too, each branch once and both ways: closed ones are isolas
+    #[arg(long)]
+    follow: bool,
     #[command(flatten)]
     show: Show,
     #[command(flatten)]
@@ -61,6 +65,9 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         );
     };
     let asked = request(app, &arguments.subject, arguments.way.along.as_ref(), None)?;
+    if arguments.follow && asked.case.along.is_none() {
+        return refuse!("`--follow` needs `--along NAME=A..B`: what to follow the motions along");
+    }
     let sampling = Sampling {
         region: sides.of(asked.info)?,
         starts: arguments.starts,
@@ -88,7 +95,15 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         asked.entry.attractors_watched(case, &sampling, list, watch)
     })?;
     if !ledger.is_shared() {
-        output.deliver(&answer::answer(asked.info, case, &record, shown))?;
+        let whole = arguments.follow && record.missing == 0;
+        let followed = whole.then(|| branches::follow(&asked, &record));
+        let followed = followed.transpose()?;
+        let found = (&record, followed.as_ref());
+        output.deliver(&answer::answer(asked.info, case, found, shown))?;
+        if let Some(followed) = followed.filter(FollowedRecord::is_interrupted) {
+            let count = followed.branches.len();
+            return Err(output.interrupted(&format!("{count} branches were begun")));
+        }
     }
     ledger.close(output, record.missing)
 }

@@ -1,17 +1,31 @@
 //! Basins in a plane of two states, or shares along what is followed.
 
+use super::branches;
 use crate::app::axis::{along_axis, axis};
 use crate::app::text::brief;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Marker, Panel};
-use crate::study::{Along, AttractorsRecord, Class, Survey};
+use crate::study::{Along, AttractorsRecord, Class, FollowedRecord, Survey};
 
 /// Starts that are drawn at most: the first ones fill the region evenly, too.
 const DRAWN: usize = 20_000;
 
-pub(super) fn picture(info: &ModelInfo, record: &AttractorsRecord, shown: [usize; 2]) -> Figure {
+pub(super) fn picture(
+    info: &ModelInfo,
+    (record, followed): (&AttractorsRecord, Option<&FollowedRecord>),
+    shown: [usize; 2],
+) -> Figure {
     match (&record.along, record.surveys.first()) {
-        (Some(along), _) => shares(info, record, along),
+        (Some(along), _) => {
+            let figure = shares(info, record, along);
+            match followed {
+                Some(followed) => {
+                    let branches = branches::panel(info, along, followed, shown[0]);
+                    figure.columns(2).panel(branches)
+                }
+                None => figure,
+            }
+        }
         (None, survey) => basins(info, record, shown, survey),
     }
 }

@@ -173,7 +173,11 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, branch: &BranchRecord) -> Docu
         .all(&found(info, branch))
 }
 
-fn found<'a>(info: &'a ModelInfo, branch: &BranchRecord) -> Document<'a> {
+/// A branch with those that leave it.
+pub(in crate::app::commands) fn found<'a>(
+    info: &'a ModelInfo,
+    branch: &BranchRecord,
+) -> Document<'a> {
     let orbit = |point: &OrbitRecord| orbit::point(info, point).put("work", point.work);
     let mut work = Work::default();
     branch.points.iter().for_each(|point| work += point.work);

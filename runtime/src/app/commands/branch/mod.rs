@@ -18,7 +18,7 @@ use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
 use crate::model::ModelInfo;
 use crate::study::{Beginning, BranchRecord, Case, OrbitRecord, Switch};
-pub(super) use answer::answer;
+pub(super) use answer::{answer, found};
 
 /// What is done before anything is found.
 pub(super) const FIRST: &str = "looking for the first orbit";

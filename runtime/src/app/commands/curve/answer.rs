@@ -57,7 +57,10 @@ fn describe(info: &ModelInfo, case: &Case, curve: &CurveRecord) -> String {
         .column(timed(info, "period", "s"), |point| shown(point.period));
     let special = Columns::new()
         .column("special", |one: &SpecialCurvePoint| one.label.clone())
-        .column("kind", |one| one.kind.to_string())
+        .column("kind", |one| match &one.branches {
+            Some(branches) => format!("{} along {}", one.kind, branches.name(info)),
+            None => one.kind.to_string(),
+        })
         .column(&*p, |one| shown(one.point.p))
         .column(&*q, |one| shown(one.point.q));
     let mut text = heading(info, case, &what) + &points.text(&curve.points);
@@ -97,7 +100,8 @@ fn document<'a>(info: &'a ModelInfo, case: &Case, curve: &CurveRecord) -> Docume
     let special = |one: &SpecialCurvePoint| {
         let head = Document::new(info)
             .put("kind", one.kind)
-            .put("label", &one.label);
+            .put("label", &one.label)
+            .maybe("branches_along", one.branches.map(|along| along.name(info)));
         add(head, &one.point)
     };
     Document::case(info, case)

@@ -25,11 +25,9 @@ pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>
             None => Ok(None),
         };
     };
-    let switch = asked.switch.map(|(name, _)| ("switch", name));
-    let from = asked.from.as_ref().map(|from| ("from", from.word.as_str()));
-    match switch.or(from) {
-        Some((other, word)) => refuse!(
-            "`--and` follows one special point and no branches: `--{other} {word}` has no meaning beside it"
+    match asked.switch {
+        Some((word, _)) => refuse!(
+            "`--and` follows one special point and no branches: `--switch {word}` has no meaning beside it"
         ),
         None => Ok(Some(and)),
     }
@@ -45,9 +43,8 @@ pub(in crate::app) fn perform(
     let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
     let info = asked.info;
     let (case, scope) = plane(info, and, arguments, asked.case)?;
-    asked.case = case;
+    asked.case = arguments.of(info, case)?;
     let shown = arguments.shown(info)?;
-    asked.case.harmonics = arguments.harmonics.of(info);
     let progress = Progress::along(&asked.output, branch::FIRST);
     let question = Question::new(app.version, info, &asked.case)
         .exactly("`--and`", &scope.and)
