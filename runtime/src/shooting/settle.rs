@@ -10,8 +10,9 @@ use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
 const PATIENCE: usize = 3000;
-/// Most steps of the integrator that are spent on it.
+/// Most steps of the integrator that are spent on it, and most states that they advance: a step costs as its states do.
 const STEPS: u64 = 500_000;
+const ADVANCED: u64 = 4_000_000;
 /// Crossings in a chunk that suffice, and turns of another state after which it is the section's.
 const ENOUGH: usize = 2;
 const OFTEN: usize = 8;
@@ -29,8 +30,8 @@ pub enum Settled<T> {
     Orbit(T),
     /// It came to rest.
     Equilibrium(Vec<f64>),
-    /// Neither, after this time.
-    Neither(f64),
+    /// Neither, after this time; where it had come by then.
+    Neither(f64, Place),
 }
 
 /// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest; guesses have
@@ -47,7 +48,8 @@ pub fn settle<T>(
     let mut chunk = radian(flow, &start)?;
     let mut watch = Watch::new(start, flow.phase().unwrap_or(0));
     let mut silent = 0;
-    while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < STEPS {
+    let steps = STEPS.min(ADVANCED / flow.order().max(1) as u64);
+    while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < steps {
         let crossings = watch.follow(flow, chunk)?;
         if flow.phase().is_none() && watch.at_rest() {
             return Ok(Settled::Equilibrium(watch.place.state.clone()));
@@ -67,7 +69,7 @@ pub fn settle<T>(
     Ok(if watch.slow(flow)? {
         Settled::Equilibrium(watch.place.state)
     } else {
-        Settled::Neither(watch.time)
+        Settled::Neither(watch.time, watch.place)
     })
 }
 

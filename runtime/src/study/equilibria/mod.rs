@@ -3,6 +3,7 @@
 mod counterpart;
 mod found;
 mod modes;
+mod others;
 mod record;
 
 pub(in crate::study) use modes::{sliding_mode, sliding_modes, spelt};
