@@ -7,6 +7,12 @@ use super::system::ExactSystem;
 use crate::model::Model;
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
+    /// The modes with those contacts loose, and those pinned, that presses make so.
+    pub(crate) fn pressed(&self, modes: Modes<M, N>, state: &[f64; N]) -> Modes<M, N> {
+        let loosened = self.loosened(modes, self.speeds(state).as_ref());
+        self.pinned(loosened, state)
+    }
+
     /// The magnitude of the terms of what holds a press closed.
     pub(crate) fn terms_of_hold(&self, state: &[f64; N], press: usize) -> f64 {
         hold_terms::<M, N>(&self.plain, state, press)
