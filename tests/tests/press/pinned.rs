@@ -55,6 +55,44 @@ model! {
     }
 }
 
+model! {
+    /// A mass that a force presses on a wall that moves, over ground that rubs.
+    pub(crate) struct Pushed {
+        state x = 0.2;
+        state v = 0.0;
+        param m = 1.3 where m > 0.0;
+        param throw = 0.2;
+        param omega = 1.5 where omega > 0.0;
+        param preload = 1.6;
+        param dry = 0.4 where dry >= 0.0;
+        param e = 0.2 where 0.0 <= e < 1.0;
+        drive phi at omega;
+        press N = Rigid { restitution: e } closing x - throw * cos(phi);
+        friction S = Coulomb { level: dry } opposing v;
+        der(x) = v;
+        der(v) = (N - preload + S) / m;
+    }
+}
+
+/// Where the wall turns, friction turns with it and holds nothing: the mass stays at the wall as long as its load exceeds
+/// friction and inertia, m throw ω² < preload − dry.
+#[test]
+fn ground_that_rubs_does_not_hold_what_a_wall_leads() {
+    let pushed = Pushed::default();
+    let mut case = Case::declared(Pushed::INFO, Dynamics::Exact);
+    case.accuracy = 1e-11;
+    let orbit = System::of::<Pushed, 3>().orbit(&case).unwrap();
+    assert_eq!(orbit.word.as_deref(), Some("slip-(S) slip+(S)"));
+    assert!((orbit.max[0] - 0.2).abs() < 1e-10 && (orbit.min[0] + 0.2).abs() < 1e-10);
+    assert!(orbit.floquet.multipliers.iter().all(|m| m.norm() == 0.0));
+    // m (ẍ) = N − P + S: with S = +dry while it goes back, N = P − dry − m throw ω² cos φ.
+    let flow = flow(&pushed, None);
+    let place = flow.place([0.2, 0.0, 0.0]).unwrap();
+    let passage = flow.advance(&place, 20.0, Want::default()).unwrap();
+    let off = passage.end.state[0] - 0.2 * passage.end.state[2].cos();
+    assert!(off.abs() < 1e-12, "{off}");
+}
+
 /// What drives the hammer of k = c = 0 and m = 1, from φ₀ on at speed 0 with friction s: its speed and its way at φ.
 fn flies(load: f64, bias: f64, from: f64, to: f64) -> [f64; 2] {
     let t = to - from;

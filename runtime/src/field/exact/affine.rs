@@ -179,7 +179,8 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
         }
         for (f, before) in refined.iter_mut().zip(&field) {
             if f.re().abs() <= NOTHING * before.re().abs() {
-                *f = D::from(0.0);
+                let nothing = D::from(f.re());
+                *f -= nothing;
             }
         }
         Some(refined)

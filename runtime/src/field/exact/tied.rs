@@ -6,9 +6,8 @@
 
 use super::affine::{Square, input, speed_rates};
 use super::constants::{GENERIC, generic_state};
-use super::mode::{Mode, Modes};
+use super::mode::Modes;
 use super::rule::Branches;
-use super::system::ExactSystem;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
 
@@ -90,7 +89,7 @@ impl<const N: usize> Linear<N> {
 }
 
 /// How much the relative speed of a contact changes for each unit by which that of a gap does, by an impulse there.
-fn factor<M: Model<N>, const N: usize>(
+pub(super) fn factor<M: Model<N>, const N: usize>(
     plain: &M::Params<f64>,
     state: &[f64; N],
     contact: usize,
@@ -100,32 +99,4 @@ fn factor<M: Model<N>, const N: usize>(
     let push = input::<M, f64, N>(plain, state, &alone, press);
     let rates = speed_rates::<M, f64, N>(plain, state, &alone, &push);
     rates.as_ref()[contact] / rates.as_ref()[press]
-}
-
-impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
-    /// Whether a contact has no relative speed wherever the gap of a press stays as it is.
-    pub(crate) fn is_tied(&self, contact: usize, press: usize) -> bool {
-        self.ties.as_ref()[contact].as_ref()[press] && !self.is_idle(contact)
-    }
-
-    /// How much the relative speed of a tied contact is for each unit of the rate of the gap.
-    pub(crate) fn factor(&self, state: &[f64; N], contact: usize, press: usize) -> f64 {
-        factor::<M, N>(&self.plain, state, contact, press)
-    }
-
-    /// The modes with those contacts pinned, and only those, that move with presses at rest.
-    pub(crate) fn pinned(&self, mut modes: Modes<M, N>, state: &[f64; N]) -> Modes<M, N> {
-        let before = modes;
-        for (i, mode) in before.as_slice().iter().enumerate() {
-            let holder = before.resting().find(|&press| self.is_tied(i, press));
-            match (holder, mode.unpinned()) {
-                (Some(press), None) if mode.rubs() => {
-                    modes.set(i, Mode::pinned(self.factor(state, i, press)));
-                }
-                (None, Some(slides)) => modes.set(i, slides),
-                _ => {}
-            }
-        }
-        modes
-    }
 }

@@ -40,9 +40,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 let bears = k >= SEARCHED || bearing >> k & 1 == 1;
                 modes.set(*press, if bears { Mode::Rest } else { Mode::Open });
             }
-            let rest = rest(self.system.pressed(modes, state));
-            let settled = rest.settle().and_then(|mut verdict| {
+            let mut rest = rest(self.system.pressed(modes, state));
+            let settled = rest.lead().and_then(|led| Ok((led, rest.settle()?)));
+            let settled = settled.and_then(|(led, mut verdict)| {
                 presses.note(&rest, &mut verdict);
+                for (contact, order) in led {
+                    verdict.notes.as_mut()[contact].departure = order;
+                }
                 let holds = self.bears(state, closed, &mut verdict)?;
                 Ok(holds.then_some(verdict))
             });
