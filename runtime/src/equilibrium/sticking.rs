@@ -38,10 +38,20 @@ pub struct StickingSet {
 #[must_use]
 pub fn sticking_sets(flow: &dyn Flow, starts: &[Vec<f64>], modes: &[Modes]) -> Vec<StickingSet> {
     let set = |modes: &Modes| {
-        let sought = Sought { flow, modes };
-        starts.iter().find_map(|start| sought.set(start))
+        starts.iter().find_map(|start| {
+            let modes = &pinned(flow, modes, start)?;
+            Sought { flow, modes }.set(start)
+        })
     };
     modes.iter().filter_map(set).collect()
+}
+
+/// The modes with what sticks pinned where a press at rest holds the same; `None` if it is to slide there.
+fn pinned(flow: &dyn Flow, modes: &Modes, start: &[f64]) -> Option<Modes> {
+    let pinned = flow.pinned(modes.clone(), start);
+    let mut pairs = pinned.iter().zip(modes);
+    let stays = pairs.all(|(now, before)| now == before || *before == Mode::Stick);
+    stays.then_some(pinned)
 }
 
 struct Sought<'a> {
@@ -98,11 +108,12 @@ impl Sought<'_> {
     fn admissible(&self, state: &[f64], at: &Contacts) -> bool {
         let holds = self.flow.read(&self.place(state)).is_ok();
         holds
+            && self.flow.pinned(self.modes.clone(), state) == *self.modes
             && self.modes.iter().zip(&at.all).all(|(mode, contact)| {
                 let stick = contact.stick.value;
                 match mode {
                     Mode::Stick => stick > 0.0 && contact.force.value.abs() <= stick,
-                    Mode::Loose => true,
+                    Mode::Loose | Mode::PinnedForward | Mode::PinnedBackward => true,
                     Mode::Rest => contact.force.value > 0.0,
                     sliding => contact.speed.value * sliding.sign() > 0.0,
                 }

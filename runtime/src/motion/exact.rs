@@ -141,6 +141,10 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         modes(&self.system().loosened(fixed_modes(&of), speeds))
     }
 
+    fn pinned(&self, of: super::Modes, state: &[f64]) -> super::Modes {
+        modes(&self.system().pinned(fixed_modes(&of), &fixed(state)))
+    }
+
     fn check(&self, at: &Place) -> Result<(), FlowError> {
         let held = self.within_laws(fixed(&at.state));
         held.map_err(|error| error.named(M::INFO))

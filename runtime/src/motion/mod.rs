@@ -115,6 +115,11 @@ pub trait Flow: Send + Sync {
         modes
     }
 
+    /// The same modes, those contacts pinned, and only those, that move with presses at rest.
+    fn pinned(&self, modes: Modes, _state: &[f64]) -> Modes {
+        modes
+    }
+
     /// Whether the field stands for the system at this place.
     ///
     /// # Errors

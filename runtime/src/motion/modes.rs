@@ -80,7 +80,7 @@ fn least_rotation(letters: Vec<(Letter, usize)>) -> Vec<(Letter, usize)> {
             Letter::Mode(Mode::Stick) => 0,
             Letter::Mode(Mode::SlideBackward) => 1,
             Letter::Mode(Mode::SlideForward) => 2,
-            Letter::Mode(Mode::Loose) => 3,
+            Letter::Mode(Mode::Loose | Mode::PinnedForward | Mode::PinnedBackward) => 3,
             Letter::Impact => 4,
             Letter::Mode(Mode::Rest) => 5,
             Letter::Mode(Mode::Closed) => 6,

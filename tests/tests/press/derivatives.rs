@@ -14,15 +14,20 @@ use crate::models::{Ball, Bilinear, Ramp, Rattle, Shelf, Squeal, Stack, TIGHT, f
 const DOUBT: f64 = 1e-6;
 
 #[derive(Debug, Default)]
-struct Tally {
-    compared: usize,
+pub(crate) struct Tally {
+    pub(crate) compared: usize,
     doubtful: usize,
     undefined: usize,
-    events: BTreeMap<String, usize>,
+    pub(crate) events: BTreeMap<String, usize>,
 }
 
 /// Compares derivatives by every state and parameter with central differences of order 4.
-fn compare<M: Model<N>, const N: usize>(model: &M, start: [f64; N], time: f64, tally: &mut Tally) {
+pub(crate) fn compare<M: Model<N>, const N: usize>(
+    model: &M,
+    start: [f64; N],
+    time: f64,
+    tally: &mut Tally,
+) {
     let whole = flow(model, None);
     let place = whole.place(start).unwrap();
     let passage = match whole.advance(&place, time, Want::SHOT) {

@@ -10,6 +10,7 @@ mod hopf;
 mod impact;
 mod models;
 mod penalty;
+mod pinned;
 mod rates;
 mod rest;
 mod squeal;

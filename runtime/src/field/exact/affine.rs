@@ -9,6 +9,9 @@ use super::solve::solve;
 use crate::model::Model;
 use crate::scalar::{Inline, Scalar};
 
+/// What a correction leaves of a number, as a share of that, where it takes out all but rounding errors.
+pub(super) const NOTHING: f64 = 1e-8;
+
 /// A matrix with one row and one column for each contact.
 pub(crate) type Square<M, D, const N: usize> =
     <M as Model<N>>::PerContact<<M as Model<N>>::PerContact<D>>;
@@ -131,8 +134,9 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
         if modes.rests() {
             // Friction reads reactions: what it was without them says nothing.
             let mut rule = Branches::<M, D, N>::with(modes.as_slice(), force);
+            let field = M::rhs(params, *state, &mut rule);
             return Some(Snapshot {
-                field: M::rhs(params, *state, &mut rule),
+                field: self.refined(field, params, state, modes)?,
                 speed: rule.speed,
                 force: rule.force,
                 stick: rule.stick,
@@ -151,6 +155,35 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
             force,
             stick: self.stick,
         })
+    }
+}
+
+impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
+    /// The field once more without what it does to gaps that stay closed and to contacts that stick: of what is at rest,
+    /// exactly nothing is left, and a rounding error would be all that moves.
+    fn refined(
+        &self,
+        field: [D; N],
+        params: &M::Params<D>,
+        state: &[D; N],
+        modes: &Modes<M, N>,
+    ) -> Option<[D; N]> {
+        let rates = speed_rates::<M, D, N>(params, state, modes, &field);
+        let push = self.respond(modes, &rates)?;
+        let mut refined = field;
+        for contact in modes.bound() {
+            let (push, input) = (push.as_ref()[contact], &self.input.as_ref()[contact]);
+            for (f, b) in refined.iter_mut().zip(input) {
+                *f -= *b * push;
+            }
+        }
+        for (f, before) in refined.iter_mut().zip(&field) {
+            if f.re().abs() <= NOTHING * before.re().abs() {
+                let nothing = D::from(f.re());
+                *f -= nothing;
+            }
+        }
+        Some(refined)
     }
 }
 

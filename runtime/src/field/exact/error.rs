@@ -9,7 +9,7 @@ use crate::model::{ContactId, Model, brief, listed};
 pub enum ContactError {
     /// Several contacts resist the same motion, or a force does not act on any speed.
     #[error(
-        "the forces at rest of contacts {} are not unique: together they hold one and the same motion; contacts with the same relative speed can be written as one, and where friction acts along the way of a press that does not give way, a stiff `Compliant` press shares the load",
+        "the forces at rest of contacts {} are not unique: together they hold one and the same motion; contacts with the same relative speed can be written as one, and where friction acts along the way of several presses that do not give way, or grows with the reaction along its own way, a stiff `Compliant` press shares the load",
         listed(.contacts)
     )]
     Singular {

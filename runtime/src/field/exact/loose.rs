@@ -4,9 +4,16 @@ use super::mode::{Mode, Modes};
 use super::pressed::hold_terms;
 use super::rest::loose;
 use super::system::ExactSystem;
+use super::tied::factor;
 use crate::model::Model;
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
+    /// The modes with those contacts loose, and those pinned, that presses make so.
+    pub(crate) fn pressed(&self, modes: Modes<M, N>, state: &[f64; N]) -> Modes<M, N> {
+        let loosened = self.loosened(modes, self.speeds(state).as_ref());
+        self.pinned(loosened, state)
+    }
+
     /// The magnitude of the terms of what holds a press closed.
     pub(crate) fn terms_of_hold(&self, state: &[f64; N], press: usize) -> f64 {
         hold_terms::<M, N>(&self.plain, state, press)
@@ -38,5 +45,33 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// Whether the force of a press is no power series in the depth, as that of Hertz is not.
     pub(crate) fn is_rough(&self, press: usize) -> bool {
         self.rough.as_ref()[press]
+    }
+}
+
+impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
+    /// Whether a contact has no relative speed wherever the gap of a press stays as it is.
+    pub(crate) fn is_tied(&self, contact: usize, press: usize) -> bool {
+        self.ties.as_ref()[contact].as_ref()[press] && !self.is_idle(contact)
+    }
+
+    /// How much the relative speed of a tied contact is for each unit of the rate of the gap.
+    pub(crate) fn factor(&self, state: &[f64; N], contact: usize, press: usize) -> f64 {
+        factor::<M, N>(&self.plain, state, contact, press)
+    }
+
+    /// The modes with those contacts pinned, and only those, that move with presses at rest.
+    pub(crate) fn pinned(&self, mut modes: Modes<M, N>, state: &[f64; N]) -> Modes<M, N> {
+        let before = modes;
+        for (i, mode) in before.as_slice().iter().enumerate() {
+            let holder = before.resting().find(|&press| self.is_tied(i, press));
+            match (holder, mode.unpinned()) {
+                (Some(press), None) if mode.rubs() => {
+                    modes.set(i, Mode::pinned(self.factor(state, i, press)));
+                }
+                (None, Some(slides)) => modes.set(i, slides),
+                _ => {}
+            }
+        }
+        modes
     }
 }

@@ -15,6 +15,7 @@ mod rule;
 mod solve;
 mod strip;
 mod system;
+mod tied;
 
 use num_dual::Dual64;
 
@@ -22,6 +23,7 @@ use super::{Field, Linear, LinearField, memory};
 use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
+use affine::NOTHING;
 pub(crate) use affine::{Affine, Snapshot, Square};
 pub(crate) use closed::Closed;
 pub use error::ContactError;
@@ -135,8 +137,11 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         let moved = std::array::from_fn(|i| state[i] - change[i]);
         let rates = self.system.rates(&moved, &self.modes);
         let back = self.correction(&moved, &rates);
-        for (c, b) in change.iter_mut().zip(back) {
+        for ((c, b), y) in change.iter_mut().zip(back).zip(state) {
             *c += b;
+            if (y - *c).abs() <= NOTHING * y.abs() {
+                *c = *y;
+            }
         }
         change
     }

@@ -18,6 +18,11 @@ pub enum Mode {
     Stick,
     /// No force, whatever w is: what presses it is open.
     Loose,
+    /// w = 0 because a press rests that moves with it: which of them holds how much is not told, so that its force is the
+    /// limit at rest, against the press opening, and the reaction what is left to hold; it goes on with w > 0.
+    PinnedForward,
+    /// The same, going on with w < 0.
+    PinnedBackward,
     /// A press whose gap is open.
     Open,
     /// A press whose gap is closed, and whose force pushes.
@@ -39,13 +44,35 @@ impl Mode {
         }
     }
 
+    /// The mode of a contact beside a press at rest that opens with w of this sign.
+    #[must_use]
+    pub fn pinned(sign: f64) -> Self {
+        if sign > 0.0 {
+            Self::PinnedForward
+        } else {
+            Self::PinnedBackward
+        }
+    }
+
+    /// The mode in which a contact goes on that no press pins any more; `None` of any other.
+    #[must_use]
+    pub fn unpinned(self) -> Option<Self> {
+        match self {
+            Self::PinnedForward => Some(Self::SlideForward),
+            Self::PinnedBackward => Some(Self::SlideBackward),
+            _ => None,
+        }
+    }
+
     /// Sign of w, or of the gap of a press: 1, −1, or 0 where the mode says nothing of it.
     #[must_use]
     pub fn sign(self) -> f64 {
         match self {
             Self::SlideForward | Self::Open => 1.0,
             Self::SlideBackward | Self::Closed | Self::Parted => -1.0,
-            Self::Stick | Self::Loose | Self::Rest => 0.0,
+            Self::Stick | Self::Loose | Self::PinnedForward | Self::PinnedBackward | Self::Rest => {
+                0.0
+            }
         }
     }
 
@@ -91,6 +118,7 @@ impl fmt::Display for Mode {
             Self::SlideBackward => "slip-",
             Self::Stick => "stick",
             Self::Loose => "loose",
+            Self::PinnedForward | Self::PinnedBackward => "pinned",
             Self::Open => "open",
             Self::Closed => "closed",
             Self::Parted => "parted",
@@ -115,6 +143,16 @@ impl<M: Model<N>, const N: usize> Modes<M, N> {
         Self::from_fn(|i| match M::INFO.contacts.get(i) {
             Some(_) => Mode::Stick,
             None => Mode::Open,
+        })
+    }
+
+    /// One press at rest, and nothing else.
+    #[must_use]
+    pub(crate) fn resting_alone(press: usize) -> Self {
+        Self::from_fn(|i| match i {
+            i if i == press => Mode::Rest,
+            i if i < M::INFO.contacts.len() => Mode::Loose,
+            _ => Mode::Open,
         })
     }
 

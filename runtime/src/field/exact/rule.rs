@@ -47,6 +47,8 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
             Mode::SlideForward => -slip(law, speed),
             Mode::SlideBackward => slip(law, -speed),
             Mode::Stick => self.given.as_ref()[contact],
+            Mode::PinnedForward => -law.stick(),
+            Mode::PinnedBackward => law.stick(),
             _ => D::from(0.0),
         };
         self.speed.as_mut()[contact] = speed;

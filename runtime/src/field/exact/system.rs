@@ -2,7 +2,7 @@
 
 use num_dual::Dual64;
 
-use super::affine::{Affine, Snapshot, speed_rates};
+use super::affine::{Affine, Snapshot, Square, speed_rates};
 use super::columns::Columns;
 use super::constants::Constants;
 use super::error::{ContactError, opposing, singular};
@@ -12,6 +12,7 @@ use super::pressed::rough;
 use super::rest::{idle, layers, limits};
 use super::rule::Branches;
 use super::strip::Strip;
+use super::tied::ties;
 use crate::field::memory;
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
@@ -44,6 +45,8 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) idle: M::PerContact<bool>,
     /// Which presses have a force that is no power series in the depth.
     pub(super) rough: M::PerContact<bool>,
+    /// Which contacts move as a gap that does not give way does.
+    pub(super) ties: Square<M, bool, N>,
 }
 
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
@@ -64,6 +67,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             corners: memory::corners::<M, N>(&plain),
             idle: idle::<M, N>(&turned),
             rough: rough::<M, N>(&turned),
+            ties: ties::<M, N>(&lanes, &plain),
             turned,
         }
     }

@@ -28,11 +28,11 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     ) -> Result<Verdict<M, N>, FlowError> {
         let closed = &presses.closed;
         if closed.is_empty() {
-            let mut verdict = rest(presses.modes).settle()?;
-            presses.note(&mut verdict);
+            let rest = rest(presses.modes);
+            let mut verdict = rest.settle()?;
+            presses.note(&rest, &mut verdict);
             return Ok(verdict);
         }
-        let speeds = self.system.speeds(state);
         let mut failure = None;
         for bearing in combinations(closed.len()) {
             let mut modes = presses.modes;
@@ -40,9 +40,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 let bears = k >= SEARCHED || bearing >> k & 1 == 1;
                 modes.set(*press, if bears { Mode::Rest } else { Mode::Open });
             }
-            let settled = rest(self.system.loosened(modes, speeds.as_ref())).settle();
-            let settled = settled.and_then(|mut verdict| {
-                presses.note(&mut verdict);
+            let mut rest = rest(self.system.pressed(modes, state));
+            let settled = rest.lead().and_then(|led| Ok((led, rest.settle()?)));
+            let settled = settled.and_then(|(led, mut verdict)| {
+                presses.note(&rest, &mut verdict);
+                for (contact, order) in led {
+                    verdict.notes.as_mut()[contact].departure = order;
+                }
                 let holds = self.bears(state, closed, &mut verdict)?;
                 Ok(holds.then_some(verdict))
             });

@@ -3,7 +3,7 @@
 use super::bounce::Rebound;
 use super::press::Vanishing;
 use super::run::{NO_TIME, Run};
-use crate::field::exact::Mode;
+use crate::field::exact::{Mode, Modes};
 use crate::flow::FlowError;
 use crate::flow::saltation::{Tracked, product};
 use crate::integrate::IntegrationError;
@@ -37,6 +37,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     ///
     /// Departures fall by the same ratio each time, so that flights of the duration 2v/a add up to 2v/(a (1 − ratio)); the
     /// reaction must not end before. Until then the motion is that of the closed gap, to which each bounce comes back.
+    /// Friction along the way of the press pulls back on the way out and holds up on the way in: with b for a there, s² = b/a
+    /// times the height is lost, and flights of the duration v/a + s v/b add up to as much divided by 1 − s ratio.
     pub(super) fn settling(
         &self,
         press: usize,
@@ -44,17 +46,25 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     ) -> Result<Option<Rebound<M, N>>, FlowError> {
         let flow = self.flow;
         let (approach, departure) = flow.system.approach(state, press);
-        let ratio = departure / approach;
+        let back = -self.bend(press, state, self.modes)?;
+        let out = -self.bend(press, state, self.leaving(press, state))?;
+        let kept = if out == back {
+            1.0
+        } else {
+            (back / out).sqrt()
+        };
+        let ratio = kept * departure / approach;
         let falls = approach <= 0.0 || (ratio > 0.0 && ratio < 1.0);
         let scale = flow.speed_scales(state).as_ref()[press].max(flow.system.usual_speed(press));
         let slow = |pull: f64| pull > 0.0 && departure * departure <= 2.0 * LOW * scale * pull;
-        if !falls || !slow(-self.bend(press, state)?) {
+        if !falls || !slow(back) {
             return Ok(None);
         }
         let collision = flow.collide(state, press, true, self.time)?;
-        let pull = -self.bend(press, &collision.1.state)?;
+        let pull = -self.bend(press, &collision.1.state, self.modes)?;
         let lasts = if approach > 0.0 {
-            2.0 * departure / (pull * (1.0 - ratio))
+            // s²/b + s/b: the same as 1/a + s/b.
+            kept * (kept + 1.0) * departure / (pull * (1.0 - ratio))
         } else {
             0.0
         };
@@ -77,10 +87,21 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     }
 
     /// g̈ in flight.
-    fn bend(&self, press: usize, state: &[f64; N]) -> Result<f64, FlowError> {
+    fn bend(&self, press: usize, state: &[f64; N], modes: Modes<M, N>) -> Result<f64, FlowError> {
         let system = &self.flow.system;
-        let field = system.moving(state, &self.modes)?.field;
-        Ok(system.second_rates(state, &self.modes, &field).as_ref()[press])
+        let field = system.moving(state, &modes)?.field;
+        Ok(system.second_rates(state, &modes, &field).as_ref()[press])
+    }
+
+    /// The modes in which the gap opens: friction along its way turns where it does.
+    fn leaving(&self, press: usize, state: &[f64; N]) -> Modes<M, N> {
+        let system = &self.flow.system;
+        Modes::from_fn(|i| match self.modes.as_slice()[i] {
+            mode if mode.rubs() && system.is_tied(i, press) => {
+                Mode::sliding(system.factor(state, i, press))
+            }
+            mode => mode,
+        })
     }
 
     /// Makes one stretch of those before and between the impacts of a chatter: how many they are says nothing.

@@ -34,7 +34,7 @@ impl Guard {
             Mode::SlideForward | Mode::SlideBackward | Mode::Open => &[0.0],
             Mode::Closed | Mode::Parted => &[0.0, 1.0],
             Mode::Rest => &[1.0],
-            Mode::Loose => &[],
+            Mode::Loose | Mode::PinnedForward | Mode::PinnedBackward => &[],
         };
         sides.iter().map(move |&side| Self { contact, side })
     }

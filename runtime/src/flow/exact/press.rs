@@ -2,7 +2,7 @@
 
 use super::ExactFlow;
 use super::guard::Departure;
-use super::settle::Verdict;
+use super::settle::{Rest, Verdict};
 use crate::field::exact::{ExactSystem, Mode, Modes};
 use crate::flow::FlowError;
 use crate::model::Model;
@@ -16,6 +16,9 @@ const RESTS: f64 = 1e-13;
 const STAYS: f64 = 1e-11;
 /// Distance on the wrong side of its gap, relative to its scale, from which a motion may still depart.
 const WRONG_SIDE: f64 = 1e-6;
+
+/// Order of the lowest derivative of a gap that does not vanish where its reaction does, unless friction drops there.
+const TANGENTIAL: usize = 3;
 
 /// What is known to vanish at a press.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,10 +43,12 @@ pub(super) struct Presses<M: Model<N>, const N: usize> {
 
 impl<M: Model<N>, const N: usize> Presses<M, N> {
     /// Takes over which guards of presses vanish.
-    pub(super) fn note(&self, verdict: &mut Verdict<M, N>) {
+    pub(super) fn note(&self, rest: &Rest<'_, M, N>, verdict: &mut Verdict<M, N>) {
         for (press, departure) in &self.departures {
+            let drops = departure.order == TANGENTIAL && rest.drops(*press);
+            let order = departure.order - usize::from(drops);
             let note = &mut verdict.notes.as_mut()[*press];
-            (note.side, note.departure) = (departure.side, departure.order);
+            (note.side, note.departure) = (departure.side, order);
         }
     }
 }
@@ -96,8 +101,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 presses.departures.push((press, departure));
             }
         }
-        let speeds = self.system.speeds(state);
-        presses.modes = self.system.loosened(presses.modes, speeds.as_ref());
+        presses.modes = self.system.pressed(presses.modes, state);
         Ok(presses)
     }
 
@@ -177,7 +181,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let scale = self.speed_scales(state).as_ref()[press];
         let touches = match vanishing {
             Vanishing::Both => return Ok(None),
-            Vanishing::Hold => return order(3),
+            Vanishing::Hold => return order(TANGENTIAL),
             Vanishing::Gap => true,
             Vanishing::Rounded => {
                 let usual = scale.max(self.system.usual_speed(press));
@@ -242,7 +246,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// The magnitude of the terms of the rate of a gap.
     pub(super) fn rate_terms(&self, state: &[f64; N], press: usize) -> f64 {
-        let alone = self.at_rest(press);
+        let alone = Modes::resting_alone(press);
         let rate = self.linear_rates(state, &alone).as_ref()[press];
         let (slopes, _): ([f64; N], f64) = rate.slopes();
         let terms = || slopes.iter().zip(state).map(|(slope, y)| slope * y);
@@ -260,7 +264,9 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
 
     /// Usual magnitude of the rate of a gap, as far as that of the states tells.
     fn usual_rate(&self, state: &[f64; N], press: usize) -> f64 {
-        let rate = self.linear_rates(state, &self.at_rest(press)).as_ref()[press];
+        let rate = self
+            .linear_rates(state, &Modes::resting_alone(press))
+            .as_ref()[press];
         let (slopes, _): ([f64; N], f64) = rate.slopes();
         let terms = slopes.iter().zip(&self.magnitude);
         terms.map(|(slope, usual)| (slope * usual).abs()).sum()
@@ -277,15 +283,9 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let (slopes, _): ([f64; N], f64) = self.linear_rates(state, modes).as_ref()[press].slopes();
         let terms = slopes.iter().zip(&affine.field);
         let sum: f64 = terms.map(|(slope, f)| (slope * f).abs()).sum();
-        sum / affine.compliance.as_ref()[press].as_ref()[press].abs()
-    }
-
-    /// One press at rest, and nothing else.
-    fn at_rest(&self, press: usize) -> Modes<M, N> {
-        Modes::from_fn(|i| match i {
-            i if i == press => Mode::Rest,
-            i if i < M::INFO.contacts.len() => Mode::Loose,
-            _ => Mode::Open,
-        })
+        let own = sum / affine.compliance.as_ref()[press].as_ref()[press].abs();
+        let tied = (0..M::INFO.contacts.len()).filter(|&i| self.is_tied(i, press));
+        let shared = tied.map(|i| affine.stick.as_ref()[i] * self.factor(state, i, press).abs());
+        own + shared.sum::<f64>()
     }
 }

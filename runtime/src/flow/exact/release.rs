@@ -103,6 +103,12 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
         }
     }
 
+    /// Whether friction is let go together with a press, and is less from there on.
+    pub(super) fn drops(&self, press: usize) -> bool {
+        let goes = |i: &usize| self.let_go.as_ref()[*i] != 0.0 && self.system.is_tied(*i, press);
+        self.contacts().filter(goes).any(|i| self.weakens(i))
+    }
+
     /// Whether stick > slip(0⁺), so that a released contact does not leave tangentially.
     pub(super) fn weakens(&self, contact: usize) -> bool {
         let limits = self.system.limits_at_rest(&self.state);

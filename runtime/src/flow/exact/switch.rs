@@ -105,15 +105,25 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             before,
             resting: Inline::from_fn(|i| {
                 let (mode, lands) = (before.as_slice()[i], self.lands(i, &before));
-                mode == Mode::Stick || (mode.rubs() && (fallen[i].is_some() || lands))
+                let still = fallen[i].is_some() || lands || self.unpinned(i, &before).is_some();
+                mode == Mode::Stick || (mode.rubs() && still)
             }),
-            let_go: Inline::from_fn(|i| fallen[i].map_or(0.0, |guard| -guard.side)),
+            let_go: Inline::from_fn(|i| match self.unpinned(i, &before) {
+                Some(mode) => mode.sign(),
+                None => fallen[i].map_or(0.0, |guard| -guard.side),
+            }),
         };
         let verdict = self.flow.borne(&state, self.time, &presses, rest)?;
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
         self.take(&verdict, &strike.rates)?;
         self.count_chatter(strike.first)
+    }
+
+    /// The way in which a contact goes on whose press has let go.
+    fn unpinned(&self, contact: usize, now: &Modes<M, N>) -> Option<Mode> {
+        let slides = self.modes.as_slice()[contact].unpinned();
+        slides.filter(|_| now.as_slice()[contact].rubs())
     }
 
     /// Whether a contact that was loose has no relative speed where it is pressed again.
@@ -164,8 +174,13 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 (_, Mode::Rest) if hit == Some(contact) => continue,
                 (_, Mode::Closed | Mode::Rest) => EventKind::Closing,
                 (_, Mode::Open | Mode::Parted) => EventKind::Opening,
-                (_, Mode::Stick) => EventKind::Landing { margin, ambiguous },
-                (Mode::Stick, _) => EventKind::Release { tied: note.tied },
+                (Mode::PinnedForward | Mode::PinnedBackward, Mode::Stick) => continue,
+                (_, Mode::Stick | Mode::PinnedForward | Mode::PinnedBackward) => {
+                    EventKind::Landing { margin, ambiguous }
+                }
+                (Mode::Stick | Mode::PinnedForward | Mode::PinnedBackward, _) => {
+                    EventKind::Release { tied: note.tied }
+                }
                 _ => EventKind::Crossing {
                     margin: -margin,
                     ambiguous,

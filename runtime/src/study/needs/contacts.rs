@@ -76,7 +76,7 @@ impl Role {
         match modes {
             [] => Self::Switches,
             _ if all(&[Mode::SlideForward]) || all(&[Mode::SlideBackward]) => Self::SlidesOneWay,
-            _ if all(&[Mode::Stick]) => Self::NeverSlides,
+            _ if all(&HELD) => Self::NeverSlides,
             _ if all(&[Mode::SlideForward, Mode::SlideBackward]) => Self::NeverSticks,
             _ if all(&[Mode::Loose]) => Self::NeverRubs,
             _ if all(&[Mode::Open, Mode::Parted]) => Self::NeverCloses,
@@ -234,10 +234,14 @@ fn entered(word: &str, name: &str) -> Vec<Mode> {
 }
 
 const IMPACT: &str = "impact";
-const EVERY: [Mode; 5] = [
+/// At rest by friction, or by a press that friction helps.
+const HELD: [Mode; 3] = [Mode::Stick, Mode::PinnedForward, Mode::PinnedBackward];
+const EVERY: [Mode; 7] = [
     Mode::SlideForward,
     Mode::SlideBackward,
     Mode::Stick,
+    Mode::PinnedForward,
+    Mode::PinnedBackward,
     Mode::Open,
     Mode::Rest,
 ];
@@ -258,6 +262,7 @@ mod tests {
     #[test]
     fn roles_are_told_from_modes() {
         assert_eq!(Role::of(&[Mode::Stick; 2]), Role::NeverSlides);
+        assert_eq!(Role::of(&[Mode::PinnedForward]), Role::NeverSlides);
         assert_eq!(Role::of(&[Mode::SlideForward; 3]), Role::SlidesOneWay);
         assert_eq!(Role::of(&[Mode::Stick, Mode::SlideForward]), Role::Switches);
         assert_eq!(Role::of(&[Mode::Parted, Mode::Open]), Role::NeverCloses);
