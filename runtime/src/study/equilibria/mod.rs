@@ -4,6 +4,7 @@ mod counterpart;
 mod found;
 mod modes;
 mod record;
+mod special;
 
 pub(in crate::study) use modes::{sliding_mode, sliding_modes, spelt};
 pub use record::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
