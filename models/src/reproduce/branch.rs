@@ -29,12 +29,12 @@ impl Branch {
         let special = record.special.last().map_or(f64::NAN, |point| point.r);
         let last = record.points.last().map_or(f64::NAN, at);
         let (end, why) = match (fold, record.ended.word()) {
-            (Some(fold), _) => (fold.r, "meets an unstable cycle (fold)"),
+            (Some(fold), _) => (fold.r, "meets an unstable cycle"),
             (None, "reached-end") => (last, "end of the range"),
             (None, "equilibrium") => (last, VANISHES),
             (None, "hopf") => (special, VANISHES),
             (None, "grazing-sliding") => (special, "comes to rest for an instant (grazing)"),
-            (None, "step-too-small") => (last, "steps become too small"),
+            (None, "step-too-small") => (last, "steps too small"),
             (None, other) => (last, other),
         };
         let work = work(&record.points);

@@ -114,6 +114,20 @@ fn the_shape_of_an_orbit() {
     assert!(orbit.get("r").is_none());
 }
 
+/// A law with internal state is integrated as it is, and still friction.
+#[test]
+fn friction_with_memory_is_called_so() {
+    for (model, how) in [
+        ("bristle-oscillator", "friction with memory"),
+        ("van-der-pol", "smooth"),
+        ("drill-string", "exact"),
+    ] {
+        let answer = stickslip(&words(&format!("simulate {model} --time 1 --quiet")));
+        let begins = answer.stdout.starts_with(&format!("{model}, {how}: "));
+        assert!(begins, "{}{}", answer.stdout, answer.stderr);
+    }
+}
+
 #[test]
 fn exact_friction_is_the_default() {
     let orbit = json("orbit belt-oscillator --json");

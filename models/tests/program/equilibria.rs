@@ -53,6 +53,24 @@ fn a_branch_ends_where_sliding_does() {
     assert_eq!(branch["points"][0]["stability"], "unstable");
 }
 
+/// The drill string that is followed slides; it may as well stand still.
+#[test]
+fn what_is_not_followed_is_told() {
+    let line = "equilibria drill-string --along eta=4..3";
+    let list = json("equilibria drill-string --set eta=4 --json");
+    let all = list["equilibria"].as_array().unwrap();
+    let branch = json(&format!("{line} --json"));
+    let others = branch["others"].as_array().unwrap();
+    assert_eq!(others.len() + 1, all.len());
+    assert!(others.iter().all(|other| all.contains(other)), "{others:?}");
+    assert_ne!(others[0]["state"], branch["points"][0]["state"]);
+    let text = stickslip(&words(line)).stdout;
+    let told = "at eta = 4.00000000 there is one equilibrium more, which this branch does not pass";
+    assert!(text.contains(told), "{text}");
+    let alone = json("equilibria van-der-pol --along nu=1..0.5 --json");
+    assert_eq!(alone["others"], serde_json::json!([]));
+}
+
 #[test]
 fn what_smoothing_made_is_called_so() {
     let line = "equilibria belt-oscillator --smooth arctan:1e2 --along v_dr=0.1..0.03";

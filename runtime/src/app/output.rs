@@ -124,7 +124,7 @@ impl Output {
         Failure::interrupted(&format!("{found}{place}{way_out}"))
     }
 
-    /// Says why `what` ended, after the answer; `found` is said where that was an interruption.
+    /// Says why `what` ended before its range did, after the answer; `found` is said where that was an interruption.
     ///
     /// # Errors
     /// It did not end for a reason of its own.
@@ -132,11 +132,13 @@ impl Output {
         if ended.is_interrupted() {
             return Err(self.interrupted(found));
         }
-        let reason = format!("the {what} ended, {}: {}", ended.word(), ended.reason);
+        let reason = format!("the {what} ended: {}", ended.reason);
         if !ended.is_located() {
             return Err(Failure::failed(reason));
         }
-        self.note(reason);
+        if !ended.is_whole() {
+            self.note(reason);
+        }
         Ok(())
     }
 

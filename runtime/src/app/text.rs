@@ -3,7 +3,7 @@
 use super::width::{GAP, WIDTH};
 use crate::field::Work;
 use crate::model::{ModelInfo, Unit};
-use crate::study::{Along, Case};
+use crate::study::{Along, Case, Dynamics};
 
 /// A number with this many significant digits.
 pub(super) fn number(value: f64, digits: usize) -> String {
@@ -184,11 +184,16 @@ pub(super) fn line(cells: impl IntoIterator<Item = String>) -> String {
 
 /// The heading of an answer: the model, what is shown of it, and its parameters.
 pub(super) fn heading(info: &ModelInfo, case: &Case, what: &str) -> String {
-    let (model, dynamics) = (info.command, case.dynamics);
-    format!(
-        "{model}, {dynamics}: {what}\n  {}\n\n",
-        parameters(info, case)
-    )
+    let (model, how) = (info.command, friction(info, case));
+    format!("{model}, {how}: {what}\n  {}\n\n", parameters(info, case))
+}
+
+/// How friction acts, in words: a law with internal state is friction too, though nothing is solved for or smoothed.
+fn friction(info: &ModelInfo, case: &Case) -> String {
+    match case.dynamics {
+        Dynamics::Smooth if !info.memories.is_empty() => "friction with memory".to_owned(),
+        dynamics => dynamics.to_string(),
+    }
 }
 
 /// The states with their units, as the heads of columns, each after `prefix`.

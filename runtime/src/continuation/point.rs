@@ -21,6 +21,14 @@ pub struct Point<Extra> {
     pub newton: u64,
 }
 
+impl<Extra> Point<Extra> {
+    /// The tangent in the units of the unknowns and of r, where the unknowns have these magnitudes.
+    #[must_use]
+    pub fn way(&self, scale: &DVector<f64>) -> DVector<f64> {
+        self.tangent.component_mul(&scale.push(self.r_scale))
+    }
+}
+
 /// The point from which the next step is made, in unscaled coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct Base {

@@ -62,7 +62,7 @@ impl Settings {
 impl<E: fmt::Display> fmt::Display for Stop<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::ReachedEnd => f.write_str("its end is reached"),
+            Self::ReachedEnd => f.write_str("the end of its range is reached"),
             Self::ReachedStart => f.write_str("it turned and came back to where it began"),
             Self::StepTooSmall(failure) => write!(f, "no step is small enough: {failure}"),
             Self::Creeping(length) => {

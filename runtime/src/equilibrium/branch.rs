@@ -73,9 +73,7 @@ impl Reader for Equilibria {
             margins: flow.map_or_else(|_| Vec::new(), |flow| flow.margins(&place)),
             state: place.state,
             r: point.r,
-            way: point
-                .tangent
-                .component_mul(&problem.scale().push(point.r_scale)),
+            way: point.way(&problem.scale()),
             slope: point.tangent[point.z.len()],
             determinant: problem.determinant(&point.z, point.r, velocity),
             critical: None,

@@ -4,7 +4,7 @@ use super::IntegrationError;
 use super::carried::Carried;
 use super::control::{combined, ratio};
 use super::dop853::{ERROR_3, ERROR_5, Weights};
-use super::stepper::Stepper;
+use super::stepper::{Stepper, weighted};
 use crate::field::{Field, Work};
 
 /// A step that turns the tangents by less has the derivatives that its states have.
@@ -37,13 +37,7 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
         if self.length * self.from.turning(&self.slopes[0], sizes) < TURNED {
             return 0.0;
         }
-        let sum = |weights: Weights| {
-            let mut sum = V::NOTHING;
-            for &(j, weight) in weights {
-                sum.add(weight, &self.slopes[j]);
-            }
-            sum
-        };
+        let sum = |weights: Weights| weighted(weights, &self.slopes);
         let off = self.from.strays(&sum(ERROR_5), &sum(ERROR_3), sizes);
         let tolerance = &self.settings.tolerance;
         self.length * off / (LOOSER * (tolerance.absolute + tolerance.relative))

@@ -261,11 +261,17 @@ fn combine<V: Carried<N>, const N: usize>(
     weights: Weights,
     slopes: &[V],
 ) -> V {
+    let mut end = *from;
+    end.add(length, &weighted(weights, slopes));
+    end
+}
+
+/// Σ wⱼ kⱼ.
+#[inline(always)]
+pub(super) fn weighted<V: Carried<N>, const N: usize>(weights: Weights, slopes: &[V]) -> V {
     let mut sum = V::NOTHING;
     for &(j, weight) in weights {
         sum.add(weight, &slopes[j]);
     }
-    let mut end = *from;
-    end.add(length, &sum);
-    end
+    sum
 }

@@ -157,6 +157,7 @@ mod tests {
                 column("time", true),
                 column("of *x*", false),
             ],
+            folded: false,
             rows: vec![
                 row(["−0.58", "8.597 × 10^{−4}", "1.5 s", "stable"]),
                 row(["10^{5}", "1\u{202f}234", "18 µs", "−1"]),

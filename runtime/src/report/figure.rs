@@ -111,6 +111,11 @@ impl Panel {
         }
     }
 
+    /// Whether the legend says anything of its curves.
+    pub(super) fn is_named(&self) -> bool {
+        self.curves.iter().any(|curve| !curve.label.is_empty())
+    }
+
     /// The same panel with a part of it enlarged.
     pub fn inset(self, inset: Inset) -> Self {
         Self {

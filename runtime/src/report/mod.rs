@@ -63,6 +63,8 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// Its rows, one cell for each column.
     pub rows: Vec<Vec<String>>,
+    /// Whether it is long, and unfolds on request; it is not printed then.
+    pub folded: bool,
 }
 
 /// A column of a table.

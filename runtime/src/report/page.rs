@@ -125,10 +125,18 @@ fn table(table: &Table) -> String {
         .iter()
         .map(|row| line("td", row.iter().collect()))
         .collect();
+    let body = format!(
+        "<div class=\"scroll\" tabindex=\"0\"><table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n"
+    );
+    let body = if table.folded {
+        let count = table.rows.len();
+        format!("<details>\n<summary>The table: {count} rows</summary>\n{body}</details>\n")
+    } else {
+        body
+    };
     format!(
         "<figure class=\"table\" id=\"{name}\">\n<figcaption>{caption} \
-         <span class=\"data\"><a href=\"data/{name}.csv\">{name}.csv</a></span></figcaption>\n\
-         <div class=\"scroll\" tabindex=\"0\"><table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n</figure>\n",
+         <span class=\"data\"><a href=\"data/{name}.csv\">{name}.csv</a></span></figcaption>\n{body}</figure>\n",
         name = table.name,
         caption = html(&table.caption),
     )

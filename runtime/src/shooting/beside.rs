@@ -30,8 +30,7 @@ pub struct Beside {
 
 impl Orbit {
     /// The orbit a little further along its branch: on its tangent, which is exact. Nothing where that is not known: off any
-    /// branch, where shooting has several segments, where it runs on,
-    /// and where other things happen on the way around.
+    /// branch, where shooting has several segments, where it runs on, and where other things happen on the way around.
     #[must_use]
     pub fn beside(&self, family: &Family) -> Option<Beside> {
         let family = family.with_magnitude(&self.magnitude());

@@ -105,7 +105,8 @@ impl Reader for Orbits {
         };
         let mut orbit = Orbit::read(&problem.family, solution, self.accuracy, work);
         orbit.heading.follow(&point.tangent, point.r_scale);
-        orbit.heading.lead(&problem.scale());
+        let known = orbit.heading.tangent.is_some();
+        orbit.heading.way = known.then(|| point.way(&problem.scale()));
         orbit
     }
 

@@ -3,7 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 /// Share of the largest entry below which another is none.
-pub(super) const NONE: f64 = 1e-8;
+const NONE: f64 = 1e-8;
+
+/// A direction, with the number of the state that no other one moves.
+pub(super) type Free = (usize, Vec<f64>);
 
 /// The reduced rows of vectors given in units of the states: each is the only one to hold the state of its pivot.
 pub(super) struct Echelon {
@@ -43,8 +46,8 @@ impl Echelon {
         self.entries(|j, share| share / magnitude[j])
     }
 
-    /// As directions in which states of these magnitudes move, each with the state that no other moves.
-    pub(super) fn directions(&self, magnitude: &[f64]) -> Vec<(usize, Vec<f64>)> {
+    /// As directions in which states of these magnitudes move.
+    pub(super) fn directions(&self, magnitude: &[f64]) -> Vec<Free> {
         let directions = self.entries(|j, share| share * magnitude[j]);
         self.pivots.iter().copied().zip(directions).collect()
     }

@@ -2,6 +2,7 @@
 
 use crate::continuation::Failure;
 use crate::flow::FlowError;
+use crate::lyapunov::Lyapunov;
 use crate::model::Values;
 
 /// Why no orbit was found.
@@ -28,14 +29,19 @@ pub enum OrbitError {
     },
     /// Neither rest nor a periodic motion within bounds.
     #[error(
-        "the motion has not settled on a periodic orbit after the time {time:.6e}{}",
-        because(.last.as_deref())
+        "the motion has not settled on a periodic orbit after the time {time:.6e}{}{}",
+        because(.last.as_deref()),
+        parting(.exponent.as_ref())
     )]
     NotSettled {
         /// Time followed.
         time: f64,
         /// Why the last return was no orbit; nothing if the motion never came back near where it had been.
         last: Option<Box<OrbitError>>,
+        /// Where it had come by then.
+        reached: Vec<f64>,
+        /// How fast motions beside it part from it then, if that was asked and is known.
+        exponent: Option<Lyapunov>,
     },
     /// The motion passes by an orbit and does not stay.
     #[error(
@@ -53,6 +59,17 @@ pub enum OrbitError {
     /// The motion cannot be followed.
     #[error(transparent)]
     Flow(#[from] FlowError),
+}
+
+/// How fast motions part, with the standard error.
+fn parting(exponent: Option<&Lyapunov>) -> String {
+    let known = exponent.and_then(|found| Some((found.exponent?, found)));
+    known.map_or_else(String::new, |(rate, found)| {
+        format!(
+            "; its largest Lyapunov exponent is {rate:.2e} ± {:.1e} over the time {:.3e} from then on",
+            found.error, found.time
+        )
+    })
 }
 
 /// The reason for which the last return of a motion was no orbit, or that there was none.

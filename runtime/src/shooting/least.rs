@@ -107,7 +107,7 @@ impl Guess {
 
 /// The place of a shot at a time.
 fn along(flow: &dyn Flow, shot: &Shot, time: f64) -> Result<Place, FlowError> {
-    let before = shot.begins.partition_point(|begin| *begin <= time).max(1) - 1;
+    let before = shot.segment(time);
     let ends = shot.passages.iter().map(|passage| &passage.end);
     let from = std::iter::once(&shot.start).chain(ends).nth(before);
     let rest = (time - shot.begins[before]).max(0.0);

@@ -50,6 +50,6 @@ pub(crate) use pin::through;
 pub use problem::OrbitProblem;
 pub use search::{Search, closest, settled};
 pub use settle::{Settled, settle};
-pub(crate) use shift::{changes_nothing, slid, unshifted};
+pub(crate) use shift::{changes_nothing, slid, slides, unshifted};
 pub use shot::Shot;
 pub use switch::SwitchError;

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::division::Division;
 use super::guess::Guess;
 use super::pin::{Pin, through};
-use super::shot::{Shot, usual};
+use super::shot::{Shot, section, usual};
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
 use crate::motion::{Event, Family, Place, Segment, sticking};
@@ -73,13 +73,6 @@ impl Heading {
         self.r_scale = r_scale;
         self.slope = tangent[tangent.len() - 1];
         self.tangent = (tangent.len() == self.start.state.len() + 2).then(|| tangent.clone());
-    }
-
-    /// Takes the direction that the tangent has where the unknowns have these magnitudes.
-    pub(super) fn lead(&mut self, scale: &DVector<f64>) {
-        let scale = scale.push(self.r_scale);
-        let way = self.tangent.as_ref();
-        self.way = way.map(|tangent| tangent.component_mul(&scale));
     }
 }
 
@@ -172,6 +165,11 @@ impl Orbit {
             },
             work,
         }
+    }
+
+    /// The state whose minima are its section; with a drive, the phase of that.
+    pub(crate) fn crossed(&self, drive: Option<usize>) -> usize {
+        section(drive, self.shift.as_deref())
     }
 
     /// Half the extent of each state; 1 for one that rests, and so has none to be measured against.

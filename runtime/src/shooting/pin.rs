@@ -7,10 +7,8 @@
 
 use nalgebra::{DVector, RowDVector};
 
+use super::echelon::Free;
 use crate::continuation::Linearisation;
-
-/// A direction of any shift, with the number of the state that no other one moves.
-pub(super) type Free = (usize, Vec<f64>);
 
 /// A condition c·x = b on the start of an orbit in a neutral direction.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,8 @@
 
 use nalgebra::DVector;
 
-use super::pin::{Free, Pin};
+use super::echelon::Free;
+use super::pin::Pin;
 use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::continuation::Linearisation;

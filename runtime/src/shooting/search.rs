@@ -97,7 +97,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
         failed.unless(family, r, guess, search)
     })?;
     // What a start shows of the magnitudes may be far off: then all this was integrated too coarsely.
-    if let (Settled::Neither(_), Some(seen)) = (&settled, &failed.magnitude.take())
+    if let (Settled::Neither(..), Some(seen)) = (&settled, &failed.magnitude.take())
         && (0..seen.len()).any(|j| seen[j] < COARSE * magnitude[j])
     {
         failed = Failed::new(meant);
@@ -110,9 +110,11 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
         Settled::Equilibrium(state) => Err(OrbitError::Equilibrium {
             state: loose(&magnitude)?.values(&state),
         }),
-        Settled::Neither(time) => Err(OrbitError::NotSettled {
+        Settled::Neither(time, place) => Err(OrbitError::NotSettled {
             time,
             last: failed.last.map(Box::new),
+            reached: place.state,
+            exponent: None,
         }),
     }
 }
@@ -129,10 +131,9 @@ fn gained(
         return Ok(None);
     }
     let passage = flow.advance(start, period, Want::default())?;
-    let gain = passage.end.state.iter().zip(&start.state);
-    let gain: Vec<f64> = gain.map(|(end, start)| end - start).collect();
     let units = half_extents(&passage.calm.low, &passage.calm.high, magnitude);
-    Ok(shifts.within(&gain, &units, RETURNED))
+    let ends = [start.state.as_slice(), &passage.end.state];
+    Ok(shifts.within(ends, &units, RETURNED))
 }
 
 /// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the

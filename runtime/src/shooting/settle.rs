@@ -10,8 +10,9 @@ use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
 const PATIENCE: usize = 3000;
-/// Most steps of the integrator that are spent on it.
+/// Most steps of the integrator that are spent on it, and most states that they advance: a step costs as its states do.
 const STEPS: u64 = 500_000;
+const ADVANCED: u64 = 4_000_000;
 /// Crossings in a chunk that suffice, and turns of another state after which it is the section's.
 const ENOUGH: usize = 2;
 const OFTEN: usize = 8;
@@ -29,8 +30,8 @@ pub enum Settled<T> {
     Orbit(T),
     /// It came to rest.
     Equilibrium(Vec<f64>),
-    /// Neither, after this time.
-    Neither(f64),
+    /// Neither, after this time; where it had come by then.
+    Neither(f64, Place),
 }
 
 /// Follows the motion from `start` until `accept` takes one of the guesses it offers, or it comes to rest; guesses have
@@ -47,7 +48,8 @@ pub fn settle<T>(
     let mut chunk = radian(flow, &start)?;
     let mut watch = Watch::new(start, flow.phase().unwrap_or(0));
     let mut silent = 0;
-    while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < STEPS {
+    let steps = STEPS.min(ADVANCED / flow.order().max(1) as u64);
+    while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < steps {
         let crossings = watch.follow(flow, chunk)?;
         if flow.phase().is_none() && watch.at_rest() {
             return Ok(Settled::Equilibrium(watch.place.state.clone()));
@@ -67,7 +69,7 @@ pub fn settle<T>(
     Ok(if watch.slow(flow)? {
         Settled::Equilibrium(watch.place.state)
     } else {
-        Settled::Neither(watch.time)
+        Settled::Neither(watch.time, watch.place)
     })
 }
 
@@ -158,10 +160,11 @@ impl Watch {
 
     /// What of the way to the end of a chunk is a shift that changes nothing.
     fn run(&self, end: &[f64]) -> Vec<f64> {
-        let gain = end.iter().zip(&self.place.state);
-        let gain: Vec<f64> = gain.map(|(end, start)| end - start).collect();
         let shifts = self.shifts.as_ref();
-        shifts.map_or_else(|| vec![0.0; end.len()], |shifts| shifts.of_gain(&gain))
+        shifts.map_or_else(
+            || vec![0.0; end.len()],
+            |shifts| shifts.between(&self.place.state, end),
+        )
     }
 
     fn at_rest(&self) -> bool {
@@ -190,10 +193,11 @@ impl Watch {
             let here = &self.minima[last];
             let close = (1..=longest.min(last)).find_map(|k| Some((k, self.returns(last, k)?)));
             if let Some((k, shift)) = close {
-                let home = || Some(self.shifts.as_ref()?.home(&here.state));
-                let home = shift.as_ref().and_then(|_| home());
-                let state = home.as_ref().unwrap_or(&here.state);
-                let place = Place::known(flow, state, here.modes.as_ref())?;
+                let state = match (&shift, &self.shifts) {
+                    (Some(_), Some(shifts)) => shifts.home(&here.state),
+                    _ => here.state.clone(),
+                };
+                let place = Place::known(flow, &state, here.modes.as_ref())?;
                 let period = here.time - self.minima[last - k].time;
                 guesses.push(Guess {
                     place,
@@ -222,12 +226,8 @@ impl Watch {
             return Some(None);
         }
         let shifts = self.shifts.as_ref().filter(|shifts| !shifts.is_empty())?;
-        let gain: Vec<f64> = here.iter().zip(before).map(|(y, x)| y - x).collect();
-        Some(Some(shifts.within(
-            &gain,
-            &self.magnitude(),
-            self.closeness,
-        )?))
+        let shift = shifts.within([before, here], &self.magnitude(), self.closeness)?;
+        Some(Some(shift))
     }
 
     /// Where the first state only runs on, another one that turns often is the section's from now on.
@@ -245,10 +245,8 @@ impl Watch {
         let Some(other) = (0..self.extent.len()).find(often) else {
             return false;
         };
-        let usual: Vec<f64> = (0..self.extent.len())
-            .map(|j| passage.calm.high[j] - passage.calm.low[j])
-            .map(|extent| if extent > 0.0 { 0.5 * extent } else { 1.0 })
-            .collect();
+        let extents = passage.calm.high.iter().zip(&passage.calm.low);
+        let usual = halves(extents.map(|(high, low)| high - low));
         let shifts = Shifts::of(flow, &usual);
         let runs = shifts.may_run(self.section);
         if runs {
@@ -259,13 +257,18 @@ impl Watch {
     }
 
     fn magnitude(&self) -> Vec<f64> {
-        let half = |extent: &f64| if *extent > 0.0 { 0.5 * extent } else { 1.0 };
-        self.extent.iter().map(half).collect()
+        halves(self.extent.iter().copied())
     }
 
     fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
         apart(a, b, &self.magnitude())
     }
+}
+
+/// Half of each extent; 1 where there is none.
+fn halves(extents: impl Iterator<Item = f64>) -> Vec<f64> {
+    let half = |extent: f64| if extent > 0.0 { 0.5 * extent } else { 1.0 };
+    extents.map(half).collect()
 }
 
 /// Smallest and largest values of what does not run on in a chunk.

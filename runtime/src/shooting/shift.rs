@@ -7,10 +7,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
 
-use super::echelon::Echelon;
+use super::echelon::{Echelon, Free};
 use crate::linear::svd;
 use crate::math::Spread;
-use crate::motion::Flow;
+use crate::motion::{Flow, apart};
 
 /// States at which a shift is tried, and those of them that must have rates.
 const TRIED: usize = 12;
@@ -23,14 +23,14 @@ const SMALL: f64 = 1e-6;
 const FREE: f64 = 1e-9;
 /// Most parts of a turn that may change nothing: steps of a motor, blades, teeth.
 const PARTS: u32 = 400;
-/// Shares of a usual size by which a direction is tried: no two are parts of each other.
+/// Shares of a shift that are tried: no two are parts of each other.
 const SHARES: [f64; 2] = [1.0, 0.618_034];
 
 /// The shifts of one flow that change nothing.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shifts {
-    /// Directions of any shift, each the only one to move the state of its number.
-    directions: Vec<(usize, Vec<f64>)>,
+    /// Directions of any shift.
+    directions: Vec<Free>,
     /// States that are angles, each with the least part of a turn that changes nothing.
     angles: Vec<(usize, f64)>,
     phase: Option<usize>,
@@ -40,14 +40,8 @@ impl Shifts {
     /// Those that states of `usual` sizes show.
     pub(crate) fn of(flow: &dyn Flow, usual: &[f64]) -> Self {
         let phase = flow.phase();
-        let free = |direction: &[f64]| {
-            SHARES.iter().all(|share| {
-                let shift: Vec<f64> = direction.iter().map(|d| share * d).collect();
-                changes_nothing(flow, &shift, usual)
-            })
-        };
         let mut directions = directions(flow, usual);
-        directions.retain(|(_, direction)| free(direction));
+        directions.retain(|(_, direction)| slides(flow, direction, usual));
         let turns = |j: usize, parts: u32| {
             let mut turn = vec![0.0; usual.len()];
             turn[j] = TAU / f64::from(parts);
@@ -76,14 +70,14 @@ impl Shifts {
 
     /// Whether a state can go on for ever and the motion repeat.
     pub(crate) fn may_run(&self, state: usize) -> bool {
-        let moved = |(_, direction): &(usize, Vec<f64>)| direction[state] != 0.0;
+        let moved = |(_, direction): &Free| direction[state] != 0.0;
         self.angles.iter().any(|(angle, _)| *angle == state) || self.directions.iter().any(moved)
     }
 
-    /// What of a gain is a shift that changes nothing.
-    pub(crate) fn of_gain(&self, gain: &[f64]) -> Vec<f64> {
-        let mut rest = gain.to_vec();
-        let mut shift = vec![0.0; gain.len()];
+    /// What of the way between two states is a shift that changes nothing.
+    pub(crate) fn between(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
+        let mut rest = gain(from, to);
+        let mut shift = vec![0.0; rest.len()];
         for (pivot, direction) in &self.directions {
             let along = rest[*pivot] / direction[*pivot];
             for (j, d) in direction.iter().enumerate() {
@@ -99,32 +93,35 @@ impl Shifts {
 
     /// The state moved by such a shift to the origin, as far as one leads there.
     pub(crate) fn home(&self, state: &[f64]) -> Vec<f64> {
-        let shift = self.of_gain(state);
-        state.iter().zip(shift).map(|(y, d)| y - d).collect()
+        let shift = self.between(&vec![0.0; state.len()], state);
+        moved(state, &shift, 1.0)
     }
 
-    /// What of a gain is such a shift, if no state lacks more than `closeness` in these units besides; `None` also where
-    /// the shift is no larger than that.
-    pub(crate) fn within(&self, gain: &[f64], units: &[f64], closeness: f64) -> Option<Vec<f64>> {
-        let shift = self.of_gain(gain);
-        let lacks = |j: usize| {
-            if self.phase == Some(j) {
-                0.0
-            } else {
-                gain[j] - shift[j]
-            }
-        };
-        let rest: Vec<f64> = (0..gain.len()).map(lacks).collect();
-        let size = |of: &[f64]| {
-            let shares = of.iter().zip(units).map(|(y, unit)| (y / unit).abs());
-            shares.fold(0.0, f64::max)
-        };
-        (size(&rest) <= closeness && size(&shift) > closeness).then_some(shift)
+    /// The shift between two states, if no state lacks more than `closeness` in these units besides; `None` also where the
+    /// shift is no larger than that.
+    pub(crate) fn within(
+        &self,
+        [from, to]: [&[f64]; 2],
+        units: &[f64],
+        closeness: f64,
+    ) -> Option<Vec<f64>> {
+        let shift = self.between(from, to);
+        let mut gain = gain(from, to);
+        if let Some(phase) = self.phase {
+            gain[phase] = 0.0;
+        }
+        let nothing = vec![0.0; shift.len()];
+        let closes = apart(&gain, &shift, units) <= closeness;
+        (closes && apart(&shift, &nothing, units) > closeness).then_some(shift)
     }
 }
 
+fn gain(from: &[f64], to: &[f64]) -> Vec<f64> {
+    to.iter().zip(from).map(|(to, from)| to - from).collect()
+}
+
 /// Directions in which no slope of the rates points, anywhere, in units of the states.
-fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<(usize, Vec<f64>)> {
+fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
     let order = usual.len();
     let mut rows = Vec::new();
     if let Some(phase) = flow.phase() {
@@ -168,6 +165,14 @@ fn spread(usual: &[f64]) -> impl Iterator<Item = Vec<f64>> + '_ {
     })
 }
 
+/// Whether any share of a shift changes nothing.
+pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
+    SHARES.iter().all(|share| {
+        let part: Vec<f64> = shift.iter().map(|d| share * d).collect();
+        changes_nothing(flow, &part, usual)
+    })
+}
+
 /// Whether the rates are the same everywhere after this shift, as far as states of `usual` sizes tell.
 pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     let moved = shift.iter().zip(usual);
@@ -196,18 +201,18 @@ pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> 
 
 /// The state moved by any share of a shift to where it is nearest to a point.
 pub(crate) fn slid(state: &[f64], point: &[f64], shift: &[f64]) -> Vec<f64> {
-    let turns = between(state, point, shift);
+    let turns = shifts_apart(state, point, shift);
     moved(state, shift, turns)
 }
 
 /// The state moved by whole shifts to where it is nearest to a point.
 pub(crate) fn unshifted(state: &[f64], point: &[f64], shift: &[f64]) -> Vec<f64> {
-    let turns = between(state, point, shift).round();
+    let turns = shifts_apart(state, point, shift).round();
     moved(state, shift, turns)
 }
 
 /// How many shifts a state is away from a point.
-fn between(state: &[f64], point: &[f64], shift: &[f64]) -> f64 {
+fn shifts_apart(state: &[f64], point: &[f64], shift: &[f64]) -> f64 {
     let pairs = state.iter().zip(point).zip(shift);
     let along: f64 = pairs.map(|((y, p), d)| (y - p) * d).sum();
     let square: f64 = shift.iter().map(|d| d * d).sum();

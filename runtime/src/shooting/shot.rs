@@ -36,6 +36,12 @@ pub struct Shot {
     pub shift: Option<Vec<f64>>,
 }
 
+/// The state whose minima are the section: the first that does not run on; with a drive, its phase.
+pub(super) fn section(drive: Option<usize>, shift: Option<&[f64]>) -> usize {
+    let closes = |shift: &[f64]| shift.iter().position(|gain| *gain == 0.0);
+    drive.or_else(|| shift.and_then(closes)).unwrap_or(0)
+}
+
 /// Half the extent of each state; `fallback` where it has none. Where states gain a shift once around, they swing about what
 /// they gain, and others about what makes them gain it: their largest magnitudes count then, and radians of the shift.
 pub(super) fn usual(
@@ -199,11 +205,8 @@ impl Shot {
         (phi, trace)
     }
 
-    /// The state whose minima are the section, the first that does not run on; with a drive, its phase.
     fn section(&self) -> usize {
-        let closes = |j: &usize| self.shift.as_ref().is_none_or(|shift| shift[*j] == 0.0);
-        let first = || (0..self.start.state.len()).find(closes);
-        self.drive.or_else(first).unwrap_or(0)
+        section(self.drive, self.shift.as_deref())
     }
 
     /// What the states gain in this part of the period.
@@ -243,6 +246,11 @@ impl Shot {
         start.into_iter().chain(inside)
     }
 
+    /// The segment in which a time in the period lies.
+    pub(super) fn segment(&self, time: f64) -> usize {
+        self.begins.partition_point(|begin| *begin <= time).max(1) - 1
+    }
+
     /// The place of a state on the way, at a time in the period.
     ///
     /// # Errors
@@ -253,7 +261,7 @@ impl Shot {
         time: f64,
         state: &[f64],
     ) -> Result<Place, FlowError> {
-        let segment = self.begins.partition_point(|begin| *begin <= time).max(1) - 1;
+        let segment = self.segment(time);
         let modes = self.passages[segment].modes_within(time - self.begins[segment]);
         Place::known(flow, state, modes)
     }

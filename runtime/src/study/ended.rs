@@ -46,6 +46,12 @@ impl Ended {
         }
     }
 
+    /// Whether all that was asked for was followed.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        matches!(self.ending, Ending::Stopped(Stop::ReachedEnd))
+    }
+
     /// Whether this is a reason that lies in the branch and not in the computation.
     #[must_use]
     pub fn is_located(&self) -> bool {

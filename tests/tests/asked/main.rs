@@ -22,6 +22,8 @@ const UNDECIDED: f64 = 0.02;
 struct Tally {
     branches: usize,
     answers: usize,
+    /// Special points of the branches that were asked at another accuracy, too, each to the sum of both estimates.
+    special: usize,
     undecided: Vec<String>,
     differ: Vec<String>,
 }
@@ -62,6 +64,9 @@ impl Tally {
                     self.undecided.push(format!("{told}: {reason}"));
                 }
                 Some(answer) => {
+                    if way == "accuracy" {
+                        self.special += first.record.special.len();
+                    }
                     let gap = compare(&first, &answer, way);
                     self.differ.extend(gap.map(|gap| format!("{told}: {gap}")));
                 }
@@ -94,6 +99,7 @@ fn branches_say_the_same_however_they_are_asked() {
                         own.differ.iter().for_each(|one| println!("DIFFERS {one}"));
                         all.branches += own.branches;
                         all.answers += own.answers;
+                        all.special += own.special;
                         all.undecided.extend(own.undecided);
                         all.differ.extend(own.differ);
                     }
@@ -104,9 +110,10 @@ fn branches_say_the_same_however_they_are_asked() {
     let tally = tally.into_inner().expect("all is told");
     let undecided = tally.undecided.len();
     println!(
-        "{} branches, {} answers, {undecided} undecided, {} differ",
+        "{} branches, {} answers, {} special points at two accuracies, {undecided} undecided, {} differ",
         tally.branches,
         tally.answers,
+        tally.special,
         tally.differ.len()
     );
     assert!(tally.differ.is_empty(), "{:#?}", tally.differ);

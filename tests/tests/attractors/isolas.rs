@@ -4,7 +4,6 @@ use stickslip::model;
 use stickslip::study::{
     Along, AttractorsRecord, Case, Design, Followed, FollowedRecord, Kind, Sampling, System, choose,
 };
-use stickslip_models::BeltPair;
 
 use crate::shares::region;
 

@@ -5,8 +5,10 @@ use stickslip::field::Design;
 use stickslip::flow::{ExactFamily, FlowError, SmoothFamily, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
+use stickslip::model::Model;
 use stickslip::motion::Family;
 use stickslip_models::friction::{Coulomb, LuGre};
+use stickslip_tests::exact;
 
 model! {
     /// A mass on a belt; what presses it down swings: n = 1 + a sin t.
@@ -190,4 +192,68 @@ fn no_equilibrium_lies_beyond_a_bound() {
         ]),
         []
     );
+}
+
+model! {
+    /// v = 1/(1 − t), beside a block that rubs.
+    pub struct Runaway {
+        state u = 1.0;
+        state v = 1.0;
+        param level = 0.3 where level >= 0.0;
+        friction F = Coulomb { level: level } opposing u;
+        der(u) = F;
+        der(v) = powi(v, 2);
+    }
+}
+
+model! {
+    /// A term that has no value at rest, beside a block that rubs.
+    pub struct Aged {
+        state u = 1.0;
+        state v = 1.0;
+        param strength = 0.1;
+        friction F = Coulomb { level: 0.3 } opposing u;
+        der(u) = F;
+        der(v) = -1 + strength * ln(v);
+    }
+}
+
+fn simulated<M: Model<2>>(model: M, start: [f64; 2]) -> FlowError {
+    let family: Family = exact::family(model, 1e-9).into();
+    let flow = family.at(0.0).expect("parameters within bounds");
+    let place = flow.place(&start).expect("a start");
+    let ended = flow.advance(&place, 10.0, Want::default());
+    ended.expect_err("it has an end")
+}
+
+#[test]
+fn what_grows_without_bound_is_said_to() {
+    let error = simulated(Runaway::default(), [1.0, 1.0]);
+    let FlowError::Unbounded { state, time, .. } = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(state, "v");
+    assert!((time - 1.0).abs() < 1e-6, "{time}");
+    let told = error.to_string();
+    assert!(
+        told.starts_with("the motion grows without bound: `v` passed "),
+        "{told}"
+    );
+}
+
+/// From v = 1 it falls to 0 in the time ∫ dv/(1 − a ln v) < 1, where ln has no value; or begins there.
+#[test]
+fn a_formula_without_a_value_is_named_with_its_line() {
+    for (v, latest) in [(1.0, 1.0), (0.0, 0.0)] {
+        let error = simulated(Aged::default(), [1.0, v]);
+        let FlowError::Undefined { time, .. } = error else {
+            panic!("{error:?}");
+        };
+        assert!(time <= latest, "{time}");
+        let told = error.to_string();
+        assert!(
+            told.contains("`der(v)`") && told.contains("ln(v)"),
+            "{told}"
+        );
+    }
 }

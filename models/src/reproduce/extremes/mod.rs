@@ -163,8 +163,8 @@ fn kind(error: &StudyError) -> &'static str {
     use stickslip::shooting::OrbitError;
     match error {
         StudyError::Orbit(OrbitError::Equilibrium { .. }) => "equilibrium",
-        StudyError::Orbit(OrbitError::NotIsolated { .. }) => "not-isolated",
-        StudyError::Orbit(OrbitError::NotSettled { .. }) => "not-settled",
+        StudyError::Orbit(OrbitError::NotIsolated { .. }) => "not isolated",
+        StudyError::Orbit(OrbitError::NotSettled { .. }) => "not settled",
         StudyError::Orbit(OrbitError::Newton(_)) => "newton",
         StudyError::Orbit(OrbitError::Flow(_)) | StudyError::Flow(_) => "flow",
         _ => "other",

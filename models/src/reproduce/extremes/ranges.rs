@@ -154,22 +154,22 @@ pub fn ranges() -> Vec<Range> {
     use Set::Several;
     let exact = [
         parameter(VanDerPol::nu, "*ν*", van_der_pol)
-            .zero(Refused("not-isolated"))
+            .zero(Refused("not isolated"))
             .at(-8..=-8, Digits(4))
             .at(-7..=-6, Digits(5))
             .at(-5..=-4, Digits(7))
             .at(-3..=4, Digits(8))
-            .at(5..=6, Refused("not-settled")),
+            .at(5..=6, Refused("not settled")),
         parameter(BeltOscillator::v_dr, "*v*_{dr}", belt_speed)
             .zero(Refused("equilibrium"))
             .at(-8..=-6, Digits(6))
             .at(-5..=3, Digits(8)),
         parameter(BeltOscillator::F_s, "*F*_{s}", belt_force)
-            .zero(Refused("not-isolated"))
-            .at(-12..=-12, Refused("not-isolated"))
+            .zero(Refused("not isolated"))
+            .at(-12..=-12, Refused("not isolated"))
             .at(-6..=4, Digits(7)),
         parameter(BeltOscillator::delta, "*δ*", belt_weakening)
-            .zero(Refused("not-isolated"))
+            .zero(Refused("not isolated"))
             .at(-8..=8, Digits(8)),
         range(
             BeltOscillator::m,
@@ -189,7 +189,7 @@ pub fn ranges() -> Vec<Range> {
             belt_units,
         )
         .at(-12..=11, Digits(8))
-        .at(12..=12, Refused("not-settled")),
+        .at(12..=12, Refused("not settled")),
         parameter(DrillString::eta, "*η*", drill_string)
             .at(-8..=0, Digits(8))
             .at(1..=3, Refused("equilibrium")),
@@ -212,7 +212,7 @@ pub fn ranges() -> Vec<Range> {
             "*α*",
             belt_pair_together,
         )
-        .zero(Refused("not-isolated"))
+        .zero(Refused("not isolated"))
         .at(-6..=-6, Digits(5))
         .at(-5..=6, Digits(7)),
         parameter(BeltPair::beta, "*β*", none).at(-6..=0, Digits(7)),

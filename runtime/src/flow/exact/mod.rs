@@ -11,6 +11,7 @@ mod departure;
 mod extrema;
 mod glide;
 mod guard;
+mod lever;
 mod observe;
 mod passing;
 mod press;

@@ -35,10 +35,17 @@ impl Figure {
         let margins = self.panels.iter();
         let margin = margins.map(|panel| frame::margin(panel, height));
         let margin = margin.fold(0.0, f64::max);
-        let (mut body, top) = legend::draw(self, margin);
+        let width = WIDTH / columns as f64;
+        // Above the first column in which anything is named.
+        let named = self
+            .panels
+            .iter()
+            .enumerate()
+            .filter(|(_, panel)| panel.is_named());
+        let first = named.map(|(i, _)| i % columns).min().unwrap_or(0);
+        let (mut body, top) = legend::draw(self, margin + first as f64 * width);
         for (i, panel) in self.panels.iter().enumerate() {
             let (row, column) = ((i / columns) as f64, (i % columns) as f64);
-            let width = WIDTH / columns as f64;
             let corner = [column * width, top + row * (title + height) + title];
             let frame = Frame::new(panel, corner, [width, height], margin);
             body += &frame.draw(&self.panel_name(i));

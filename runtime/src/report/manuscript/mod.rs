@@ -18,7 +18,8 @@ use filling::{Filling, joined};
 /// - `[figure 3.2: Title]`, or `[figure 3.2, 2 abreast: Title]`: above its caption, `x: label` and `y: label` are the axes
 ///   of each panel whose curves are given; ` from 0 to 1` gives an axis its ends, and `, logarithmic` its scale; below
 ///   them `inset: 0 to 0.1, 2 to 3 at 0.6 0.1 0.9 0.4` enlarges a part, see [`super::Inset`];
-/// - `[table name]`: its heads stand below the caption, between bars, those of numbers after `#`; below them may stand rows;
+/// - `[table name]`, or `[table name, folded]`: its heads stand below the caption, between bars, those of numbers after `#`;
+///   below them may stand rows;
 /// - `[page]`: a link to a page of its own.
 ///
 /// Anywhere `{{name}}` is the place of a value.
@@ -136,7 +137,11 @@ impl Manuscript {
             (("figure", number), Some(filling)) => {
                 figure(place, number, rest, filling).map(Block::Figure)
             }
-            (("table", name), filling) => table(name, rest, filling).map(Block::Table),
+            (("table", name), filling) => {
+                let folded = place.ends_with(", folded");
+                let table = table(name, rest, filling);
+                table.map(|table| Block::Table(Table { folded, ..table }))
+            }
             _ => None,
         };
         if block.is_none() {
@@ -165,6 +170,7 @@ fn table(name: &str, text: &str, filling: Option<Filling>) -> Option<Table> {
         caption: joined(text.lines().take(head)),
         columns,
         rows,
+        folded: false,
     })
 }
 

@@ -4,12 +4,12 @@ use super::ground::Ground;
 use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class};
 use super::returns::returns;
-use super::running::{Crossing, running, slides, steady};
+use super::running::{Crossing, running, steady};
 use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
 use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, Place, apart, sticking};
-use crate::shooting::{Orbit, OrbitError, Search, changes_nothing, settled};
+use crate::shooting::{Orbit, OrbitError, Search, changes_nothing, settled, slides};
 use crate::study::equilibria::{sliding_mode, spelt};
 
 /// Passages in which it is looked for rest, for a motion that runs, and for returns.
@@ -129,10 +129,10 @@ impl Ground<'_> {
             period: Some(orbit.period),
             min: orbit.min.clone(),
             max: orbit.max.clone(),
-            slides: shift.is_some_and(|shift| slides(self, shift)),
+            slides: shift.is_some_and(|shift| slides(self.flow.as_ref(), shift, &self.usual)),
             shift: orbit.shift.clone(),
             points: orbit.section.clone(),
-            section: self.flow.phase().unwrap_or(0),
+            section: orbit.crossed(self.flow.phase()),
             error: Some(orbit.error_estimate),
             ..Attractor::bare(class, &orbit.place.state, None)
         };

@@ -8,7 +8,7 @@ use crate::bifurcation::floquet;
 use crate::equilibrium::Spectrum;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, apart, sticking};
-use crate::shooting::changes_nothing;
+use crate::shooting::{changes_nothing, slides};
 
 /// Most crossings in one period.
 const LONGEST: usize = 8;
@@ -59,10 +59,9 @@ pub(super) fn steady(
         .zip(&ground.usual)
         .map(|(rate, usual)| (rate / usual).abs());
     let time = 1.0 / fastest.fold(0.0, f64::max);
-    let shifted =
-        |share: f64| -> Vec<f64> { rates.iter().map(|rate| share * time * rate).collect() };
+    let shifted: Vec<f64> = rates.iter().map(|rate| time * rate).collect();
     let constant = (&before.f - &after.f).amax() <= SETTLED * after.f.amax();
-    if !(constant && time.is_finite() && slides(ground, &shifted(1.0))) {
+    if !(constant && time.is_finite() && slides(flow, &shifted, &ground.usual)) {
         return Ok(None);
     }
     let mut found = Attractor::bare(Class::Running, &passage.end.state, None);
@@ -76,15 +75,6 @@ pub(super) fn steady(
     Ok(Some(
         found.judged(&spectrum.eigenvalues, spectrum.stability),
     ))
-}
-
-/// Whether any share of a shift changes nothing.
-pub(super) fn slides(ground: &Ground<'_>, shift: &[f64]) -> bool {
-    // No two are parts of each other.
-    [1.0, 0.618_034].iter().all(|share| {
-        let part: Vec<f64> = shift.iter().map(|gain| share * gain).collect();
-        changes_nothing(ground.flow.as_ref(), &part, &ground.usual)
-    })
 }
 
 /// What the states gain in the last two times `count` crossings alike, if some do.
@@ -162,7 +152,7 @@ fn read(
     found.section = section;
     found.modes = place.modes;
     found.period = Some(period);
-    found.slides = slides(ground, &shift);
+    found.slides = slides(flow, &shift, &ground.usual);
     found.shift = Some(shift);
     Ok(found)
 }

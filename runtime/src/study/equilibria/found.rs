@@ -98,6 +98,7 @@ impl System {
             special,
             ended: ended(self.info(), &walked, along, &first.modes),
             work,
+            others: self.not_passed(&case.at(along.value(self.beginning(case))), &points),
             points,
         })
     }

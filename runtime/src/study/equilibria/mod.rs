@@ -3,6 +3,7 @@
 mod counterpart;
 mod found;
 mod modes;
+mod others;
 mod record;
 mod special;
 

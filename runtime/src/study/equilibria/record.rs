@@ -95,6 +95,8 @@ pub struct EquilibriaRecord {
     pub points: Vec<EquilibriumRecord>,
     /// Where something changes.
     pub special: Vec<SpecialEquilibrium>,
+    /// The equilibria at the value with which it begins that are none of its points: others may be followed from there.
+    pub others: Vec<EquilibriumRecord>,
     /// Why it ended.
     pub ended: Ended,
     /// What it cost.

@@ -3,6 +3,8 @@
 use super::seed::{Seed, on_the_belt};
 use crate::equilibrium::find;
 use crate::flow::FlowError;
+use crate::integrate::Tolerance;
+use crate::lyapunov::lyapunov;
 use crate::model::{Values, brief};
 use crate::motion::Family;
 use crate::shooting::{Orbit, OrbitError, Search, closest, settled};
@@ -12,6 +14,12 @@ use crate::study::system::System;
 
 /// A motion that has settled is this near to its equilibrium.
 const SETTLED: f64 = 1e-3;
+
+/// For how long the Lyapunov exponent of a motion that has not settled is measured: so many laps, each a share of the time
+/// after which that was said; and how closely the motion is followed.
+const LAPS: usize = 32;
+const LAP: f64 = 1e-3;
+const ROUGH: f64 = 1e-6;
 
 /// How much a failure tells of the system: that motions settle elsewhere is more than that a search ended.
 fn tells(error: &OrbitError) -> u8 {
@@ -85,7 +93,7 @@ impl System {
         // A drive lets nothing rest where it is declared to begin: what comes of that is what is meant.
         let settles = self.touches(case) && self.info().drive.is_some();
         seeds.insert(if settles { 0 } else { seeds.len() }, declared);
-        Ok(seeds)
+        Ok(different(seeds))
     }
 
     /// The orbit of the exact system as a seed for its smooth copies.
@@ -126,6 +134,17 @@ impl System {
             None => error,
         }
     }
+}
+
+/// The seeds without those that are there already: many contacts at rest have many that are one.
+fn different(seeds: Vec<Seed>) -> Vec<Seed> {
+    let mut kept: Vec<Seed> = Vec::new();
+    for seed in seeds {
+        if !kept.contains(&seed) {
+            kept.push(seed);
+        }
+    }
+    kept
 }
 
 impl Sought<'_> {
@@ -169,9 +188,50 @@ impl Sought<'_> {
                 }
             }
         }
-        Err(telling.unwrap_or(OrbitError::NotSettled {
-            time: 0.0,
-            last: None,
-        }))
+        Err(telling.map_or(
+            OrbitError::NotSettled {
+                time: 0.0,
+                last: None,
+                reached: self.search.start.clone(),
+                exponent: None,
+            },
+            |error| self.parting(r, error),
+        ))
+    }
+
+    /// A motion that has not settled with its Lyapunov exponent.
+    fn parting(&self, r: f64, mut error: OrbitError) -> OrbitError {
+        if let OrbitError::NotSettled {
+            time,
+            reached,
+            exponent,
+            ..
+        } = &mut error
+        {
+            let tolerance = Tolerance::for_accuracy(ROUGH);
+            let flow = self.family.with_tolerance(tolerance).at(r).ok();
+            *exponent = flow.and_then(|flow| {
+                let place = flow.place(reached).ok()?;
+                let found = lyapunov(flow.as_ref(), place, LAP * *time, LAPS).ok()?;
+                (found.exponent?.is_finite() && found.error.is_finite()).then_some(found)
+            });
+        }
+        error
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nowhere_is_begun_twice() {
+        let [here, there] = [0.0, 1.0].map(|x| Seed::at(vec![x]));
+        let settling = Seed {
+            settles: true,
+            ..here.clone()
+        };
+        let asked = vec![here.clone(), there.clone(), here.clone(), settling.clone()];
+        assert_eq!(different(asked), [here, there, settling]);
     }
 }

@@ -55,9 +55,9 @@ fn describe(asked: &Request<'_>, branch: &BranchRecord, states: &[usize]) -> Str
     for (i, below) in branch.all().into_iter().enumerate().skip(1) {
         let from = below.from.as_deref().unwrap_or("another");
         let period = below.points.first().map_or(0, |point| point.period_count);
-        let (count, ended) = (below.points.len(), below.ended.word());
+        let (count, reason) = (below.points.len(), &below.ended.reason);
         text += &format!(
-            "\nbranch {i}, period {period}, leaves its parent at {from}; {count} points, ended: {ended}\n{}",
+            "\nbranch {i}, period {period}, leaves its parent at {from}; {count} points; {reason}\n{}",
             special(info, below)
         );
     }

@@ -87,9 +87,30 @@ fn describe_branch(info: &ModelInfo, case: &Case, branch: &EquilibriaRecord) -> 
     if !branch.special.is_empty() {
         text += &format!("\n{}", special(info, &along).text(&branch.special));
     }
+    text += &others(info, branch);
     let points = branch.points.iter().any(|point| point.artefact);
     let special = branch.special.iter().any(|point| point.artefact);
     text + &remarks(case, points, special)
+}
+
+/// What there is where the branch begins and is not followed.
+fn others(info: &ModelInfo, branch: &EquilibriaRecord) -> String {
+    let Some(r) = branch.points.first().and_then(|point| point.r) else {
+        return String::new();
+    };
+    if branch.others.is_empty() {
+        return String::new();
+    }
+    let (count, name) = (branch.others.len(), branch.along.name(info));
+    let more = match count {
+        1 => "is one equilibrium more, which".to_owned(),
+        _ => format!("are {count} equilibria more, which"),
+    };
+    format!(
+        "\n  at {name} = {} there {more} this branch does not pass; `--start` begins at the one next to it:\n{}",
+        number(r, DIGITS),
+        shown(info, None, &branch.others).text(&branch.others)
+    )
 }
 
 fn branch_document<'a>(
@@ -102,6 +123,7 @@ fn branch_document<'a>(
         .range("along", &branch.along)
         .list("points", &branch.points, |one| equilibrium(info, one))
         .list("special", &branch.special, special)
+        .list("others", &branch.others, |one| equilibrium(info, one))
         .ended(&branch.ended)
         .units()
         .put("work", branch.work)

@@ -1,11 +1,11 @@
 //! A map as tiles: of kinds a colour each, of values a shade.
 
 use crate::app::axis::along_axis;
-use crate::app::text::{brief, number};
+use crate::app::text::{brief, label, number, timed};
 use crate::field::Design;
 use crate::model::ModelInfo;
 use crate::report::{Axis, Curve, Figure, Panel, SHADES};
-use crate::study::{Asked, Grid, MapRecord};
+use crate::study::{Asked, Grid, MapRecord, Quantity};
 
 /// Kinds that have a colour of their own.
 const KINDS: usize = 12;
@@ -15,14 +15,31 @@ const DIGITS: usize = 3;
 pub(super) fn picture(info: &ModelInfo, record: &MapRecord, question: &str) -> Figure {
     let title = format!("{}: {question}", info.command);
     let [x, y] = [0, 1].map(|k| reach(along_axis(info, &record.grid.along[k]), &record.grid, k));
-    let panel = Panel::new(x, y);
+    let panel = Panel::new(x, y).titled(shown(info, record, question));
     let curves = match record.asked {
         Asked::Motion => kinds(record),
         _ => values(record),
     };
     let [n, m] = record.grid.values;
-    let caption = format!("{n} by {m} nodes; where nothing is drawn, there is no value.");
+    let caption = format!("{n} by {m} nodes");
     Figure::new("1", &title, caption).panel(panel.curves(curves))
+}
+
+/// What the tiles show, with its unit, and what a place without one says.
+fn shown(info: &ModelInfo, record: &MapRecord, question: &str) -> String {
+    let what = match record.asked {
+        Asked::Quantity(Quantity::Period, _) => timed(info, question, "s"),
+        Asked::Quantity(Quantity::Amplitude, state) => label(
+            question,
+            info.states.get(state).and_then(|state| state.unit),
+        ),
+        _ => question.to_owned(),
+    };
+    let kinds = record.asked == Asked::Motion;
+    if kinds || record.nodes.iter().all(|(_, cell)| cell.value.is_some()) {
+        return what;
+    }
+    format!("{what}; blank where there is none")
 }
 
 /// The axis, half a tile beyond its first and last values.

@@ -72,11 +72,7 @@ fn judged(info: &ModelInfo, record: &NeedsRecord) -> String {
         .filter_map(|place| place.parameters.get(followed?).copied());
     let values: Vec<String> = values.map(|value| number(value, 5)).collect();
     let mut text = format!("  judged at {} = {}\n", along.name(info), values.join(", "));
-    if let Some(ended) = record
-        .ended
-        .as_ref()
-        .filter(|ended| ended.word() != "reached-end")
-    {
+    if let Some(ended) = record.ended.as_ref().filter(|ended| !ended.is_whole()) {
         text += &format!(
             "  beyond which its branch was not followed: {}\n",
             ended.reason
