@@ -8,6 +8,8 @@ use crate::motion::{Flow, Place};
 /// The longest step of the differences of exact Jacobians, as a share of the largest state; each next one is so much shorter.
 const STEP: f64 = 1e-2;
 const SHORTER: f64 = 0.5;
+/// By how many times what the eigenvalues lack to ±iω, relative to ω, the terms of the coefficient may be off.
+const BESIDE: f64 = 10.0;
 /// How many steps are tried: the best is the one that differs least from the two before.
 const STEPS: i32 = 30;
 
@@ -46,17 +48,19 @@ impl Onset {
             .fold(0.0_f64, |most, y| most.max(y.abs()));
         let size = if largest > 0.0 { largest } else { 1.0 };
         let mut best: Option<Self> = None;
-        let (mut before, mut apart) = (None::<f64>, f64::INFINITY);
+        let (mut before, mut apart) = (None::<[f64; 2]>, f64::INFINITY);
         for k in 0..STEPS {
             let step = size * STEP * SHORTER.powi(k);
             let value = pair.coefficient(step);
-            if let (Some(long), Some(short)) = (before, value) {
+            if let (Some([long, _]), Some([short, terms])) = (before, value) {
                 // The error of central differences falls with the square of the step.
                 let correction = (short - long) / (SHORTER.powi(-2) - 1.0);
                 let found = Self {
                     coefficient: short + correction,
                     // Two values may agree by chance, three hardly.
-                    error: (short - long).abs().max(apart) + pair.rounding(step),
+                    error: (short - long).abs().max(apart)
+                        + pair.rounding(step)
+                        + BESIDE * pair.off / frequency * terms,
                 };
                 apart = (short - long).abs();
                 if best.is_none_or(|best| found.error < best.error) {
@@ -79,6 +83,8 @@ struct Pair<'a> {
     q: [DVector<f64>; 2],
     /// The left one, conjugate, over its product with the right one.
     left: Vector,
+    /// The least change of the Jacobian that gives it the eigenvalues ±iω.
+    off: f64,
 }
 
 /// First and second differences of the Jacobian along a direction.
@@ -115,6 +121,7 @@ impl<'a> Pair<'a> {
             frequency,
             q,
             left: conjugate / product,
+            off: all.singular_values[least],
         })
     }
 
@@ -141,8 +148,9 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// l₁ from the multilinear forms B and C of second and third derivatives, by differences over a step.
-    fn coefficient(&self, step: f64) -> Option<f64> {
+    /// l₁ from the multilinear forms B and C of second and third derivatives, by differences over a step; and how large its
+    /// terms are together.
+    fn coefficient(&self, step: f64) -> Option<[f64; 2]> {
         let [a, b] = &self.q;
         let (along_a, along_b) = (self.differences(a, step)?, self.differences(b, step)?);
         let (da, db) = (&along_a.first, &along_b.first);
@@ -163,9 +171,12 @@ impl<'a> Pair<'a> {
         let (re, im) = (double.map(|one| one.re), double.map(|one| one.im));
         // B(q̄, h) for h = re + i im.
         let back = joined(&(da * &re + db * &im), &(da * &im - db * &re));
-        let all = third - shifted * Complex::new(2.0, 0.0) + back;
-        let value = self.left.dot(&all).re / (2.0 * self.frequency);
-        value.is_finite().then_some(value)
+        let shifted = shifted * Complex::new(-2.0, 0.0);
+        let terms =
+            [third, shifted, back].map(|term| self.left.dot(&term) / (2.0 * self.frequency));
+        let value: f64 = terms.iter().map(|term| term.re).sum();
+        let size = terms.iter().map(|term| term.norm()).sum();
+        value.is_finite().then_some([value, size])
     }
 }
 
