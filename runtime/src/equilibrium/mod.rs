@@ -6,6 +6,7 @@
 mod branch;
 mod krawczyk;
 mod newton;
+mod onset;
 mod problem;
 mod resting;
 mod special;
@@ -16,6 +17,7 @@ mod sticking;
 pub use branch::{Branch, follow, settings};
 pub use krawczyk::{Proof, Unproven, prove};
 pub use newton::{Equilibrium, find, settle};
+pub use onset::Onset;
 pub use problem::EquilibriumProblem;
 pub use special::EquilibriumPoint;
 pub use spectrum::Spectrum;

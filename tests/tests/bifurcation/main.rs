@@ -8,6 +8,7 @@ mod diagram;
 mod ends;
 mod equilibria;
 mod margins;
+mod onset;
 mod orbits;
 mod scales;
 mod unstable;

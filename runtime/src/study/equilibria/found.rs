@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 
 use super::counterpart::Counterpart;
 use super::modes::{sliding_mode, sliding_modes, spelt, sticking_modes};
-use super::record::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};
-use crate::continuation::{Ending, Kind, Located, Walked};
+use super::record::{EquilibriaRecord, EquilibriumRecord, Extent};
+use super::special::numbered;
+use crate::continuation::{Ending, Kind, Walked};
 use crate::equilibrium::{
     EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, follow, prove, settings,
     starts, sticking_sets,
@@ -16,7 +17,6 @@ use crate::model::ModelInfo;
 use crate::motion::{Family, Flow, Modes, Place, apart};
 use crate::study::ended::Ended;
 use crate::study::error::StudyError;
-use crate::study::label::labels;
 use crate::study::question::{Along, Case};
 use crate::study::system::System;
 
@@ -87,7 +87,7 @@ impl System {
         let (from, to) = along.span();
         let (walked, work) = follow(&family, &first, settings(from, to), &mut take)
             .map_err(StudyError::Equilibrium)?;
-        let mut special = numbered(along, &walked);
+        let mut special = numbered(along, (&family, &first.modes), &walked.located);
         if let Some(exact) = self.counterpart(case) {
             for point in &mut special {
                 point.artefact = exact.lacks(along, point);
@@ -233,26 +233,6 @@ fn beside(along: Along, spot: &EquilibriumPoint) -> (f64, Vec<f64>) {
     let moved = spot.state.iter().zip(spot.way.iter());
     let state = moved.map(|(value, rate)| value + STEP * rate).collect();
     (along.value(spot.r + STEP * spot.way[order]), state)
-}
-
-fn numbered(along: Along, walked: &Walked<EquilibriumPoint, FlowError>) -> Vec<SpecialEquilibrium> {
-    let located = &walked.located;
-    let labels = labels(located.iter().map(|found| found.kind));
-    let special = |(found, label): (&Located<EquilibriumPoint>, String)| {
-        let (kind, point) = (found.kind, &found.point);
-        SpecialEquilibrium {
-            kind,
-            label,
-            after: found.after,
-            r: along.value(found.r),
-            error: along.error(found),
-            state: point.state.clone(),
-            eigenvalues: point.spectrum.eigenvalues.clone(),
-            period: point.frequency().map(|omega| std::f64::consts::TAU / omega),
-            artefact: false,
-        }
-    };
-    located.iter().zip(labels).map(special).collect()
 }
 
 /// Why a branch ended: the contact whose way of sliding ends is named.

@@ -5,6 +5,7 @@ mod found;
 mod modes;
 mod others;
 mod record;
+mod special;
 
 pub(in crate::study) use modes::{sliding_mode, sliding_modes, spelt};
 pub use record::{EquilibriaRecord, EquilibriumRecord, Extent, SpecialEquilibrium};

@@ -73,6 +73,15 @@ pub struct SpecialEquilibrium {
     pub eigenvalues: Vec<Complex<f64>>,
     /// Period of the small orbits that begin at a Hopf point, or of the vibration that grows from flutter.
     pub period: Option<f64>,
+    /// The first Lyapunov coefficient of a Hopf point, with an eigenvector of length 1; none where it is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub l1: Option<f64>,
+    /// Its estimated error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub l1_error: Option<f64>,
+    /// Whether periodic motions begin there `soft` or `hard`, as far as that coefficient tells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub onset: Option<&'static str>,
     /// Whether only the smooth copy has it.
     pub artefact: bool,
 }

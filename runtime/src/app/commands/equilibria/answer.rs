@@ -213,6 +213,7 @@ fn special(info: &ModelInfo, along: &str) -> Columns<'static, SpecialEquilibrium
         .column("kind", |one| format!("{}{}", one.kind, mark(one.artefact)))
         .column(along, |one| number(one.r, certain(one.r, one.error)))
         .column("period", period)
+        .column("", |one| one.onset.unwrap_or("").to_owned())
 }
 
 fn remarks(case: &Case, points: bool, special: bool) -> String {
