@@ -28,7 +28,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     ) -> Result<Verdict<M, N>, FlowError> {
         let closed = &presses.closed;
         if closed.is_empty() {
-            let rest = rest(presses.modes);
+            let mut rest = rest(presses.modes);
             let mut verdict = rest.settle()?;
             presses.note(&rest, &mut verdict);
             return Ok(verdict);
@@ -41,12 +41,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 modes.set(*press, if bears { Mode::Rest } else { Mode::Open });
             }
             let mut rest = rest(self.system.pressed(modes, state));
-            let settled = rest.lead().and_then(|led| Ok((led, rest.settle()?)));
-            let settled = settled.and_then(|(led, mut verdict)| {
+            let settled = rest.settle().and_then(|mut verdict| {
                 presses.note(&rest, &mut verdict);
-                for (contact, order) in led {
-                    verdict.notes.as_mut()[contact].departure = order;
-                }
                 let holds = self.bears(state, closed, &mut verdict)?;
                 Ok(holds.then_some(verdict))
             });

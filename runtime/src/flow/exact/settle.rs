@@ -63,16 +63,16 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
     ///
     /// # Errors
     /// Forces that are not unique, or a contact that would not leave the way it is let go.
-    pub(super) fn settle(mut self) -> Result<Verdict<M, N>, FlowError> {
-        let passing = self.pass_dead_centres()?;
+    pub(super) fn settle(&mut self) -> Result<Verdict<M, N>, FlowError> {
+        let orders = self.pass_idle()?;
         let mut verdict = self.settle_held()?;
-        for (note, order) in verdict.notes.as_mut().iter_mut().zip(passing.as_ref()) {
+        for (note, order) in verdict.notes.as_mut().iter_mut().zip(orders.as_ref()) {
             note.departure = note.departure.max(*order);
         }
         Ok(verdict)
     }
 
-    /// The same where friction acts on every contact at rest.
+    /// The same where friction could hold every contact at rest.
     fn settle_held(&self) -> Result<Verdict<M, N>, FlowError> {
         let mut verdict = Verdict {
             modes: self.all_stick(),
