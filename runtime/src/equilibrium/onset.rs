@@ -48,28 +48,28 @@ impl Onset {
             .fold(0.0_f64, |most, y| most.max(y.abs()));
         let size = if largest > 0.0 { largest } else { 1.0 };
         let mut best: Option<Self> = None;
-        let (mut before, mut apart) = (None::<[f64; 2]>, f64::INFINITY);
+        let (mut before, mut corrected, mut apart) = (None::<f64>, f64::INFINITY, f64::INFINITY);
         for k in 0..STEPS {
             let step = size * STEP * SHORTER.powi(k);
-            let value = pair.coefficient(step);
-            if let (Some([long, _]), Some([short, terms])) = (before, value) {
+            let Some([value, terms]) = pair.coefficient(step) else {
+                before = None;
+                continue;
+            };
+            if let Some(long) = before {
                 // The error of central differences falls with the square of the step.
-                let correction = (short - long) / (SHORTER.powi(-2) - 1.0);
-                let found = Self {
-                    coefficient: short + correction,
-                    // Two values may agree by chance, three hardly.
-                    error: (short - long).abs().max(apart)
-                        + pair.rounding(step)
-                        + BESIDE * pair.off / frequency * terms,
-                };
-                apart = (short - long).abs();
-                if best.is_none_or(|best| found.error < best.error) {
-                    best = Some(found);
+                let coefficient = value + (value - long) / (SHORTER.powi(-2) - 1.0);
+                let moved = (coefficient - corrected).abs();
+                // Two values may agree by chance, three hardly.
+                let error =
+                    moved.max(apart) + pair.rounding(step) + BESIDE * pair.off / frequency * terms;
+                if best.map_or(error.is_finite(), |best| error < best.error) {
+                    best = Some(Self { coefficient, error });
                 }
+                (corrected, apart) = (coefficient, moved);
             }
-            before = value;
+            before = Some(value);
         }
-        best.filter(|best| best.error.is_finite())
+        best
     }
 }
 

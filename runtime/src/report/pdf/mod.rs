@@ -219,7 +219,7 @@ mod tests {
         let panel = Panel::new(Axis::new("x"), Axis::new("y")).curve(tiles);
         let bytes = Figure::new("1", "", "").panel(panel).pdf().unwrap();
         let text = String::from_utf8_lossy(&bytes);
-        let shade = "0.26666668 0.003921569 0.32941177 rg";
+        let shade = "0.019607844 0.015686275 0.09019608 rg";
         // In the panel and in the legend; each tile ends with a closed outline, and areas with their paint.
         assert_eq!(text.matches(shade).count(), 2, "{text}");
         assert!(text.matches("h\nf\n").count() >= 2, "{text}");
