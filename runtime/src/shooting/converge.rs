@@ -241,16 +241,26 @@ fn newton(
             period: shot.period,
         });
     }
-    let (low, high) = shot.extent();
-    let flat = (0..low.len()).all(|j| {
-        high[j] - low[j] <= EXTENT * low[j].abs().max(high[j].abs()).max(guess.magnitude[j])
-    });
-    if flat {
-        return Err(OrbitError::Equilibrium {
-            state: flow.values(&shot.start.state),
+    if is_flat(shot, &guess.magnitude) {
+        let state = flow.values(&shot.start.state);
+        return Err(match shot.shift {
+            Some(_) => OrbitError::Steady { state },
+            None => OrbitError::Equilibrium { state },
         });
     }
     Ok((found, problem))
+}
+
+/// Whether nothing changes once around but what runs on, and that as evenly as it begins.
+fn is_flat(shot: &Shot, magnitude: &[f64]) -> bool {
+    let run = |j: usize| shot.shift.as_ref().map_or(0.0, |run| run[j]);
+    let (low, high) = shot.extent();
+    (0..low.len()).all(|j| {
+        let size = low[j].abs().max(high[j].abs()).max(magnitude[j]);
+        let evenly = shot.velocity.f[j] * shot.period - run(j);
+        high[j] - low[j] - run(j).abs() <= EXTENT * size
+            && (run(j) == 0.0 || evenly.abs() <= EXTENT * run(j).abs())
+    })
 }
 
 /// Whether a guess hardly moves in its period: there Newton's matrix is singular for any period.

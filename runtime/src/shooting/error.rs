@@ -27,6 +27,14 @@ pub enum OrbitError {
         /// Its period.
         period: f64,
     },
+    /// The motion runs on and nothing else changes.
+    #[error(
+        "the motion runs on steadily from {state}: nothing else changes, so that any time would be its period"
+    )]
+    Steady {
+        /// Where it is at some time.
+        state: Values,
+    },
     /// Neither rest nor a periodic motion within bounds.
     #[error(
         "the motion has not settled on a periodic orbit after the time {time:.6e}{}{}",

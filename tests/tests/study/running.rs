@@ -2,7 +2,7 @@
 
 use stickslip::field::Design;
 use stickslip::model;
-use stickslip::study::{Along, Case, Dynamics, OrbitRecord, System};
+use stickslip::study::{Along, Case, Dynamics, OrbitRecord, StudyError, System};
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
 
@@ -71,6 +71,20 @@ model! {
     }
 }
 
+model! {
+    /// A crank with a slider on its guide, which need not rub.
+    pub struct Crank {
+        state phi: rad = 0.3;
+        state w: rad/s = 2.0;
+        param torque: 1/s^2 = 1.0;
+        param damp: 1/s = 0.5;
+        param rough: 1/s^2 = 0.0 where rough >= 0.0;
+        friction F: 1/s^2 = Coulomb { level: rough } opposing sin(phi) * w;
+        der(phi) = w;
+        der(w) = torque - damp * w + F * sin(phi);
+    }
+}
+
 fn along(system: &System, parameter: usize, from: f64, to: f64) -> Case {
     let design = Design::Parameter(parameter);
     Case {
@@ -120,6 +134,22 @@ fn a_pendulum_turns_until_it_stops_at_the_top() {
     assert!(
         last.period > 20.0 && (last.r.unwrap() - 0.1 - 0.4 / std::f64::consts::PI).abs() < 1e-2
     );
+}
+
+/// Where nothing rubs it turns at 2 rad/s for ever, and any time would be a period.
+#[test]
+fn what_turns_steadily_is_no_orbit() {
+    let system = System::of::<Crank, _>();
+    let case = Case::declared(system.info(), Dynamics::Exact);
+    for period in [None, Some(1e-9), Some(0.3)] {
+        let case = Case {
+            start: Some(vec![0.3, 2.0]),
+            period,
+            ..case.clone()
+        };
+        let error = system.orbit(&case).unwrap_err();
+        assert!(matches!(error, StudyError::Orbit(_)), "{error}");
+    }
 }
 
 #[test]

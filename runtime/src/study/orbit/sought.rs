@@ -25,7 +25,7 @@ const ROUGH: f64 = 1e-6;
 fn tells(error: &OrbitError) -> u8 {
     match error {
         OrbitError::NotIsolated { .. } => 3,
-        OrbitError::Equilibrium { .. } => 2,
+        OrbitError::Equilibrium { .. } | OrbitError::Steady { .. } => 2,
         OrbitError::NotSettled { .. } => 1,
         OrbitError::Passed { .. } | OrbitError::Newton(_) | OrbitError::Flow(_) => 0,
     }
