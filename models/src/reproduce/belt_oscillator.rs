@@ -56,7 +56,7 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
     let belt = Subject::new(BeltOscillator::v_dr);
     let sizes = (Kernel::Arctan, &EXPONENTS[..], " s/m");
     let copies = Copies::find(&belt, sizes, (SPEED, &[LEAST]))?;
-    costs.extend(copies.costs("mass on a belt", "*v*_{dr}", "10 min"));
+    costs.extend(copies.costs("mass on a belt", "*v*_{dr}", "10"));
     let errors = Measured::measure(&belt, &THESIS)?;
     let rest = |&exponent: &i32| belt.equilibria(copy(Kernel::Arctan, exponent), [SPEED, 0.0]);
     let rests: Vec<EquilibriaRecord> = EXPONENTS.iter().map(rest).collect::<Result<_, _>>()?;

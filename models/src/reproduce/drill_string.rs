@@ -65,7 +65,7 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
     let drill = Subject::new(DrillString::eta);
     let sizes = (Kernel::Quartic, &EXPONENTS[..], "");
     let copies = Copies::find(&drill, sizes, (SPEED, &[LEAST, MOST]))?;
-    costs.extend(copies.costs("drill string", "*η*", "6 min, both"));
+    costs.extend(copies.costs("drill string", "*η*", "6"));
     let errors = Measured::measure(&drill, &THESIS)?;
     let rest = drill.equilibria(copy(Kernel::Quartic, 0), REST)?;
     let exact = drill.equilibria(Dynamics::Exact, REST)?;

@@ -19,7 +19,7 @@ pub(super) fn section(costs: &mut Vec<Vec<String>>) -> Result<Section, Reproduce
     let oscillator = Subject::new(VanDerPol::nu);
     let ends = (1.0, &[LEAST, MOST][..]);
     let cycles = Member::find(&oscillator, Dynamics::Smooth, ends, String::new())?;
-    costs.extend(cycles.costs("Van der Pol, *ν*", "15 min, both"));
+    costs.extend(cycles.costs("Van der Pol, *ν*", "15"));
     let orbits = cycles.points();
     let second = orbits.iter();
     let second = second.filter_map(|orbit| Some([at(orbit), log10_modulus(orbit)?]));

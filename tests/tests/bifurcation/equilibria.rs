@@ -270,6 +270,40 @@ fn what_a_contact_holds_alone_is_followed_until_it_slips() {
     assert!(branch.ended.reason.contains("the force that holds `T`"));
 }
 
+model! {
+    /// A mass in two wells, at 1 and at -1, with a top between them.
+    struct Wells {
+        state x = 0.9;
+        state v = 0.0;
+        param tilt = 0.0;
+        der(x) = v;
+        der(v) = x - powi(x, 3) - 0.1 * v + tilt;
+    }
+}
+
+#[test]
+fn what_a_branch_does_not_pass_is_told() {
+    let system = System::of::<Wells, _>();
+    let along = Along {
+        design: Design::Parameter(Wells::tilt.index),
+        from: 0.0,
+        to: 0.1,
+    };
+    let case = Case {
+        along: Some(along),
+        ..Case::declared(system.info(), Dynamics::Smooth)
+    };
+    let branch = system.equilibria_along(&case).unwrap();
+    let first = branch.points[0].state[0];
+    let mut all: Vec<f64> = branch.others.iter().map(|one| one.state[0]).collect();
+    all.push(first);
+    all.sort_by(f64::total_cmp);
+    assert_eq!(all.len(), 3);
+    for (found, right) in all.into_iter().zip([-1.0, 0.0, 1.0]) {
+        close(found, right, 1e-9);
+    }
+}
+
 fn exact<M: Model<N>, const N: usize>(model: M, along: ParamId<M>) -> ExactFamily<M, N> {
     ExactFamily {
         model,
