@@ -72,6 +72,17 @@ pub(super) struct Way {
     pub(super) along: Option<Range>,
 }
 
+/// Whether a special point of the branch is followed in a second parameter.
+#[derive(Debug, Clone, Args)]
+pub(super) struct Curve {
+    /// Follow a special point of the branch in this parameter too, from C to D: a fold, flip, torus or grazing point of orbits, a fold or Hopf point of equilibria
+    #[arg(long, value_name = "NAME=C..D", value_parser = Reading(Range::read))]
+    pub(super) and: Option<Range>,
+    /// Which one, for instance PD1; the first without --of
+    #[arg(long, value_name = "LABEL")]
+    pub(super) of: Option<String>,
+}
+
 #[derive(Debug, Clone, Args)]
 pub(super) struct Resume {
     /// Go on from what an interrupted run of the same command has left in --out DIR

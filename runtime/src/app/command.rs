@@ -114,7 +114,10 @@ fn study(app: &App, study: Study) -> Result<(), Failure> {
         }
         Study::Trade(arguments) => trade::perform(app, &arguments),
         Study::Needs(arguments) => needs::perform(app, &arguments),
-        Study::Equilibria(arguments) => equilibria::perform(app, &arguments),
+        Study::Equilibria(arguments) => match curve::wanted_of_equilibria(&arguments)? {
+            Some(and) => curve::of_equilibria(app, &arguments, and),
+            None => equilibria::perform(app, &arguments),
+        },
         Study::Diagram(arguments) => diagram::perform(app, &arguments),
         Study::Attractors(arguments) => attractors::perform(app, &arguments),
         Study::Map(arguments) => map::perform(app, &arguments),

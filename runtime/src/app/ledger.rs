@@ -140,6 +140,11 @@ impl<T: Finding> Ledger<T> {
         }
     }
 
+    /// On how many threads it is done, if that was said.
+    pub(super) const fn threads(&self) -> Option<usize> {
+        self.list.threads
+    }
+
     /// Whether only a share is done, and there is no answer yet.
     pub(super) const fn is_shared(&self) -> bool {
         self.share.is_some()

@@ -52,6 +52,14 @@ words! {
         Resonance3 = "resonance-1-3",
         /// A pair at a quarter of a turn.
         Resonance4 = "resonance-1-4",
+        /// The first Lyapunov coefficient of a Hopf point vanishes: on one side motions begin softly there, on the other hard.
+        GeneralizedHopf = "generalized-hopf",
+        /// Two eigenvalues 0, one of them because a pair on the imaginary axis ends there.
+        BogdanovTakens = "bogdanov-takens",
+        /// An eigenvalue 0 beside a pair on the imaginary axis.
+        ZeroHopf = "zero-hopf",
+        /// Two pairs on the imaginary axis.
+        DoubleHopf = "double-hopf",
         /// The first design variable of a curve leaves its range.
         Window = "left-range",
     }
@@ -85,6 +93,10 @@ impl Kind {
             Self::Resonance2 => "R2-",
             Self::Resonance3 => "R3-",
             Self::Resonance4 => "R4-",
+            Self::GeneralizedHopf => "GH",
+            Self::BogdanovTakens => "BT",
+            Self::ZeroHopf => "ZH",
+            Self::DoubleHopf => "HH",
             Self::Window => "WB",
         }
     }

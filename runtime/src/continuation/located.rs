@@ -99,6 +99,9 @@ pub struct Unexplained {
     pub reason: String,
 }
 
+/// The share of a step that goes along the design variable below which it has no sign.
+const SLOPE: f64 = 1e-3;
+
 impl<P: Watched> Findings<P> {
     /// Whether the branch, beyond a point at which it is not smooth, has been taken up the wrong way round.
     pub(super) fn runs_back(&self, to: &P) -> bool {
@@ -109,6 +112,14 @@ impl<P: Watched> Findings<P> {
             let way = if turns % 2 == 0 { 1.0 } else { -1.0 };
             way * self.located[corner].left * to.slope() < 0.0
         })
+    }
+
+    /// Whether the design variable turns on a smooth step though nothing was found there: the step went past what its
+    /// unknowns can tell, and they come round to the solutions before it.
+    pub(super) fn turns_unseen(&self, ends: [&P; 2]) -> bool {
+        let [from, to] = ends.map(Watched::slope);
+        let turns = from * to < 0.0 && from.abs().max(to.abs()) > SLOPE;
+        turns && self.located.is_empty() && ends[0].same_regime(ends[1])
     }
 }
 

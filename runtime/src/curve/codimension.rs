@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::condition::pairs;
 use super::isola::Unfolding;
-use super::point::CurvePoint;
+use super::point::{CurvePoint, Stands};
 use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{Kind, Monitor, Verdict};
 
@@ -49,20 +49,19 @@ pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a
 
 /// Where the curve of folds stands still in one variable: in the other one, too, at a cusp, which is told of once; else
 /// branches along that other one appear there, vanish, or exchange their parts.
-fn still(unfolding: &Unfolding, still: usize) -> Monitor<'_, CurvePoint> {
-    let monitor = Monitor::new(Kind::Cusp, move |point: &CurvePoint| point.tangent[still]);
+pub(super) fn still<P: Stands + 'static>(unfolding: &Unfolding, still: usize) -> Monitor<'_, P> {
+    let monitor = Monitor::new(Kind::Cusp, move |point: &P| point.tangent()[still]);
     // A curve along which one variable is constant all the way stands still nowhere.
-    let moves =
-        move |ends: [&CurvePoint; 2]| ends.iter().any(|end| end.tangent[still].abs() > CONSTANT);
+    let moves = move |ends: [&P; 2]| ends.iter().any(|end| end.tangent()[still].abs() > CONSTANT);
     let marked = monitor
         .only_if(moves)
-        .marked(move |point| point.still = Some(still));
+        .marked(move |point| point.stands(still));
     marked.judged(move |[before, after], at| {
-        let other = |point: &CurvePoint| point.tangent[1 - still].abs();
+        let other = |point: &P| point.tangent()[1 - still].abs();
         let kind = if other(at) <= CUSP * other(before).max(other(after)) {
             (still == 1).then_some(Kind::Cusp)
         } else {
-            unfolding.kind(at, still)
+            at.unfolded(unfolding, still)
         };
         kind.map(Verdict::Special)
     })

@@ -1,62 +1,59 @@
-//! The zero problem of an orbit with a multiplier on the unit circle.
+//! The zero problem of an orbit with a multiplier on the unit circle, or of an equilibrium with an eigenvalue on the
+//! imaginary axis.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::condition::Condition;
 use super::plane::Plane;
+use super::subject::Subject;
 use crate::continuation::{Linearisation, ZeroProblem};
-use crate::field::Work;
-use crate::field::exact::Mode;
-use crate::flow::{FlowError, Want};
-use crate::motion::Place;
-use crate::shooting::{OrbitProblem, Shot};
+use crate::flow::FlowError;
 
 /// Step of the differences that give the slopes of the condition, relative to the scales: Φ itself is
 /// exact for the steps of the integrator, but not smooth below its tolerance.
 const DIFFERENCE: f64 = 2e-6;
 
-/// Unknowns are those of the orbit and p; q is the design variable. The last equation is the condition.
+/// Unknowns are those of the orbit or equilibrium and p; q is the design variable. The last equation is the condition.
 #[derive(Debug, Clone)]
-pub struct CriticalProblem {
+pub struct CriticalProblem<S> {
     /// The flows.
     pub plane: Plane,
-    orbit: OrbitProblem,
+    /// The other equations.
+    pub subject: S,
     condition: Condition,
     /// Usual magnitudes of p and q.
     scales: [f64; 2],
-    work: Work,
 }
 
-/// One evaluation: the motion once around, and the condition.
+/// One evaluation: that of the orbit or equilibrium, and the condition.
 #[derive(Debug, Clone)]
-pub struct CriticalShot {
-    /// The motion.
-    pub shot: Shot,
+pub struct Critical<E> {
+    /// What was found of the orbit or equilibrium.
+    pub of: E,
     /// The condition.
     pub test: f64,
 }
 
-impl CriticalProblem {
-    /// The problem near an orbit that nearly meets the condition.
-    pub fn new(plane: Plane, orbit: OrbitProblem, condition: Condition, scales: [f64; 2]) -> Self {
+impl<S: Subject> CriticalProblem<S> {
+    /// The problem near an orbit or equilibrium that nearly meets the condition.
+    pub fn new(plane: Plane, subject: S, condition: Condition, scales: [f64; 2]) -> Self {
         Self {
             plane,
-            orbit,
+            subject,
             condition,
             scales,
-            work: Work::default(),
         }
     }
 
-    /// Aligns the condition with the orbit of these unknowns.
+    /// Aligns the condition with the orbit or equilibrium of these unknowns.
     ///
     /// # Errors
-    /// The motion cannot be followed.
+    /// It cannot be evaluated.
     pub fn align(&mut self, z: &DVector<f64>, q: f64) -> Result<(), FlowError> {
-        let (orbit, p) = split(z);
-        self.orbit.family = self.plane.along_p(q);
-        let shot = self.orbit.evaluate(&orbit, p)?.extra;
-        self.align_with(&shot);
+        let (z, p) = split(z);
+        self.subject.steer(self.plane.along_p(q));
+        let found = self.subject.evaluate(&z, p)?.extra;
+        self.align_with(&found);
         Ok(())
     }
 
@@ -66,34 +63,17 @@ impl CriticalProblem {
         &self.condition
     }
 
-    /// Work of all evaluations.
-    #[must_use]
-    pub fn work(&self) -> Work {
-        let mut work = self.orbit.work;
-        work += self.work;
-        work
+    fn align_with(&mut self, found: &S::Extra) {
+        let beside = self.subject.beside(found);
+        self.condition.align(&beside, self.subject.magnitude());
     }
 
-    fn align_with(&mut self, shot: &Shot) {
-        let (phi, _) = shot.monodromy();
-        self.condition
-            .align(&phi, &shot.velocity.f, &self.orbit.magnitude);
-    }
-
-    /// The condition at unknowns, without the derivatives of the orbit's equations.
-    fn test(&mut self, z: &DVector<f64>, q: f64, modes: &[Mode]) -> Result<f64, FlowError> {
-        let n = z.len() - 2;
-        let flow = self.plane.at(z[n + 1], q)?;
-        let place = Place {
-            state: z.as_slice()[..n].to_vec(),
-            modes: modes.to_vec(),
-        };
-        let passage = flow.advance(&place, z[n], Want::DERIVATIVES)?;
-        self.work += passage.work;
-        let velocity = flow.velocity(&place)?.f;
-        let identity = || DMatrix::identity(n, n);
-        let phi = passage.derivatives.map_or_else(identity, |d| d.state);
-        Ok(self.condition.value(&phi, &velocity, &self.orbit.magnitude))
+    /// The condition at unknowns, without the derivatives of the other equations.
+    fn test(&mut self, z: &DVector<f64>, q: f64, near: &S::Extra) -> Result<f64, FlowError> {
+        let (z, p) = split(z);
+        self.subject.steer(self.plane.along_p(q));
+        let beside = self.subject.beside_at(&z, p, near)?;
+        Ok(self.condition.value(&beside, self.subject.magnitude()))
     }
 
     /// ∂g/∂z and ∂g/∂q, by central differences.
@@ -101,7 +81,7 @@ impl CriticalProblem {
         &mut self,
         z: &DVector<f64>,
         q: f64,
-        modes: &[Mode],
+        near: &S::Extra,
     ) -> Result<(DVector<f64>, f64), FlowError> {
         let scale = self.scale();
         let mut gradient = DVector::zeros(z.len());
@@ -110,64 +90,61 @@ impl CriticalProblem {
             let (mut low, mut high) = (z.clone(), z.clone());
             low[i] -= step;
             high[i] += step;
-            let rise = self.test(&high, q, modes)? - self.test(&low, q, modes)?;
+            let rise = self.test(&high, q, near)? - self.test(&low, q, near)?;
             gradient[i] = rise / (high[i] - low[i]);
         }
         let step = DIFFERENCE * self.scales[1];
         let (low, high) = (q - step, q + step);
-        let rise = self.test(z, high, modes)? - self.test(z, low, modes)?;
+        let rise = self.test(z, high, near)? - self.test(z, low, near)?;
         Ok((gradient, rise / (high - low)))
     }
 }
 
-/// The unknowns of the orbit, and p.
+/// The unknowns of the orbit or equilibrium, and p.
 pub(super) fn split(z: &DVector<f64>) -> (DVector<f64>, f64) {
     let last = z.len() - 1;
     (z.rows(0, last).into_owned(), z[last])
 }
 
-/// The unknowns of the orbit with p behind them.
-pub(super) fn joined(orbit: &DVector<f64>, p: f64) -> DVector<f64> {
-    orbit.push(p)
+/// The unknowns of the orbit or equilibrium with p behind them.
+pub(super) fn joined(z: &DVector<f64>, p: f64) -> DVector<f64> {
+    z.push(p)
 }
 
-impl ZeroProblem for CriticalProblem {
+impl<S: Subject> ZeroProblem for CriticalProblem<S> {
     type Error = FlowError;
-    type Extra = CriticalShot;
+    type Extra = Critical<S::Extra>;
 
     fn evaluate(
         &mut self,
         z: &DVector<f64>,
         q: f64,
     ) -> Result<Linearisation<Self::Extra>, FlowError> {
-        let (orbit, p) = split(z);
-        self.orbit.family = self.plane.along_q(p);
-        let across = self.orbit.evaluate(&orbit, q)?;
-        self.orbit.family = self.plane.along_p(q);
-        let closing = self.orbit.evaluate(&orbit, p)?;
-        let shot = closing.extra;
-        let (phi, _) = shot.monodromy();
-        let test = self
-            .condition
-            .value(&phi, &shot.velocity.f, &self.orbit.magnitude);
-        let (gradient, design) = self.slopes(z, q, &shot.start.modes)?;
+        let (own, p) = split(z);
+        self.subject.steer(self.plane.along_q(p));
+        let across = self.subject.evaluate(&own, q)?;
+        self.subject.steer(self.plane.along_p(q));
+        let found = self.subject.evaluate(&own, p)?;
+        let beside = self.subject.beside(&found.extra);
+        let test = self.condition.value(&beside, self.subject.magnitude());
+        let (gradient, design) = self.slopes(z, q, &found.extra)?;
         let n = z.len();
-        let mut jacobian = closing.jacobian.resize(n, n, 0.0);
+        let mut jacobian = found.jacobian.resize(n, n, 0.0);
         jacobian
             .view_mut((0, n - 1), (n - 1, 1))
-            .copy_from(&closing.design);
+            .copy_from(&found.design);
         jacobian.set_row(n - 1, &gradient.transpose());
-        let design = across.design.push(design);
+        let of = found.extra;
         Ok(Linearisation {
-            residual: closing.residual.push(test),
+            residual: found.residual.push(test),
             jacobian,
-            design,
-            extra: CriticalShot { shot, test },
+            design: across.design.push(design),
+            extra: Critical { of, test },
         })
     }
 
     fn scale(&self) -> DVector<f64> {
-        joined(&self.orbit.scale(), self.scales[0])
+        joined(&self.subject.scale(), self.scales[0])
     }
 
     fn accept(
@@ -176,11 +153,10 @@ impl ZeroProblem for CriticalProblem {
         q: f64,
         extra: &Self::Extra,
     ) -> Result<Option<DVector<f64>>, FlowError> {
-        let (orbit, p) = split(z);
-        self.orbit.family = self.plane.along_p(q);
-        let moved = self.orbit.accept(&orbit, p, &extra.shot)?;
-        let Some(moved) = moved else {
-            self.align_with(&extra.shot);
+        let (own, p) = split(z);
+        self.subject.steer(self.plane.along_p(q));
+        let Some(moved) = self.subject.accept(&own, p, &extra.of)? else {
+            self.align_with(&extra.of);
             return Ok(None);
         };
         let z = joined(&moved, p);
@@ -188,10 +164,12 @@ impl ZeroProblem for CriticalProblem {
         Ok(Some(z))
     }
 
-    /// Where along the orbit it starts means nothing; the period, p and q do.
+    /// p means the same whatever the other unknowns are.
     fn lasting(&self, tangent: &DVector<f64>) -> DVector<f64> {
-        let mut lasting = tangent.clone();
-        lasting.rows_mut(0, tangent.len() - 3).fill(0.0);
+        let place = tangent.len() - 2;
+        let own = self.subject.lasting(&tangent.clone().remove_row(place));
+        let mut lasting = own.insert_row(place, 0.0);
+        lasting[place] = tangent[place];
         lasting
     }
 }

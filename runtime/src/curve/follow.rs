@@ -4,14 +4,14 @@ use std::ops::ControlFlow;
 
 use super::codimension::{monitors, window as bounds};
 use super::condition::Condition;
-use super::critical::{CriticalProblem, CriticalShot, joined, split};
+use super::critical::{Critical, CriticalProblem, joined, split};
 use super::isola::Unfolding;
 use super::plane::Plane;
 use super::point::CurvePoint;
 use crate::continuation::{self, Branch, Failure, Kind, Monitor, Point, Reader, Settings, Walked};
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::shooting::{Orbit, Solution, problem};
+use crate::shooting::{Orbit, OrbitProblem, Shot, Solution, problem};
 
 /// A multiplier this far off has left the condition.
 const LOST: f64 = 1e-3;
@@ -59,7 +59,7 @@ pub fn follow(
     let z = joined(&z, p);
     problem.align(&z, q).map_err(Failure::Evaluation)?;
     let started = Branch::start(problem, z, settings)?;
-    let reader = Critical {
+    let reader = Orbits {
         kind,
         window,
         unfolding,
@@ -70,27 +70,27 @@ pub fn follow(
 
 /// Reads critical orbits off their unknowns.
 #[derive(Clone)]
-struct Critical {
+struct Orbits {
     kind: Kind,
     window: [f64; 2],
     unfolding: Unfolding,
     accuracy: f64,
 }
 
-impl Reader for Critical {
-    type Problem = CriticalProblem;
+impl Reader for Orbits {
+    type Problem = CriticalProblem<OrbitProblem>;
     type Point = CurvePoint;
 
     fn read(
         &self,
-        problem: &CriticalProblem,
-        point: &Point<CriticalShot>,
+        problem: &CriticalProblem<OrbitProblem>,
+        point: &Point<Critical<Shot>>,
         _work: Work,
     ) -> CurvePoint {
         let (z, p) = split(&point.z);
         let family = problem.plane.along_p(point.r);
         let solution = Solution {
-            shot: &point.extra.shot,
+            shot: &point.extra.of,
             z: &z,
             r: p,
             residual: point.residual,
@@ -118,7 +118,7 @@ impl Reader for Critical {
         (off.is_nan() || off > LOST).then_some(off)
     }
 
-    fn work(problem: &CriticalProblem) -> Work {
-        problem.work()
+    fn work(problem: &CriticalProblem<OrbitProblem>) -> Work {
+        problem.subject.work
     }
 }

@@ -8,11 +8,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::plane::Plane;
-use super::point::CurvePoint;
 use crate::continuation::{Kind, ZeroProblem};
 use crate::flow::FlowError;
 use crate::linear::svd;
-use crate::shooting::{OrbitProblem, problem};
+use crate::motion::Family;
 
 /// Step of the differences of exact derivatives, in units of the scales; the second time twice as long.
 const STEP: f64 = 1e-4;
@@ -29,10 +28,23 @@ pub(super) struct Unfolding {
 }
 
 impl Unfolding {
-    /// What becomes of branches along the one variable where the curve stands still in the other; `None` where their second
-    /// derivatives leave that open.
-    pub(super) fn kind(&self, at: &CurvePoint, still: usize) -> Option<Kind> {
-        let [short, long] = self.determinants(at, still).ok().flatten()?;
+    /// What becomes of branches along the one variable where the curve stands still in the other, at this p and q; `None`
+    /// where their second derivatives leave that open. `problem` has the equations of a branch there, and their unknowns.
+    pub(super) fn kind<P: ZeroProblem<Error = FlowError>>(
+        &self,
+        [p, q]: [f64; 2],
+        still: usize,
+        problem: impl Fn(Family, f64) -> Result<(P, DVector<f64>), FlowError>,
+    ) -> Option<Kind> {
+        let (family, a) = match still {
+            0 => (self.plane.along_q(p), q),
+            _ => (self.plane.along_p(q), p),
+        };
+        let (problem, z) = problem(family, a).ok()?;
+        let scale = problem.scale().push(self.scales[1 - still]);
+        let at = z.push(a);
+        let branch = Branch { problem, at, scale };
+        let [short, long] = branch.determinants().ok().flatten()?;
         let sure = (long - short).abs() <= DOUBT * short.abs() && short != 0.0;
         sure.then_some(if short > 0.0 {
             Kind::IsolaCentre
@@ -40,39 +52,28 @@ impl Unfolding {
             Kind::Exchange
         })
     }
-
-    /// The determinant of the quadratic form, from differences over a step and over twice that.
-    fn determinants(&self, at: &CurvePoint, still: usize) -> Result<Option<[f64; 2]>, FlowError> {
-        let (family, a) = match still {
-            0 => (self.plane.along_q(at.p), at.q),
-            _ => (self.plane.along_p(at.q), at.p),
-        };
-        let (problem, z) = problem(family, a, &at.orbit.guess(), 1)?;
-        let scale = problem.scale().push(self.scales[1 - still]);
-        let mut branch = Branch {
-            problem,
-            at: z.push(a),
-            scale,
-        };
-        let slopes = branch.slopes(&DVector::zeros(branch.at.len()))?;
-        let Some((left, kernel)) = null(slopes) else {
-            return Ok(None);
-        };
-        let short = branch.determinant(&left, &kernel, STEP)?;
-        let long = branch.determinant(&left, &kernel, 2.0 * STEP)?;
-        Ok(Some([short, long]))
-    }
 }
 
 /// The equations of a branch near a point of it.
-struct Branch {
-    problem: OrbitProblem,
+struct Branch<P> {
+    problem: P,
     /// The unknowns, the variable last.
     at: DVector<f64>,
     scale: DVector<f64>,
 }
 
-impl Branch {
+impl<P: ZeroProblem<Error = FlowError>> Branch<P> {
+    /// The determinant of the quadratic form, from differences over a step and over twice that.
+    fn determinants(mut self) -> Result<Option<[f64; 2]>, FlowError> {
+        let slopes = self.slopes(&DVector::zeros(self.at.len()))?;
+        let Some((left, kernel)) = null(slopes) else {
+            return Ok(None);
+        };
+        let short = self.determinant(&left, &kernel, STEP)?;
+        let long = self.determinant(&left, &kernel, 2.0 * STEP)?;
+        Ok(Some([short, long]))
+    }
+
     /// [h_z h_a] so far from the point, both in units of the scales.
     fn slopes(&mut self, off: &DVector<f64>) -> Result<DMatrix<f64>, FlowError> {
         let at = &self.at + off.component_mul(&self.scale);

@@ -1,21 +1,26 @@
-//! Curves of bifurcations of periodic orbits in two design variables.
+//! Curves of bifurcations of periodic orbits and of equilibria in two design variables.
 //!
 //! A curve is a branch of the continuation core like any other: its zero problem holds the equations of
-//! the orbit and one more, the condition that makes the orbit special, with the first design variable p
+//! the orbit or equilibrium and one more, the condition that makes it special, with the first design variable p
 //! among the unknowns and the second, q, as the one along which it is followed.
 
 mod codimension;
+mod codimension_equilibrium;
 mod condition;
 mod critical;
 mod follow;
+mod follow_equilibrium;
 mod follow_graze;
 mod isola;
 mod plane;
 mod point;
+mod subject;
 
 pub use condition::Condition;
-pub use critical::{CriticalProblem, CriticalShot};
+pub use critical::{Critical, CriticalProblem};
 pub use follow::{Curve, follow};
+pub use follow_equilibrium::follow_equilibrium;
 pub use follow_graze::{GrazingPoint, follow_graze};
 pub use plane::Plane;
-pub use point::CurvePoint;
+pub use point::{CurvePoint, EquilibriumCurvePoint};
+pub use subject::{Beside, Subject};

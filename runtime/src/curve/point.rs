@@ -1,8 +1,13 @@
 //! A point of a curve.
 
+use nalgebra::{Complex, DVector};
+
+use super::isola::Unfolding;
 use crate::bifurcation::Floquet;
-use crate::continuation::Watched;
-use crate::shooting::Orbit;
+use crate::continuation::{Kind, Watched};
+use crate::equilibrium::{EquilibriumProblem, Onset, Spectrum};
+use crate::motion::Place;
+use crate::shooting::{Orbit, problem};
 
 /// An orbit that is special, and where.
 #[derive(Debug, Clone)]
@@ -26,6 +31,103 @@ impl CurvePoint {
     #[must_use]
     pub fn floquet(&self) -> &Floquet {
         &self.orbit.floquet
+    }
+}
+
+/// An equilibrium that is special, and where.
+#[derive(Debug, Clone)]
+pub struct EquilibriumCurvePoint {
+    /// The first design variable.
+    pub p: f64,
+    /// The second one.
+    pub q: f64,
+    /// The equilibrium.
+    pub place: Place,
+    /// Its eigenvalues.
+    pub spectrum: Spectrum,
+    /// The pair with the sum zero, at a Hopf point: a complex one turns, a real one is that of a neutral saddle.
+    pub pair: Option<[Complex<f64>; 2]>,
+    /// How periodic motions begin there, if they do.
+    pub onset: Option<Onset>,
+    /// Of each contact that slides, presses or bears, see [`Flow::margins`](crate::motion::Flow::margins).
+    pub margins: Vec<(usize, f64)>,
+    /// Norm of the residual of its equations, that of the condition included.
+    pub residual: f64,
+    /// The condition that makes it special, as it was met.
+    pub test: f64,
+    /// Components of the unit tangent along p and q, in scaled coordinates.
+    pub tangent: [f64; 2],
+    /// Which of p and q stands still here along the curve, if it was found because one does.
+    pub still: Option<usize>,
+}
+
+impl EquilibriumCurvePoint {
+    /// |Im λ| of the pair, if it turns.
+    #[must_use]
+    pub fn frequency(&self) -> Option<f64> {
+        let [one, _] = self.pair?;
+        (one.im != 0.0).then_some(one.im.abs())
+    }
+}
+
+/// A point of a curve that may stand still in one of its variables.
+pub(super) trait Stands {
+    /// Components of the unit tangent along p and q, in scaled coordinates.
+    fn tangent(&self) -> [f64; 2];
+
+    /// Told which variable stands still here.
+    fn stands(&mut self, still: usize);
+
+    /// What becomes of branches along the other variable there.
+    fn unfolded(&self, unfolding: &Unfolding, still: usize) -> Option<Kind>;
+}
+
+impl Stands for CurvePoint {
+    fn tangent(&self) -> [f64; 2] {
+        self.tangent
+    }
+
+    fn stands(&mut self, still: usize) {
+        self.still = Some(still);
+    }
+
+    fn unfolded(&self, unfolding: &Unfolding, still: usize) -> Option<Kind> {
+        let guess = self.orbit.guess();
+        unfolding.kind([self.p, self.q], still, |family, a| {
+            problem(family, a, &guess, 1)
+        })
+    }
+}
+
+impl Stands for EquilibriumCurvePoint {
+    fn tangent(&self) -> [f64; 2] {
+        self.tangent
+    }
+
+    fn stands(&mut self, still: usize) {
+        self.still = Some(still);
+    }
+
+    fn unfolded(&self, unfolding: &Unfolding, still: usize) -> Option<Kind> {
+        let Place { state, modes } = &self.place;
+        unfolding.kind([self.p, self.q], still, |family, _| {
+            let problem = EquilibriumProblem::new(family, modes.clone(), state);
+            Ok((problem, DVector::from_column_slice(state)))
+        })
+    }
+}
+
+impl Watched for EquilibriumCurvePoint {
+    fn r(&self) -> f64 {
+        self.q
+    }
+
+    fn slope(&self) -> f64 {
+        self.tangent[1]
+    }
+
+    fn moved(&self, from: &Self) -> f64 {
+        moved([self.p, self.q], [from.p, from.q])
     }
 }
 

@@ -6,7 +6,6 @@ use nalgebra::DVector;
 
 use super::EquilibriumProblem;
 use super::special::{EquilibriumPoint, monitors, turns};
-use super::spectrum::Spectrum;
 use crate::continuation::{self, Failure, Monitor, Point, Reader, Settings, Walked, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -65,10 +64,7 @@ impl Reader for Equilibria {
         let (place, velocity) = (problem.place(&point.z), &point.extra);
         let flow = problem.family.at(point.r);
         EquilibriumPoint {
-            spectrum: match sticking(&place.modes) {
-                0 => Spectrum::of(&velocity.jacobian),
-                lost => Spectrum::across(&velocity.jacobian, lost),
-            },
+            spectrum: problem.spectrum(velocity),
             residual: point.residual,
             margins: flow.map_or_else(|_| Vec::new(), |flow| flow.margins(&place)),
             state: place.state,

@@ -2,13 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::EquilibriumPoint;
 use super::resting::{Rows, binds, held};
+use super::{EquilibriumPoint, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::IntegrationError;
-use crate::motion::{Family, Modes, Place, Velocity};
+use crate::motion::{Family, Modes, Place, Velocity, sticking};
 
 /// Unknowns are the states; the equations are their rates, and where contacts stick or rest on a press combinations of them
 /// and of what is held.
@@ -38,6 +38,21 @@ impl EquilibriumProblem {
             magnitude: state.iter().map(usual).collect(),
             rates: vec![0.0; state.len()],
             combinations: None,
+        }
+    }
+
+    /// Usual magnitudes of the states.
+    #[must_use]
+    pub fn magnitude(&self) -> &[f64] {
+        &self.magnitude
+    }
+
+    /// The eigenvalues where its velocity is this: without those that are zero because contacts stick.
+    #[must_use]
+    pub fn spectrum(&self, velocity: &Velocity) -> Spectrum {
+        match sticking(&self.modes) {
+            0 => Spectrum::of(&velocity.jacobian),
+            lost => Spectrum::across(&velocity.jacobian, lost),
         }
     }
 

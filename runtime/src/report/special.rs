@@ -63,6 +63,10 @@ const fn look(kind: Kind) -> (Marker, usize) {
         Kind::Resonance2 => (Marker::Cross, 6),
         Kind::Resonance3 => (Marker::Triangle, 6),
         Kind::Resonance4 => (Marker::Square, 6),
+        Kind::GeneralizedHopf => (Marker::Diamond, 5),
+        Kind::BogdanovTakens => (Marker::Square, 5),
+        Kind::ZeroHopf => (Marker::Triangle, 5),
+        Kind::DoubleHopf => (Marker::Plus, 5),
         Kind::Window => (Marker::Plus, 6),
     }
 }

@@ -90,8 +90,9 @@ fn a_branch_turns_at_a_graze_and_goes_on_with_the_other_word() {
     let found = branch(&[], Pendulum::shaft, (2.5, 4.0), |_| {});
     let hopf = 4.0 * 2.0_f64.ln();
     are(&found, &[("GS1", 3.060_655_570), ("HB1", hopf)], 1e-9);
+    // Its last orbit has a hundredth of the size of the largest: r is off by the square of that.
     let last = found.points.last().expect("points");
-    assert!((last.r.expect("a value") / hopf - 1.0).abs() < 1e-5);
+    assert!((last.r.expect("a value") / hopf - 1.0).abs() < 1e-3);
     assert!(found.unlocated().is_none(), "{:?}", found.ended);
 }
 

@@ -11,6 +11,7 @@ use stickslip::study::{
 };
 use stickslip_models::{BeltPair, DrillString, closed_form};
 use stickslip_tests::range::{place, range};
+use stickslip_tests::rotating::Rotating;
 
 model! {
     /// Bautin's normal form: two circles of radius² (q ± √(q² + 4p))/2 meet in a fold at p = −q²/4.
@@ -342,25 +343,6 @@ fn the_drill_strings_graze_follows_its_closed_form() {
             }
             assert!((point.state[0] + 2.0 * bit.zeta * point.p).abs() < 1e-7);
         }
-    }
-}
-
-model! {
-    /// A forced oscillator that every rotation of its plane leaves as it is: z' = (−d − (|z|² − 1)² + i (1 + b |z|²)) z + F e^{iΩt}.
-    /// Its orbits are circles, and with s = |z|² they obey F² = s ((d + (s − 1)²)² + (1 + b s − Ω)²).
-    pub struct Rotating {
-        state x = 0.9;
-        state v = -0.4;
-        param d = 0.152 where d > 0.0;
-        param b = 0.1;
-        param F = 0.25;
-        param omega: rad/s = 1.09 where omega > 0.0;
-        drive phi at omega;
-        let s = powi(x, 2) + powi(v, 2);
-        let drop = d + powi(s - 1.0, 2);
-        let turn = 1.0 + b * s;
-        der(x) = -drop * x - turn * v + F * cos(phi);
-        der(v) = turn * x - drop * v + F * sin(phi);
     }
 }
 

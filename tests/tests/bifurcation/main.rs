@@ -7,6 +7,7 @@ mod curves;
 mod diagram;
 mod ends;
 mod equilibria;
+mod equilibrium_curves;
 mod margins;
 mod onset;
 mod orbits;

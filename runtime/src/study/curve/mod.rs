@@ -1,6 +1,9 @@
 //! Bifurcations followed in two design variables.
 
+mod choice;
+mod equilibria;
 mod found;
+mod reader;
 mod record;
 
 pub use record::{

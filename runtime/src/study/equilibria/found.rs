@@ -64,6 +64,15 @@ impl System {
         case: &Case,
         watch: Watch<'_>,
     ) -> Result<EquilibriaRecord, StudyError> {
+        Ok(self.equilibria_stem(case, watch)?.0)
+    }
+
+    /// The same with the modes that contacts have along it.
+    pub(in crate::study) fn equilibria_stem(
+        &self,
+        case: &Case,
+        watch: Watch<'_>,
+    ) -> Result<(EquilibriaRecord, Modes), StudyError> {
         self.may_rest(case)?;
         let along = case.along.ok_or(StudyError::NothingToFollow)?;
         let family = self.family(case);
@@ -93,14 +102,15 @@ impl System {
                 point.artefact = exact.lacks(along, point);
             }
         }
-        Ok(EquilibriaRecord {
+        let branch = EquilibriaRecord {
             along,
             special,
             ended: ended(self.info(), &walked, along, &first.modes),
             work,
             others: self.not_passed(&case.at(along.value(self.beginning(case))), &points),
             points,
-        })
+        };
+        Ok((branch, first.modes))
     }
 
     /// For each equilibrium that was found at the case a proof that it exists and is the only one in a box, or why there

@@ -1,8 +1,12 @@
-//! `branch --and`: a special point followed in two parameters.
+//! `branch --and`, `equilibria --and`: a special point followed in two parameters.
 
 mod answer;
+mod equilibria;
+
+use std::ops::ControlFlow;
 
 use super::branch;
+use crate::app::arguments::{Curve, Subject};
 use crate::app::failure::{Failure, refuse};
 use crate::app::offer::App;
 use crate::app::passages::Passages;
@@ -13,23 +17,27 @@ use crate::app::values::{Assignment, Range};
 use crate::field::Design;
 use crate::model::ModelInfo;
 use crate::study::{Case, CurveFinding, CurveScope, Curved};
-use answer::{answer, columns};
+use answer::{Of, answer, columns};
+pub(in crate::app) use equilibria::{of_equilibria, wanted_of_equilibria};
 
-/// The second range, if a curve is asked for; options that make sense only with one, or without, are refused.
+/// The second range, if a curve is asked for: what makes sense only without one is refused.
 pub(in crate::app) fn wanted(asked: &branch::Arguments) -> Result<Option<&Range>, Failure> {
-    let Some(and) = &asked.curve.and else {
-        return match &asked.curve.of {
-            Some(of) => refuse!(
-                "`--of {of}` names the point to be followed in two parameters, but no second one is there: add `--and NAME=C..D`"
-            ),
-            None => Ok(None),
-        };
-    };
-    match asked.switch {
-        Some((word, _)) => refuse!(
+    let and = second(&asked.curve)?;
+    match (and, asked.switch) {
+        (Some(_), Some((word, _))) => refuse!(
             "`--and` follows one special point and no branches: `--switch {word}` has no meaning beside it"
         ),
-        None => Ok(Some(and)),
+        _ => Ok(and),
+    }
+}
+
+/// The second range; an option that makes sense only with one is refused.
+fn second(asked: &Curve) -> Result<Option<&Range>, Failure> {
+    match (&asked.and, &asked.of) {
+        (None, Some(of)) => refuse!(
+            "`--of {of}` names the point to be followed in two parameters, but no second one is there: add `--and NAME=C..D`"
+        ),
+        (and, _) => Ok(and.as_ref()),
     }
 }
 
@@ -42,7 +50,12 @@ pub(in crate::app) fn perform(
     let range = arguments.range()?;
     let mut asked = request(app, &arguments.subject, Some(range), arguments.guess.period)?;
     let info = asked.info;
-    let (case, scope) = plane(info, and, arguments, asked.case)?;
+    let (case, scope) = plane(
+        info,
+        and,
+        (&arguments.subject, &arguments.curve),
+        asked.case,
+    )?;
     asked.case = arguments.of(info, case)?;
     let shown = arguments.shown(info)?;
     let progress = Progress::along(&asked.output, branch::FIRST);
@@ -50,11 +63,12 @@ pub(in crate::app) fn perform(
         .exactly("`--and`", &scope.and)
         .exactly("`--of`", &scope.of);
     let mut passages = Passages::open(&asked.output, &arguments.resume, "curve", &question)?;
-    let columns = columns(info, [&asked.along()?, &scope.and]);
+    let columns = columns(info, [&asked.along()?, &scope.and], Of::Orbits);
     let mut orbits = branch::trail(&asked, &progress)?;
     let mut points = Trail::new(&asked, scope.and, "curve", columns, &progress);
     let mut watch = |finding: CurveFinding<'_>| match finding {
         CurveFinding::Orbit(orbit) => orbits.reach(orbit.r, orbit),
+        CurveFinding::Equilibrium(_) => ControlFlow::Continue(()),
         CurveFinding::Point(point) => points.reach(Some(point.q), point),
     };
     let curve = passages
@@ -69,7 +83,9 @@ pub(in crate::app) fn perform(
     let kept = asked
         .output
         .keep(&branch::answer(&asked, &curve.branch, &shown));
-    asked.output.deliver(&answer(info, &asked.case, &curve))?;
+    asked
+        .output
+        .deliver(&answer(info, &asked.case, &curve, Of::Orbits))?;
     kept?;
     if !curve.ended.is_interrupted() {
         passages.discard();
@@ -82,7 +98,7 @@ pub(in crate::app) fn perform(
 fn plane(
     info: &ModelInfo,
     range: &Range,
-    arguments: &branch::Arguments,
+    (subject, curve): (&Subject, &Curve),
     mut case: Case,
 ) -> Result<(Case, CurveScope), Failure> {
     let word = &range.word;
@@ -100,7 +116,7 @@ fn plane(
         word,
         name: set,
         value,
-    } in &arguments.subject.settings.set
+    } in &subject.settings.set
     {
         if set == name {
             agrees(word, *value, "--and", name, and)?;
@@ -109,7 +125,7 @@ fn plane(
     let along = case.along.replace(and);
     case = case.at(and.from);
     case.along = along;
-    let of = arguments.curve.of.as_ref();
+    let of = curve.of.as_ref();
     let of = of.map(|label| label.trim().to_uppercase());
     Ok((case, CurveScope { and, of }))
 }

@@ -64,7 +64,7 @@ fn document<'a>(
 }
 
 /// A branch of equilibria.
-pub(super) fn branch<'a>(
+pub(in crate::app::commands) fn branch<'a>(
     info: &'a ModelInfo,
     case: &'a Case,
     branch: &'a EquilibriaRecord,

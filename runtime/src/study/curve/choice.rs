@@ -1,0 +1,33 @@
+//! Which special point of a branch is followed.
+
+use crate::continuation::Kind;
+use crate::study::error::StudyError;
+
+/// The number of the special point that is asked for.
+pub(super) fn choose(
+    all: &[(String, Kind)],
+    wanted: Option<&str>,
+    known: impl Fn(Kind) -> bool,
+) -> Result<usize, StudyError> {
+    let found = all.iter().position(|(label, kind)| match wanted {
+        Some(wanted) => label == wanted,
+        None => known(*kind),
+    });
+    let place = found.ok_or_else(|| StudyError::NoSpecial {
+        wanted: wanted.map(str::to_owned),
+        labels: all.iter().map(|(label, _)| label.clone()).collect(),
+    })?;
+    let (label, kind) = &all[place];
+    if known(*kind) {
+        Ok(place)
+    } else {
+        Err(not_followed(label, *kind))
+    }
+}
+
+pub(super) fn not_followed(label: &str, kind: Kind) -> StudyError {
+    StudyError::NotFollowed {
+        label: label.to_owned(),
+        kind: kind.name(),
+    }
+}
