@@ -6,8 +6,9 @@ use super::root::{DOUBT, SETTLED};
 /// Points after which a bracket that is no half of what it was is halved.
 const PATIENCE: usize = 3;
 const MIDDLE: f64 = 0.5;
-/// Where beside a point at which both happen at once they are looked for again, as a share of the way to either end.
-const BESIDE: f64 = 1e-3;
+/// Where beside a point at which both happen at once they are looked for again, as shares of the way to either end: nearer,
+/// they may be one as far as their digits tell.
+const BESIDE: [f64; 3] = [1e-3, 1e-2, 1e-1];
 
 /// Regula falsi with Illinois' rule on the time between both events; halving where it is slow, and where regimes differ
 /// by more.
@@ -78,10 +79,12 @@ pub(super) fn beside<Q: Path>(
         return None;
     }
     let mut next = |end: &Spot<Q::Point>| {
-        let share = spot.share + BESIDE * (end.share - spot.share);
-        let point = path.at(share).ok()?;
-        let same = point.same_regime(&end.point);
-        same.then_some(Spot { share, point })
+        BESIDE.into_iter().find_map(|part| {
+            let share = spot.share + part * (end.share - spot.share);
+            let point = path.at(share).ok()?;
+            let same = point.same_regime(&end.point);
+            same.then_some(Spot { share, point })
+        })
     };
     Some([next(ends[0])?, next(ends[1])?])
 }

@@ -107,6 +107,9 @@ pub trait Reader: Clone {
         None
     }
 
+    /// Whether such branches turn at special points only.
+    const TURNS_AT_FOLDS: bool = false;
+
     /// Whether such branches may come round to where they began.
     const CLOSES: bool = false;
 

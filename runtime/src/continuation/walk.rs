@@ -162,7 +162,8 @@ impl<R: Reader> Walk<'_, R> {
             return Verdict::GoOn;
         };
         let findings = detect(&mut path, &self.followed.reader.monitors(), ends, accuracy);
-        if !findings.unexplained.is_empty() || findings.runs_back(point) {
+        let turns = R::TURNS_AT_FOLDS && findings.turns_unseen(ends);
+        if !findings.unexplained.is_empty() || findings.runs_back(point) || turns {
             // Beyond a border, what was found need not be the same motion any more.
             let short = self
                 .followed

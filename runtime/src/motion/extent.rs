@@ -2,14 +2,17 @@
 
 /// An extent below this share of a state is rounding error.
 const RESTS: f64 = 1e-8;
+/// What is left of a state that rests at zero, as a share of what is usual for it: rounding.
+pub(crate) const NOISE: f64 = 1e-20;
 
-/// Half the extent of each state between `low` and `high`; `fallback` for one that rests, and so has none to be
-/// measured against.
+/// Half the extent of each state between `low` and `high`; `fallback`, what is usual for it, for one that rests, and so has
+/// none to be measured against.
 #[must_use]
 pub fn half_extents(low: &[f64], high: &[f64], fallback: &[f64]) -> Vec<f64> {
     let half = |j: usize| {
         let half = 0.5 * (high[j] - low[j]);
-        let moves = half > RESTS * low[j].abs().max(high[j].abs()) && half.is_finite();
+        let rounding = (RESTS * low[j].abs().max(high[j].abs())).max(NOISE * fallback[j]);
+        let moves = half > rounding && half.is_finite();
         if moves { half } else { fallback[j] }
     };
     (0..low.len()).map(half).collect()

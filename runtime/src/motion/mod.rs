@@ -16,8 +16,8 @@ mod tape;
 
 pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};
-pub(crate) use extent::apart;
 pub use extent::half_extents;
+pub(crate) use extent::{NOISE, apart};
 pub use family::{Family, Flows};
 pub use modes::{Modes, spelt, sticking, word};
 pub(crate) use passage::fixed;

@@ -70,11 +70,11 @@ fn slow(velocity: &Velocity, step: f64) -> DVector<f64> {
     slope.unwrap_or_else(|| velocity.f.clone())
 }
 
-/// A guess from a converged shot: on the section, with the minimal period.
+/// A guess from a converged shot, on the section, with the minimal period; `usual` are the usual sizes of the states.
 ///
 /// # Errors
 /// The flow has no place at the section point.
-pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowError> {
+pub fn anchored(family: &Family, r: f64, found: &Found, usual: &[f64]) -> Result<Guess, FlowError> {
     let shot = &found.linearisation.extra;
     let first = shot.minima().next();
     let place = match first {
@@ -83,7 +83,7 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
         }
         _ => shot.start.clone(),
     };
-    let (period, magnitude) = once_around(shot);
+    let (period, magnitude) = once_around(shot, usual);
     Ok(Guess {
         pins: through(&shot.pins, &place.state),
         shift: shot.gain(period),
@@ -94,11 +94,11 @@ pub fn anchored(family: &Family, r: f64, found: &Found) -> Result<Guess, FlowErr
     })
 }
 
-/// The minimal period of a converged shot, and half the extent of each state.
+/// The minimal period of a converged shot, and half the extent of each state, or what is usual for one that rests.
 ///
 /// The motion may have gone around several times: the first return that repeats throughout closes it.
-pub(super) fn once_around(shot: &Shot) -> (f64, Vec<f64>) {
-    let magnitude = shot.magnitude(&vec![1.0; shot.start.state.len()]);
+pub(super) fn once_around(shot: &Shot, usual: &[f64]) -> (f64, Vec<f64>) {
+    let magnitude = shot.magnitude(usual);
     let minima = shot.points();
     let count = minima.len().max(1);
     let once = (1..count).filter(|k| count.is_multiple_of(*k)).find(|&k| {

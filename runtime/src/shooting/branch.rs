@@ -23,7 +23,7 @@ use crate::motion::Family;
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
 /// Two orbits at one r are one if they differ by this share of their extents at most.
-const SAME_ORBIT: f64 = 1e-5;
+pub(crate) const SAME_ORBIT: f64 = 1e-5;
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
 
@@ -93,6 +93,7 @@ impl Reader for Orbits {
     type Problem = OrbitProblem;
     type Point = Orbit;
 
+    const TURNS_AT_FOLDS: bool = true;
     const CLOSES: bool = true;
     const ENDS_ON_POINTS: bool = false;
 

@@ -16,7 +16,7 @@ use crate::bifurcation::Floquet;
 use crate::continuation::{Corrected, Failure, ZeroProblem, correct_at};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow};
+use crate::motion::{Family, Flow, NOISE};
 
 type Found = Corrected<Shot>;
 
@@ -66,8 +66,8 @@ pub(super) fn calmly(
     search: &Search,
 ) -> Option<Result<Orbit, OrbitError>> {
     let calm = calm(family, r, guess, search)?;
-    let found = from(family, r, &calm, search, |_, _, found| {
-        let (period, magnitude) = once_around(&found.linearisation.extra);
+    let found = from(family, r, &calm, search, |_, _, found, usual| {
+        let (period, magnitude) = once_around(&found.linearisation.extra, usual);
         Ok(Guess {
             period,
             magnitude,
@@ -99,7 +99,7 @@ pub(super) fn from(
     r: f64,
     guess: &Guess,
     search: &Search,
-    anchor: impl Fn(&Family, f64, &Found) -> Result<Guess, FlowError>,
+    anchor: impl Fn(&Family, f64, &Found, &[f64]) -> Result<Guess, FlowError>,
 ) -> Result<Orbit, OrbitError> {
     let accuracy = search.accuracy;
     let newton = |guess: &_, accuracy: f64, tolerance: Tolerance, factors: bool| {
@@ -120,14 +120,14 @@ pub(super) fn from(
         return from(family, r, &pinned, search, anchor);
     }
     let rough = rough?;
-    let guess = anchor(family, r, &rough.0)?;
+    let guess = anchor(family, r, &rough.0, &guess.magnitude)?;
     let mut loose = newton(&guess, accuracy, fine, false)?;
     let mut work = rough.1.work;
     work += loose.1.work;
     let mut tolerance = fine.times(TIGHTER);
     let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, factors)?;
     work += tight.1.work;
-    let mut error = difference(&loose.0, &tight.0);
+    let mut error = difference(&loose.0, &tight.0, &guess.magnitude);
     let mut blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     // A small error once around is a large one of an orbit that hardly attracts.
     for _ in 0..TIGHTENINGS {
@@ -137,13 +137,16 @@ pub(super) fn from(
         loose = tight;
         tolerance = tolerance.times(TIGHTER);
         let tighter = newton(&guess.moved(&loose.0), accuracy, tolerance, factors);
-        let Some(tighter) = tighter.ok().filter(|t| difference(&loose.0, &t.0) < error) else {
+        let Some(tighter) = tighter
+            .ok()
+            .filter(|t| difference(&loose.0, &t.0, &guess.magnitude) < error)
+        else {
             tight = loose;
             break;
         };
         tight = tighter;
         work += tight.1.work;
-        error = difference(&loose.0, &tight.0);
+        error = difference(&loose.0, &tight.0, &guess.magnitude);
         blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     }
     let tight = tight.0;
@@ -229,7 +232,9 @@ fn newton(
     let found = correct_at(&mut problem, z.clone(), r, effort.accuracy);
     let found = found.or_else(|failure| {
         let shot = problem.evaluate(&z, r).map_err(Failure::Evaluation)?.extra;
-        let division = problem.divided(&z, r, &shot).map_err(Failure::Evaluation)?;
+        let division = problem
+            .divided(&z, r, &shot, false)
+            .map_err(Failure::Evaluation)?;
         let z = problem.divide(&division.ok_or(failure)?);
         correct_at(&mut problem, z, r, effort.accuracy)
     });
@@ -272,13 +277,17 @@ fn at_rest(flow: &dyn Flow, guess: &Guess) -> Result<bool, FlowError> {
     )
 }
 
-/// Largest relative difference of period and extrema between two computations of one orbit.
-fn difference(a: &Corrected<Shot>, b: &Corrected<Shot>) -> f64 {
+/// Largest relative difference of period and extrema between two computations of one orbit; these are its usual sizes.
+fn difference(a: &Corrected<Shot>, b: &Corrected<Shot>, usual: &[f64]) -> f64 {
     let (first, second) = (&a.linearisation.extra, &b.linearisation.extra);
     let period = (a.z[a.z.len() - 1] / b.z[b.z.len() - 1] - 1.0).abs();
     let ((low_a, high_a), (low_b, high_b)) = (first.extent(), second.extent());
     (0..low_a.len()).fold(period.max(1e-15), |largest, j| {
-        let size = high_b[j].abs().max(low_b[j].abs()).max(f64::MIN_POSITIVE);
+        let size = high_b[j]
+            .abs()
+            .max(low_b[j].abs())
+            .max(NOISE * usual[j])
+            .max(f64::MIN_POSITIVE);
         largest
             .max((high_a[j] - high_b[j]).abs() / size)
             .max((low_a[j] - low_b[j]).abs() / size)

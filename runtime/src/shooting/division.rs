@@ -10,6 +10,8 @@ use crate::motion::{Event, Flow, Passage, Place};
 const UNSTABLE: f64 = 1e5;
 /// until they grow no more than this along any segment.
 const GROWTH: f64 = 1e2;
+/// Parts in which it is told how errors grow on the way.
+const PARTS: usize = 16;
 /// How often a segment is halved at most.
 const HALVINGS: u32 = 7;
 /// Shares of a segment at which it may be divided, and of it by which all events are to be avoided.
@@ -106,6 +108,26 @@ impl Division {
         Ok((refined != *self).then_some(refined))
     }
 
+    /// The division of an orbit along which errors grow on the way, though they may be gone once around: along a canard they
+    /// first shrink more than they grow. `None` if they do not.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn on_the_way(
+        measure: &Measure<'_>,
+        start: Place,
+    ) -> Result<Option<Self>, FlowError> {
+        let parts = Self::equal(measure.flow, start, measure.period, PARTS)?;
+        let follow = |(start, share): (&Place, &f64)| measure.follow(start, *share);
+        let passages = parts.starts.iter().zip(&parts.shares).map(follow);
+        let passages = passages.collect::<Result<Vec<_>, _>>()?;
+        if measure.growth_on_the_way(&passages) <= GROWTH * GROWTH {
+            return Ok(None);
+        }
+        let refined = parts.refined(measure, &passages)?;
+        Ok(Some(refined.unwrap_or(parts)))
+    }
+
     /// The segments without these starts, unless none would be left.
     fn without(&self, dropped: &[bool]) -> Vec<(Place, f64)> {
         let mut kept: Vec<(Place, f64)> = Vec::new();
@@ -161,14 +183,32 @@ impl Measure<'_> {
 
     /// How much errors grow at most along a passage, in units of the magnitudes; 1 if that was not asked for.
     fn growth(&self, passage: &Passage) -> f64 {
-        let Some(derivatives) = &passage.derivatives else {
-            return 1.0;
+        self.scaled(passage).map_or(1.0, |scaled| scaled.amax())
+    }
+
+    /// How much they grow at most along any stretch of the parts of an orbit.
+    fn growth_on_the_way(&self, parts: &[Passage]) -> f64 {
+        let all: Option<Vec<_>> = parts.iter().map(|part| self.scaled(part)).collect();
+        let Some(all) = all else { return 1.0 };
+        let from = |first: usize| {
+            let mut along = DMatrix::identity(self.magnitude.len(), self.magnitude.len());
+            let parts = all.iter().cycle().skip(first).take(all.len());
+            let stretches = parts.map(move |part| {
+                along = part * &along;
+                along.amax()
+            });
+            stretches.fold(1.0, f64::max)
         };
+        (0..all.len()).map(from).fold(1.0, f64::max)
+    }
+
+    /// The derivatives of the end of a passage by its start, in units of the magnitudes.
+    fn scaled(&self, passage: &Passage) -> Option<DMatrix<f64>> {
+        let derivatives = passage.derivatives.as_ref()?;
         let order = self.magnitude.len();
-        let scaled = DMatrix::from_fn(order, order, |i, j| {
+        Some(DMatrix::from_fn(order, order, |i, j| {
             derivatives.state[(i, j)] * self.magnitude[j] / self.magnitude[i]
-        });
-        scaled.amax()
+        }))
     }
 }
 

@@ -29,6 +29,8 @@ const ASIDE: f64 = 1e-3;
 const NEIGHBOUR: f64 = 1e-8;
 /// Share of its terms below which a sum of rates is none.
 const ROUNDING: f64 = 1e-8;
+/// The same where all of them vanish, of what they are elsewhere.
+const VANISHING: f64 = 1e-14;
 
 /// Whether the equations at an orbit known roughly may be singular.
 pub(super) fn suspect(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
@@ -155,36 +157,44 @@ fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<
     matrix
 }
 
-/// Whether a combination of the states has no rate anywhere on the way.
+/// Whether a combination of the states has no rate anywhere on the way. Where all its terms vanish, rounding is left of
+/// them, which is measured by what they are elsewhere.
 pub(super) fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) -> bool {
-    everywhere(flow, shot, |velocity| {
-        let terms = || combination.iter().zip(&velocity.f).map(|(c, f)| c * f);
-        let size: f64 = terms().map(f64::abs).sum();
-        terms().sum::<f64>().abs() <= ROUNDING * size
-    })
+    let Some(velocities) = velocities(flow, shot) else {
+        return false;
+    };
+    let terms = |velocity: &Velocity| -> Vec<f64> {
+        let rates = combination.iter().zip(&velocity.f);
+        rates.map(|(c, rate)| c * rate).collect()
+    };
+    let all: Vec<Vec<f64>> = velocities.iter().map(terms).collect();
+    let size = |terms: &Vec<f64>| terms.iter().map(|term| term.abs()).sum::<f64>();
+    let rounding = VANISHING * all.iter().map(size).fold(0.0, f64::max);
+    all.iter()
+        .all(|terms| terms.iter().sum::<f64>().abs() <= rounding.max(ROUNDING * size(terms)))
 }
 
 /// Whether no rate depends on where the states are along a shift, given in units of the unknowns, anywhere on the way.
 fn is_free(flow: &dyn Flow, shift: &DVector<f64>, magnitude: &[f64], shot: &Shot) -> bool {
-    everywhere(flow, shot, |velocity| {
+    let still = |velocity: &Velocity| {
         velocity.jacobian.row_iter().all(|row| {
             let terms = || (0..magnitude.len()).map(|j| row[j] * shift[j] * magnitude[j]);
             let size = (0..magnitude.len()).map(|j| (row[j] * magnitude[j]).abs());
             terms().sum::<f64>().abs() <= ROUNDING * size.sum::<f64>()
         })
-    })
+    };
+    velocities(flow, shot).is_some_and(|all| all.iter().all(still))
 }
 
-/// Whether something holds of the field where the motion begins, and where any state turns.
-fn everywhere(flow: &dyn Flow, shot: &Shot, holds: impl Fn(&Velocity) -> bool) -> bool {
+/// The field where the motion begins, and where any state turns.
+fn velocities(flow: &dyn Flow, shot: &Shot) -> Option<Vec<Velocity>> {
     let extrema = shot.passages.iter().flat_map(|passage| &passage.extrema);
     let states = extrema.map(|extremum| &extremum.state);
     std::iter::once(&shot.start.state)
         .chain(states)
-        .all(|state| {
-            let velocity = flow.place(state).and_then(|place| flow.velocity(&place));
-            velocity.is_ok_and(|velocity| holds(&velocity))
-        })
+        .map(|state| flow.place(state).and_then(|place| flow.velocity(&place)))
+        .collect::<Result<_, _>>()
+        .ok()
 }
 
 /// Whether there is an orbit to one side of this condition: at a fold, or at a branch point, there is none.

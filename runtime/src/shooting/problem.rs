@@ -2,10 +2,12 @@
 
 use nalgebra::DVector;
 
+use super::crawl::Crawl;
 use super::division::{Division, Measure};
 use super::phase::Phase;
 use super::pin::{Pin, through};
 use super::shot::Shot;
+use super::shrunk::Size;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
@@ -47,6 +49,9 @@ pub struct OrbitProblem {
     largest: Vec<f64>,
     /// States of the last accepted orbit at which it could begin as well.
     others: Vec<Vec<f64>>,
+    crawl: Crawl,
+    /// How large the last accepted orbit was.
+    size: Option<Size>,
 }
 
 impl OrbitProblem {
@@ -76,6 +81,8 @@ impl OrbitProblem {
                 .collect(),
             shares: division.shares.clone(),
             others: Vec::new(),
+            crawl: Crawl::default(),
+            size: None,
         }
     }
 
@@ -122,7 +129,8 @@ impl OrbitProblem {
         Self::unknowns(&division.starts, self.period)
     }
 
-    /// The segments that an orbit needs, if it needs others.
+    /// The segments that an orbit needs, if it needs others. Where its branch crawls, how errors grow on the way is looked
+    /// at, too.
     ///
     /// # Errors
     /// The motion cannot be followed.
@@ -131,6 +139,7 @@ impl OrbitProblem {
         z: &DVector<f64>,
         r: f64,
         shot: &Shot,
+        crawls: bool,
     ) -> Result<Option<Division>, FlowError> {
         // What is held in neutral directions is said over the equations of one segment.
         if !shot.pins.is_empty() {
@@ -144,7 +153,13 @@ impl OrbitProblem {
         };
         let whole = || Division::whole(self.start(z, 0));
         let division = shot.division(z).unwrap_or_else(whole);
-        division.refined(&measure, &shot.passages)
+        let refined = division.refined(&measure, &shot.passages)?;
+        match refined {
+            None if crawls && division.is_whole() => {
+                Division::on_the_way(&measure, self.start(z, 0))
+            }
+            refined => Ok(refined),
+        }
     }
 }
 
@@ -180,22 +195,14 @@ impl ZeroProblem for OrbitProblem {
         }
         self.leave_centres(r, shot)?;
         self.period = shot.period;
-        self.magnitude = shot.magnitude(&self.magnitude);
-        let largest = (0..self.order()).fold(0.0_f64, |most, j| {
-            most.max(self.magnitude[j] / self.largest[j])
-        });
-        for j in 0..self.order() {
-            self.largest[j] = self.largest[j].max(self.magnitude[j]);
-        }
-        if largest < VANISHED {
-            return Err(FlowError::Vanished {
-                state: self.family.at(r)?.values(&shot.start.state),
-            });
-        }
+        self.measure(z, r, shot)?;
         if matches!(self.phase, Phase::Section(_)) {
             return Ok(None);
         }
+        let scale = self.scale();
+        let crawls = self.crawl.reaches(z, &scale);
         self.others = shot.turns();
+        let start = self.start(z, 0);
         let division = match self.calmer(r, shot)? {
             Some(place) => {
                 if self.shift.is_some() {
@@ -203,9 +210,8 @@ impl ZeroProblem for OrbitProblem {
                 }
                 Some(Division::whole(place))
             }
-            None => self.divided(z, r, shot)?,
+            None => self.divided(z, r, shot, crawls)?,
         };
-        let start = self.start(z, 0);
         self.float(
             division
                 .as_ref()
@@ -235,6 +241,27 @@ impl ZeroProblem for OrbitProblem {
 }
 
 impl OrbitProblem {
+    /// Takes the sizes of one more orbit of a branch; it is refused where it has shrunk to an equilibrium.
+    fn measure(&mut self, z: &DVector<f64>, r: f64, shot: &Shot) -> Result<(), FlowError> {
+        self.magnitude = shot.magnitude(&self.magnitude);
+        let sizes = self.magnitude.iter().zip(&mut self.largest);
+        let share = sizes.fold(0.0_f64, |most, (size, largest)| {
+            let share = size / *largest;
+            *largest = largest.max(*size);
+            most.max(share)
+        });
+        let size = Size { r, share };
+        let before = self.size.replace(size);
+        let (start, period) = (self.start(z, 0), shot.period);
+        let small = |before| size.vanishes(before, &self.family, (&start, period));
+        if share < VANISHED || before.is_some_and(small) {
+            return Err(FlowError::Vanished {
+                state: self.family.at(r)?.values(&shot.start.state),
+            });
+        }
+        Ok(())
+    }
+
     /// A place on the orbit where Newton has it much easier than at the present start, if there is one.
     ///
     /// Shooting from a fast stretch makes the end bend strongly with the period; from just before

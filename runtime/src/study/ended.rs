@@ -52,6 +52,15 @@ impl Ended {
         matches!(self.ending, Ending::Stopped(Stop::ReachedEnd))
     }
 
+    /// Whether it ended where the range of its design variable does, at whichever side.
+    #[must_use]
+    pub fn reaches_bound(&self) -> bool {
+        matches!(
+            self.ending,
+            Ending::Stopped(Stop::ReachedEnd | Stop::ReachedStart)
+        )
+    }
+
     /// Whether this is a reason that lies in the branch and not in the computation.
     #[must_use]
     pub fn is_located(&self) -> bool {
@@ -95,9 +104,15 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
         Ending::At(Kind::Fold, r) => {
             format!("it turns at {}, too sharply to be followed round", value(r))
         }
-        Ending::At(kind @ (Kind::Resonance1 | Kind::Resonance2), _) => format!(
-            "it meets a {} point, beyond which it is a curve of neutral saddles",
-            kind.name()
+        Ending::At(kind @ (Kind::Resonance1 | Kind::Resonance2 | Kind::BogdanovTakens), _) => {
+            format!(
+                "it meets a {} point, beyond which it is a curve of neutral saddles",
+                kind.name()
+            )
+        }
+        Ending::At(Kind::BoundaryEquilibrium, r) => format!(
+            "at {} the speed or the force of a contact reaches zero, and with it the mode in which it was followed ends",
+            value(r)
         ),
         Ending::At(Kind::Hopf, r) => format!(
             "it shrinks to an equilibrium at {}, a hopf point: there its orbits begin",
@@ -138,9 +153,14 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
 
 fn unexplained(change: &Unexplained, along: Along) -> String {
     let [from, to] = change.between.map(|r| along.value(r));
-    let ([before, after], reason) = (change.unstable, &change.reason);
+    let reason = &change.reason;
+    let what = match change.unstable {
+        [before, after] if before == after => {
+            "its events change, or a multiplier that is not known well enough passes 1,".to_owned()
+        }
+        [before, after] => format!("its {before} unstable multipliers become {after}"),
+    };
     format!(
-        "between {from} and {to} its {before} unstable multipliers become {after}, or its events change, and no \
-         bifurcation was located there: {reason}"
+        "between {from} and {to} {what} and no bifurcation was located there: {reason}; it may be at a smaller accuracy"
     )
 }

@@ -40,6 +40,19 @@ impl System {
         self.curve_watched(case, scope, &mut |_| ControlFlow::Continue(()))
     }
 
+    /// A fold or a Hopf point of the branch of equilibria along the design variable of the case, followed in that variable
+    /// and another one.
+    ///
+    /// # Errors
+    /// There is no equilibrium to begin with, or no such point on its branch, or no such point can be followed.
+    pub fn equilibria_curve(
+        &self,
+        case: &Case,
+        scope: &CurveScope,
+    ) -> Result<Curved<EquilibriaRecord>, StudyError> {
+        self.equilibria_curve_watched(case, scope, &mut |_| ControlFlow::Continue(()))
+    }
+
     /// Where the motions of the case meet a section, for many values of its design variable.
     ///
     /// # Errors
@@ -72,7 +85,7 @@ impl System {
         case: &Case,
         record: &AttractorsRecord,
     ) -> Result<FollowedRecord, StudyError> {
-        self.followed_watched(case, record, &mut |_| ControlFlow::Continue(()))
+        self.followed_watched(case, record, None, &mut |_| ControlFlow::Continue(()))
     }
 
     /// The answer to a question at each node of a grid of two parameters.

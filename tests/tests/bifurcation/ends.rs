@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
+use stickslip::study::{OrbitRecord, Stability};
 use stickslip_models::friction::Stribeck;
 use stickslip_models::{BeltPair, ForcedBelt};
 
@@ -26,6 +27,44 @@ model! {
         }
         der(v[0]) = (F[0] - k * x[0] - joint * (x[0] - x[1]) - c * v[0]) / mass;
         der(v[1]) = (F[1] - 1.3 * k * x[1] - joint * (x[1] - x[0]) - c * v[1]) / mass;
+    }
+}
+
+model! {
+    /// Prigogine and Lefever's reaction: its cycle shrinks onto x = A, y = B/A where B = 1 + A², there of the frequency A.
+    struct Brusselator {
+        state x = 1.0;
+        state y = 1.0;
+        param A = 1.0 where A > 0.0;
+        param B = 3.0 where B > 0.0;
+        der(x) = A + powi(x, 2) * y - (B + 1.0) * x;
+        der(y) = B * x - powi(x, 2) * y;
+    }
+}
+
+/// As an orbit shrinks, 1 − μ falls with the square of its size, and is noise before the orbit is: what noise says is not
+/// told, and no step fails on it.
+#[test]
+fn an_orbit_that_shrinks_onto_a_hopf_point_meets_nothing_else() {
+    for accuracy in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11] {
+        for (a, from) in [(1.0, 3.0), (0.7, 2.0), (2.0, 7.0)] {
+            let given = [(Brusselator::A, a)];
+            let found = branch(&given, Brusselator::B, (from, 1.0), |case| {
+                case.accuracy = accuracy;
+            });
+            let [hopf] = &found.special[..] else {
+                panic!("{accuracy:e}: {:?} {}", named(&found), found.ended.reason);
+            };
+            assert!(matches!(found.ended.ending, Ending::At(Kind::Hopf, _)));
+            assert!(
+                (hopf.r - 1.0 - a * a).abs() < 1e-10,
+                "{accuracy:e}: {}",
+                hopf.r
+            );
+            assert!((hopf.period * a / TAU - 1.0).abs() < 1e-9, "{accuracy:e}");
+            let stable = |one: &OrbitRecord| one.floquet.stability == Stability::Stable;
+            assert!(found.points.iter().all(stable), "{accuracy:e}");
+        }
     }
 }
 

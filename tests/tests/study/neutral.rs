@@ -42,6 +42,30 @@ model! {
     }
 }
 
+model! {
+    /// A body on a leaf spring that rubs more than it bears, on a tyre over a wavy road: both go up and down as one.
+    pub struct Stiff {
+        state body: m = 0.0;
+        state up: m/s = 0.0;
+        state wheel: m = 0.0;
+        state w: m/s = 0.0;
+        param ms: kg = 300.0 where ms > 0.0;
+        param mu: kg = 40.0 where mu > 0.0;
+        param ks: N/m = 2e4;
+        param kt: N/m = 1.8e5 where kt > 0.0;
+        param ct: N*s/m = 50.0;
+        param rub: N = 300.0 where rub >= 0.0;
+        param wave: m = 0.01;
+        param omega: rad/s = 8.0 where omega > 0.0;
+        drive phi at omega;
+        friction F: N = Coulomb { level: rub } opposing up - w;
+        der(body) = up;
+        der(up) = (F - ks * (body - wheel)) / ms;
+        der(wheel) = w;
+        der(w) = (kt * (wave * cos(phi) - wheel) - ct * w - F + ks * (body - wheel)) / mu;
+    }
+}
+
 fn system<M: Model<N>, const N: usize>() -> System {
     System::of::<M, N>()
 }
@@ -141,5 +165,59 @@ fn what_is_called_periodic_comes_back() {
         let extent = motion.max[j] - motion.min[j];
         let gap = (last[j] - state[j]).abs();
         assert!(gap <= 1e-8 * extent, "state {j}: {gap} of {extent}");
+    }
+}
+
+/// Where the body turns, all rates of the difference vanish but for rounding: it is conserved all the same.
+#[test]
+fn a_stuck_spring_keeps_what_it_carries_where_everything_turns() {
+    let orbit = system::<Stiff, 5>()
+        .orbit(&Case::declared(Stiff::INFO, Dynamics::Exact))
+        .expect("an orbit");
+    let [held] = &orbit.held[..] else {
+        panic!("{:?}", orbit.held);
+    };
+    assert!(
+        held.conserved && held.combination == "body - wheel",
+        "{held:?}"
+    );
+    let swing = 1.8e5 * 0.01 / (1.8e5 - 340.0 * 64.0_f64).hypot(50.0 * 8.0);
+    assert!((orbit.max[2] / swing - 1.0).abs() < 1e-8, "{:?}", orbit.max);
+    assert!(orbit.error_estimate < 1e-7, "{orbit:?}");
+}
+
+model! {
+    /// A drum that an imbalance shakes, and struts that rub hold: what they hold adds up to rounding only.
+    pub struct Drum {
+        state x: m = 0.0;
+        state v: m/s = 0.0;
+        param m: kg = 40.0 where m > 0.0;
+        param k: N/m = 16000.0;
+        param c: N*s/m = 20.0;
+        param rub: N = 78.0 where rub >= 0.0;
+        param e: kg*m = 0.2;
+        param omega: rad/s = 5.0 where omega > 0.0;
+        drive phi at omega;
+        friction F: N = Coulomb { level: rub } opposing v;
+        der(x) = v;
+        der(v) = (F - k * x - c * v + e * powi(omega, 2) * cos(phi)) / m;
+    }
+}
+
+/// Struts hold it up to e ω² = 78 N, at 19.7 rad/s.
+#[test]
+fn what_friction_holds_is_followed_though_only_rounding_moves_it() {
+    let system = system::<Drum, 3>();
+    let mut case = Case::declared(Drum::INFO, Dynamics::Exact);
+    case.along = Some(Along {
+        design: Design::Parameter(Drum::omega.index),
+        from: 5.0,
+        to: 19.0,
+    });
+    let branch = system.branch(&case).expect("a branch");
+    assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+    for orbit in &branch.points {
+        assert!(orbit.error_estimate < 1e-8, "{orbit:?}");
+        assert!(orbit.max[0].abs() + orbit.max[1].abs() < 1e-20, "{orbit:?}");
     }
 }

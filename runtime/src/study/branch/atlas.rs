@@ -45,6 +45,20 @@ impl System {
         self.sought(case)?.branch(along, hopf, watch)
     }
 
+    /// The branch along the design variable of the case through this orbit, where the case begins.
+    pub(in crate::study) fn branch_through(
+        &self,
+        case: &Case,
+        orbit: &Orbit,
+        watch: Watch<'_>,
+    ) -> Result<BranchRecord, StudyError> {
+        let along = case.along.ok_or(StudyError::NothingToFollow)?;
+        let sought = self.sought(case)?;
+        let mut atlas = sought.atlas(along, watch);
+        let stretch = atlas.through(orbit)?;
+        Ok(atlas.record(stretch, None, case.switch.depth))
+    }
+
     /// The Hopf point at which the branch of a case begins, if it begins at one.
     pub(in crate::study) fn hopf(
         &self,
@@ -122,26 +136,27 @@ impl Atlas<'_> {
         }
     }
 
-    /// The first branch: from one end, or from a place within in both directions.
+    /// The first branch.
     fn first(&mut self) -> Result<Stretch, OrbitError> {
-        let Settings { from, to, .. } = self.settings;
-        let (r, both) = match self.sought.case.beginning {
-            Beginning::End | Beginning::Hopf => (from, false),
-            Beginning::At(value) => {
-                let here = Along {
-                    from: value,
-                    ..self.along
-                };
-                (here.span().0, value != self.along.from)
-            }
+        let r = match self.sought.case.beginning {
+            Beginning::End | Beginning::Hopf => self.settings.from,
+            Beginning::At(from) => Along { from, ..self.along }.span().0,
         };
         let orbit = self.sought.orbit(r)?;
-        let ahead = to >= from;
-        let forth = self.orbit(&orbit, (r, ahead), orbit.work)?;
+        self.through(&orbit)
+    }
+
+    /// The branch through an orbit: from one end, or from a place within in both directions.
+    fn through(&mut self, orbit: &Orbit) -> Result<Stretch, OrbitError> {
+        let Settings { from, to, .. } = self.settings;
+        let begins = |value: f64| value != self.along.from;
+        let both = matches!(self.sought.case.beginning, Beginning::At(value) if begins(value));
+        let (r, ahead) = (orbit.r, to >= from);
+        let forth = self.orbit(orbit, (r, ahead), orbit.work)?;
         if !both || forth.ended.is_closed() || forth.ended.is_interrupted() {
             return Ok(forth);
         }
-        let back = self.orbit(&orbit, (r, !ahead), Work::default())?;
+        let back = self.orbit(orbit, (r, !ahead), Work::default())?;
         Ok(forth.behind(back, true))
     }
 

@@ -8,6 +8,5 @@ mod special;
 
 pub(in crate::study) use atlas::Hopf;
 pub use record::BranchRecord;
-pub(in crate::study) use record::Watch;
 pub use special::Special;
 pub(in crate::study) use special::numbered;

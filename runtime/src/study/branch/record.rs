@@ -8,7 +8,7 @@ use crate::study::orbit::OrbitRecord;
 use crate::study::question::Along;
 
 /// Told of each orbit as it is found; a break ends the branch there.
-pub(in crate::study) type Watch<'a> = &'a mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>;
+pub(super) type Watch<'a> = &'a mut dyn FnMut(&OrbitRecord) -> ControlFlow<()>;
 
 /// A branch as it is reported, whatever model it belongs to.
 #[derive(Debug, Clone, PartialEq)]

@@ -15,7 +15,7 @@ use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::report::chart::{Chart, Drawn};
 use crate::report::{Axis, Figure, Panel};
-use crate::study::{BranchRecord, Case, OrbitRecord, Special};
+use crate::study::{Along, BranchRecord, Case, OrbitRecord, Special};
 
 /// The tables are those of the branch and of those that leave it: `branch`, `branch-1`, ...; text and picture show these
 /// states.
@@ -120,10 +120,19 @@ fn period(info: &ModelInfo, branch: &BranchRecord) -> Panel {
 }
 
 fn extent(info: &ModelInfo, branch: &BranchRecord, j: usize) -> Panel {
+    extents(info, &branch.along, branch.all().into_iter().enumerate(), j)
+}
+
+/// The largest magnitude of a state along numbered branches.
+pub(in crate::app::commands) fn extents<'a>(
+    info: &ModelInfo,
+    along: &Along,
+    branches: impl Iterator<Item = (usize, &'a BranchRecord)>,
+    j: usize,
+) -> Panel {
     let (name, unit) = orbit::largest(info, j);
-    let parameter = along_axis(info, &branch.along);
-    let mut extents = Chart::new(Panel::new(parameter, axis(&name, unit)));
-    for one in branch.all().into_iter().enumerate() {
+    let mut extents = Chart::new(Panel::new(along_axis(info, along), axis(&name, unit)));
+    for one in branches {
         let special = |special: &Special| special.max_abs.get(j).copied().unwrap_or(f64::NAN);
         extents.add(Drawn::of(
             one,

@@ -5,7 +5,7 @@ mod answer;
 use clap::Args;
 
 use super::orbit;
-use crate::app::arguments::{Period, Resume, Subject, Way};
+use crate::app::arguments::{Curve, Period, Resume, Subject, Way};
 use crate::app::failure::{Failure, refuse};
 use crate::app::harmonics::Harmonics;
 use crate::app::offer::App;
@@ -18,7 +18,7 @@ use crate::app::values::{Range, Reading, one_of};
 use crate::app::words::number;
 use crate::model::ModelInfo;
 use crate::study::{Beginning, BranchRecord, Case, OrbitRecord, Switch};
-pub(super) use answer::{answer, found};
+pub(super) use answer::{answer, extents, found};
 
 /// What is done before anything is found.
 pub(super) const FIRST: &str = "looking for the first orbit";
@@ -49,17 +49,6 @@ pub(in crate::app) struct Arguments {
     pub(in crate::app) curve: Curve,
     #[command(flatten)]
     pub(in crate::app) resume: Resume,
-}
-
-/// Whether a special point of the branch is followed in a second parameter.
-#[derive(Debug, Clone, Args)]
-pub(in crate::app) struct Curve {
-    /// Follow a fold, flip, torus or grazing point of the branch in this parameter too, from C to D
-    #[arg(long, value_name = "NAME=C..D", value_parser = Reading(Range::read))]
-    pub(in crate::app) and: Option<Range>,
-    /// Which one, for instance PD1; the first without --of
-    #[arg(long, value_name = "LABEL")]
-    pub(in crate::app) of: Option<String>,
 }
 
 impl Arguments {
