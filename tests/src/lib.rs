@@ -6,6 +6,7 @@ pub mod hand_written;
 pub mod lanes;
 pub mod random;
 pub mod range;
+pub mod rotating;
 pub mod subject;
 pub mod systems;
 pub mod transformed;

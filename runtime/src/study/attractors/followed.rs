@@ -1,14 +1,7 @@
 //! The branches on which the motions lie that starts have found.
 
-use super::passes::{Passes, SAME};
-use super::record::{Attractor, AttractorsRecord, Class, Survey};
 use crate::continuation::Kind;
-use crate::shooting::Orbit;
-use crate::study::branch::{BranchRecord, Watch};
-use crate::study::error::StudyError;
-use crate::study::orbit::Sought;
-use crate::study::question::{Along, Beginning, Case, Switch};
-use crate::study::system::System;
+use crate::study::branch::BranchRecord;
 
 /// A motion among those that starts have found.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +17,7 @@ pub struct Spot {
 /// A branch on which motions lie that starts have found, followed both ways over the range of the design variable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Followed {
-    /// The branch; it begins at the first of the motions.
+    /// The branch; it begins at one of the motions.
     pub branch: BranchRecord,
     /// The motions.
     pub motions: Vec<Spot>,
@@ -64,109 +57,19 @@ impl FollowedRecord {
     pub fn is_interrupted(&self) -> bool {
         self.branches.iter().any(|one| one.branch.is_interrupted())
     }
-}
 
-impl System {
-    /// The branches of the periodic motions of `record`, which was found along the design variable of the case: each is followed
-    /// both ways over the whole range, once, however many of the motions lie on it. `watch` sees each orbit as it is found,
-    /// and may end all there.
-    ///
-    /// # Errors
-    /// The case cannot be asked, or nothing is followed.
-    pub fn followed_watched(
-        &self,
-        case: &Case,
-        record: &AttractorsRecord,
-        watch: Watch<'_>,
-    ) -> Result<FollowedRecord, StudyError> {
-        self.check(case)?;
-        let along = case.along.ok_or(StudyError::NothingToFollow)?;
-        let mut found = FollowedRecord::default();
-        for survey in &record.surveys {
-            for (spot, motion) in periodic(survey) {
-                let case = beginning(case, along, spot.r, motion);
-                if let Err(error) = self.follow(&case, spot.clone(), &mut found, watch) {
-                    found.failed.push((spot, error.to_string()));
-                }
-                if found.is_interrupted() {
-                    return Ok(found);
-                }
-            }
+    /// Branches and motions in the order in which the motions were found.
+    pub(super) fn sort(&mut self) {
+        let key = |spot: &Spot| (spot.saddle, spot.place);
+        let order = |a: &Spot, b: &Spot| a.r.total_cmp(&b.r).then(key(a).cmp(&key(b)));
+        for one in &mut self.branches {
+            one.motions.sort_by(order);
         }
-        Ok(found)
-    }
-
-    /// Puts a motion onto the branch on which it lies, a new one if it lies on none that is known.
-    fn follow(
-        &self,
-        case: &Case,
-        spot: Spot,
-        found: &mut FollowedRecord,
-        watch: Watch<'_>,
-    ) -> Result<(), StudyError> {
-        let sought = self.sought(case)?;
-        let along = case.along.ok_or(StudyError::NothingToFollow)?;
-        let r = Along {
-            from: spot.r,
-            ..along
-        };
-        let orbit = sought.orbit(r.span().0)?;
-        let mut known = found.branches.iter_mut();
-        match known.find(|one| sought.lies(&orbit, spot.r, &one.branch)) {
-            Some(known) => known.motions.push(spot),
-            None => found.branches.push(Followed {
-                branch: self.branch_watched(case, watch)?,
-                motions: vec![spot],
-            }),
-        }
-        Ok(())
-    }
-}
-
-impl Sought<'_> {
-    /// Whether an orbit at this value of the design variable lies on a branch.
-    fn lies(&self, orbit: &Orbit, r: f64, branch: &BranchRecord) -> bool {
-        let mut guesses = Passes::of(branch).near(orbit, r).into_iter();
-        guesses.any(|guess| {
-            let found = self.from(guess, orbit.r);
-            found.is_ok_and(|one| orbit.coincides(&one, SAME))
-        })
-    }
-}
-
-/// The periodic motions of a survey, with those on edges.
-fn periodic(survey: &Survey) -> impl Iterator<Item = (Spot, &Attractor)> {
-    let found = survey.found.iter().map(|found| &found.attractor);
-    let saddles = survey.edges.iter().map(|edge| &edge.saddle);
-    let number = |saddle| move |(place, motion)| (place, saddle, motion);
-    let all = found.enumerate().map(number(false));
-    let all = all.chain(saddles.enumerate().map(number(true)));
-    let periodic = |one: &Attractor| {
-        one.period.is_some() && !one.slides && matches!(one.class, Class::Orbit | Class::Running)
-    };
-    all.filter_map(move |(place, saddle, motion)| {
-        let r = survey.r?;
-        periodic(motion).then_some((Spot { r, place, saddle }, motion))
-    })
-}
-
-/// The case of the branch that goes both ways from a motion.
-fn beginning(case: &Case, along: Along, r: f64, motion: &Attractor) -> Case {
-    // From the end of its range a branch goes one way only.
-    let along = match r == along.to {
-        true => Along {
-            from: along.to,
-            to: along.from,
-            ..along
-        },
-        false => along,
-    };
-    Case {
-        along: Some(along),
-        start: Some(motion.state.clone()),
-        period: motion.period,
-        beginning: Beginning::At(r),
-        switch: Switch::default(),
-        ..case.at(r)
+        self.branches
+            .sort_by(|a, b| match (a.motions.first(), b.motions.first()) {
+                (Some(a), Some(b)) => order(a, b),
+                (a, b) => a.is_some().cmp(&b.is_some()),
+            });
+        self.failed.sort_by(|a, b| order(&a.0, &b.0));
     }
 }

@@ -11,6 +11,7 @@ mod basin;
 mod closely;
 mod edge;
 mod followed;
+mod following;
 mod ground;
 mod memo;
 mod passes;

@@ -4,8 +4,6 @@ use crate::shooting::{Orbit, OrbitError, Search, closest};
 use crate::study::branch::BranchRecord;
 use crate::study::orbit::Sought;
 
-/// Two orbits at one value of the design variable are one if they differ by this share of their extents at most.
-pub(super) const SAME: f64 = 1e-5;
 /// Between two points a branch keeps to what they span, and to this share of it beyond: it bends.
 const BEYOND: f64 = 0.5;
 /// Share of their values that is added to what two points span.

@@ -200,8 +200,22 @@ impl Attractor {
             }
             Class::Family => self.word == other.word,
             Class::Escape | Class::Unsettled => true,
-            Class::Failed => self.reason == other.reason,
+            Class::Failed => self.fails_like(other),
         }
+    }
+
+    /// Whether both fail for one reason, whatever its numbers are.
+    fn fails_like(&self, other: &Self) -> bool {
+        let words = |one: &Self| -> Vec<String> {
+            let reason = one
+                .reason
+                .iter()
+                .flat_map(|reason| reason.split_whitespace());
+            let bare = reason.map(|word| word.trim_matches(|c: char| !c.is_alphanumeric()));
+            let words = bare.filter(|word| word.parse::<f64>().is_err());
+            words.map(str::to_owned).collect()
+        };
+        words(self) == words(other)
     }
 
     /// Whether both advance as much.

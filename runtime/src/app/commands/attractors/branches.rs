@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 
 use crate::app::answer::Answer;
-use crate::app::axis::{along_axis, axis};
 use crate::app::commands::{branch, orbit};
 use crate::app::document::Document;
 use crate::app::failure::Failure;
@@ -14,15 +13,15 @@ use crate::app::spreadsheet::Columns;
 use crate::app::text::{certain, number};
 use crate::model::ModelInfo;
 use crate::report::Panel;
-use crate::report::chart::{Chart, Drawn};
 use crate::study::{
-    Along, AttractorsRecord, Case, Followed, FollowedRecord, Kind, OrbitRecord, Special, Spot,
+    Along, AttractorsRecord, Case, Ended, Followed, FollowedRecord, Kind, OrbitRecord, Spot,
 };
 
 /// Follows the motions of a record, and shows how far it has come.
 pub(super) fn follow(
     asked: &Request<'_>,
     record: &AttractorsRecord,
+    threads: Option<usize>,
 ) -> Result<FollowedRecord, Failure> {
     let along = asked.along()?;
     let progress = Progress::along(&asked.output, "following the motions");
@@ -36,7 +35,7 @@ pub(super) fn follow(
     asked.got(
         asked
             .entry
-            .followed_watched(&asked.case, record, &mut watch),
+            .followed_watched(&asked.case, record, threads, &mut watch),
     )
 }
 
@@ -89,11 +88,19 @@ fn motions(one: &Followed) -> String {
 }
 
 fn ends(one: &Followed) -> String {
-    let began = one.branch.began.as_ref().map(|began| began.word());
-    match (one.is_isola(), began) {
-        (true, _) => "none: an isola".to_owned(),
-        (false, Some(began)) => format!("{began}, {}", one.branch.ended.word()),
-        (false, None) => one.branch.ended.word().to_owned(),
+    let began = one.branch.began.as_ref().map(end);
+    let ended = end(&one.branch.ended);
+    match began {
+        _ if one.is_isola() => "none: an isola".to_owned(),
+        Some(began) if began != ended => format!("{began}, {ended}"),
+        _ => ended,
+    }
+}
+
+fn end(ended: &Ended) -> String {
+    match ended.reaches_bound() {
+        true => "end of the range".to_owned(),
+        false => ended.word().replace('-', " "),
     }
 }
 
@@ -157,12 +164,6 @@ pub(super) fn sheets<'a>(
 
 /// The largest magnitude of a state along all branches.
 pub(super) fn panel(info: &ModelInfo, along: &Along, record: &FollowedRecord, j: usize) -> Panel {
-    let (name, unit) = orbit::largest(info, j);
-    let mut chart = Chart::new(Panel::new(along_axis(info, along), axis(&name, unit)));
-    for (count, one) in (1..).zip(&record.branches) {
-        let special = |special: &Special| special.max_abs.get(j).copied().unwrap_or(f64::NAN);
-        let size = |orbit: &OrbitRecord| orbit.max_abs.get(j).copied();
-        chart.add(Drawn::of((count, &one.branch), size, special));
-    }
-    chart.panel()
+    let branches = record.branches.iter().map(|one| &one.branch);
+    branch::extents(info, along, (1..).zip(branches), j)
 }

@@ -96,7 +96,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     })?;
     if !ledger.is_shared() {
         let whole = arguments.follow && record.missing == 0;
-        let followed = whole.then(|| branches::follow(&asked, &record));
+        let followed = whole.then(|| branches::follow(&asked, &record, ledger.threads()));
         let followed = followed.transpose()?;
         let found = (&record, followed.as_ref());
         output.deliver(&answer::answer(asked.info, case, found, shown))?;
