@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::crossing::Crossing;
 use super::horizon::{Horizon, Patience, Silence};
-use super::meeting::{Meeting, side};
+use super::level::Level;
 use super::reach::Reach;
 use super::section::{Section, Surface};
 use super::turns::Turns;
@@ -37,10 +37,8 @@ pub struct Crossings<'f> {
     ended: bool,
     ready: VecDeque<Crossing>,
     turns: Turns,
-    /// Sign of the state less its level where it was last not zero.
-    side: f64,
-    /// When and where it has come to the level, as long as it has not left it.
-    arrived: Option<(f64, Vec<f64>)>,
+    /// The level, if the section is one.
+    level: Option<Level>,
     reach: Reach,
     whole: Reach,
     /// How large the states usually are.
@@ -61,9 +59,9 @@ impl<'f> Crossings<'f> {
         section: Section,
         horizon: Horizon,
     ) -> Result<Self, FlowError> {
-        let side = match section.surface {
-            Surface::Level { state, value } => side(&place.state, state, value),
-            Surface::Rate(_) => 0.0,
+        let level = match section.surface {
+            Surface::Level { state, value } => Some(Level::from(&place, state, value)),
+            Surface::Rate(_) => None,
         };
         Ok(Self {
             flow,
@@ -75,8 +73,7 @@ impl<'f> Crossings<'f> {
             ended: false,
             ready: VecDeque::new(),
             turns: Turns::of(section.surface.state()),
-            side,
-            arrived: None,
+            level,
             reach: Reach::at(&place.state),
             whole: Reach::at(&place.state),
             usual: vec![0.0; place.state.len()],
@@ -148,16 +145,24 @@ impl<'f> Crossings<'f> {
         let passage = self.flow.advance(&self.place, time, Want::EXTREMA)?;
         self.work += passage.work;
         let before = self.ready.len();
-        match self.section.surface {
-            Surface::Rate(_) => self.turn(&passage, until),
-            Surface::Level { .. } if gap.is_some() => {}
-            Surface::Level { state, value } => self.cross(&passage, time, (state, value))?,
+        match (&mut self.level, gap) {
+            (None, _) => self.turn(&passage, until),
+            (Some(_), Some(_)) => {}
+            (Some(level), None) => {
+                let (start, passage) = ((&self.place, self.time), (&passage, time));
+                let found = level.crossings(self.flow, start, passage, &mut self.work)?;
+                found.into_iter().for_each(|crossing| self.note(crossing));
+            }
         }
         let mut end = passage.end.clone();
         end.state = self.flow.wrapped(end.state);
         if let (true, Surface::Level { state, value }) = (gap == Some(time), self.section.surface) {
             end.state[state] = value.rem_euclid(TAU) % TAU;
-            self.note(until, true, end.state.clone());
+            self.note(Crossing {
+                time: until,
+                rising: true,
+                state: end.state.clone(),
+            });
         }
         self.place = end;
         self.watch(&passage, (time, until), before)
@@ -238,55 +243,18 @@ impl<'f> Crossings<'f> {
 
     fn turned(&mut self, turn: Option<Extremum>) {
         if let Some(turn) = turn {
-            self.note(turn.time, !turn.maximum, turn.state);
-        }
-    }
-
-    /// Between its extrema the state is monotonic: it meets a level at most once.
-    fn cross(
-        &mut self,
-        passage: &Passage,
-        time: f64,
-        (state, level): (usize, f64),
-    ) -> Result<(), FlowError> {
-        let extrema = passage.extrema.iter().filter(|e| e.index == state);
-        let turns = extrema.map(|extremum| (extremum.time, &extremum.state));
-        let stops = turns.chain([(time, &passage.end.state)]);
-        let mut from = 0.0;
-        for (until, there) in stops {
-            let side = side(there, state, level);
-            if side * self.side <= 0.0 && self.arrived.is_none() && self.side != 0.0 {
-                let meeting = Meeting {
-                    flow: self.flow,
-                    place: &self.place,
-                    state,
-                    level,
-                    rise: -self.side,
-                    work: &mut self.work,
-                };
-                let (time, place) = meeting.between(from, (until, there))?;
-                self.arrived = Some((self.time + time, place));
-            }
-            if side == 0.0 {
-                continue;
-            }
-            if let (Some((time, place)), true) = (self.arrived.take(), side != self.side) {
-                self.note(time, side > 0.0, place);
-            }
-            self.side = side;
-            from = until;
-        }
-        Ok(())
-    }
-
-    fn note(&mut self, time: f64, rising: bool, state: Vec<f64>) {
-        if self.section.direction.admits(rising) {
-            let state = self.flow.wrapped(state);
-            self.ready.push_back(Crossing {
-                time,
-                rising,
-                state,
+            self.note(Crossing {
+                time: turn.time,
+                rising: !turn.maximum,
+                state: turn.state,
             });
+        }
+    }
+
+    fn note(&mut self, crossing: Crossing) {
+        if self.section.direction.admits(crossing.rising) {
+            let state = self.flow.wrapped(crossing.state);
+            self.ready.push_back(Crossing { state, ..crossing });
         }
     }
 }

@@ -6,6 +6,7 @@
 mod crossing;
 mod crossings;
 mod horizon;
+mod level;
 mod meeting;
 mod reach;
 mod recurrence;

@@ -43,8 +43,7 @@ fn moves_with<M: Model<N>, const N: usize>(
     let alone = Modes::<M, N>::resting_alone(press);
     let mut rule = Branches::<M, f64, N>::free(alone.as_slice());
     let _ = M::rhs(plain, *state, &mut rule);
-    let push = input::<M, f64, N>(plain, state, &alone, press);
-    let gives = speed_rates::<M, f64, N>(plain, state, &alone, &push);
+    let (push, gives) = push::<M, N>(plain, state, press);
     let impulse = -rule.speed.as_ref()[press] / gives.as_ref()[press];
     let factor = gives.as_ref()[contact] / gives.as_ref()[press];
     let still: [f64; N] = std::array::from_fn(|i| state[i] + impulse * push[i]);
@@ -95,8 +94,18 @@ pub(super) fn factor<M: Model<N>, const N: usize>(
     contact: usize,
     press: usize,
 ) -> f64 {
+    let (_, rates) = push::<M, N>(plain, state, press);
+    rates.as_ref()[contact] / rates.as_ref()[press]
+}
+
+/// What a unit force of a press adds to the states, and by that to the relative speeds and the rates of gaps.
+fn push<M: Model<N>, const N: usize>(
+    plain: &M::Params<f64>,
+    state: &[f64; N],
+    press: usize,
+) -> ([f64; N], M::PerContact<f64>) {
     let alone = Modes::<M, N>::resting_alone(press);
     let push = input::<M, f64, N>(plain, state, &alone, press);
     let rates = speed_rates::<M, f64, N>(plain, state, &alone, &push);
-    rates.as_ref()[contact] / rates.as_ref()[press]
+    (push, rates)
 }

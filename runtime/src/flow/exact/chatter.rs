@@ -47,11 +47,11 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let flow = self.flow;
         let (approach, departure) = flow.system.approach(state, press);
         let back = -self.bend(press, state, self.modes)?;
-        let out = -self.bend(press, state, self.leaving(press, state))?;
-        let kept = if out == back {
+        let leaving = self.leaving(press, state);
+        let kept = if leaving == self.modes {
             1.0
         } else {
-            (back / out).sqrt()
+            (back / -self.bend(press, state, leaving)?).sqrt()
         };
         let ratio = kept * departure / approach;
         let falls = approach <= 0.0 || (ratio > 0.0 && ratio < 1.0);

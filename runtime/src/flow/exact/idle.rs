@@ -61,12 +61,8 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
     /// Whether a press at rest makes up for all that the force of a contact would do to its speed.
     fn is_led(&self, contact: usize, all: &Modes<M, N>) -> bool {
         all.resting().any(|press| {
-            let pair = Modes::from_fn(|i| match i {
-                i if i == contact => Mode::Stick,
-                i if i == press => Mode::Rest,
-                i if i < M::INFO.contacts.len() => Mode::Loose,
-                _ => Mode::Open,
-            });
+            let mut pair = Modes::resting_alone(press);
+            pair.set(contact, Mode::Stick);
             let able = self.system.affine(&self.state, &pair);
             let entry = |i: usize, j: usize| able.compliance.as_ref()[i].as_ref()[j];
             let own = entry(contact, contact) * entry(press, press);

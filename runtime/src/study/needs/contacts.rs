@@ -3,7 +3,7 @@
 use super::stage::{Scene, Stage};
 use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Contacts, Flow, Passage, Place};
+use crate::motion::{Contacts, Flow, Modes, Passage, Place};
 use crate::study::system::System;
 
 /// Panels of a period in which margins are looked at.
@@ -17,7 +17,7 @@ pub struct ContactNeed {
     /// What it does.
     pub role: Role,
     /// How far it is from doing anything else, as a share of what it does at most: of its limit at rest, its speed, its gap or
-    /// its force. `None` where it does more than one thing.
+    /// its force. `None` where it does more than one thing, and where a press holds it: then that of the press tells.
     pub margin: Option<f64>,
     /// How often it switches, on all orbits together.
     pub switches: usize,
@@ -88,6 +88,7 @@ impl Role {
 
 /// What is known of contacts at a place on an orbit.
 struct Reading {
+    modes: Modes,
     contacts: Contacts,
     /// Forces of all contacts, presses last.
     forces: Vec<f64>,
@@ -145,6 +146,7 @@ impl System {
         let share = |[least, most]: [f64; 2]| least / most;
         match role {
             _ if readings.is_empty() => None,
+            Role::NeverSlides if readings.iter().any(|at| at.modes[contact] != Mode::Stick) => None,
             Role::NeverSlides => {
                 let load = |at: &Reading| {
                     let one = &at.contacts.all[contact];
@@ -184,6 +186,7 @@ fn reading(flow: &dyn Flow, place: Place) -> Result<Reading, FlowError> {
         contacts: flow.contacts(&place)?,
         forces: flow.read(&place)?.0,
         speeds: flow.speeds(&place.state),
+        modes: place.modes,
     })
 }
 
