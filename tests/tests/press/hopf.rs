@@ -15,7 +15,7 @@ use stickslip_tests::random::Random;
 use crate::models::Squeal;
 
 /// μ and ω of the Hopf point: k₁₂ (k₁₂ − μ k₃) = A B + r² − r (A + B + P), ω² = r, for a mass of one.
-fn closed_form(model: &Squeal) -> (f64, f64) {
+pub(crate) fn closed_form(model: &Squeal) -> (f64, f64) {
     let Squeal {
         a,
         b,
@@ -29,6 +29,20 @@ fn closed_form(model: &Squeal) -> (f64, f64) {
     let r = (a * c2 + b * c1) / sum;
     let right = a * b + r * r - r * (a + b + product);
     ((k12 - right / k12) / k3, r.sqrt())
+}
+
+/// Random stiffness, damping and load.
+pub(crate) fn drawn(random: &mut Random) -> Squeal {
+    Squeal {
+        a: random.between(1.5, 3.0),
+        b: random.between(0.4, 1.5),
+        k12: random.between(0.5, 1.2),
+        k3: random.between(0.8, 1.6),
+        c1: random.between(0.02, 0.3),
+        c2: random.between(0.02, 0.3),
+        load: random.positive(0.1, 10.0),
+        ..Default::default()
+    }
 }
 
 fn found(model: Squeal, until: f64) -> (f64, f64) {
@@ -66,16 +80,7 @@ fn squeal_begins_where_the_closed_form_says() {
     assert!((mu - 0.78).abs() < 1e-14 && (omega - 2.0_f64.sqrt()).abs() < 1e-14);
     let mut random = Random::new(2002);
     for _ in 0..10 {
-        let model = Squeal {
-            a: random.between(1.5, 3.0),
-            b: random.between(0.4, 1.5),
-            k12: random.between(0.5, 1.2),
-            k3: random.between(0.8, 1.6),
-            c1: random.between(0.02, 0.3),
-            c2: random.between(0.02, 0.3),
-            load: random.positive(0.1, 10.0),
-            ..Default::default()
-        };
+        let model = drawn(&mut random);
         let (mu, omega) = closed_form(&model);
         let (found, frequency) = found(model, 1.5 * mu);
         assert!(

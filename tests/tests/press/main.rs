@@ -3,6 +3,7 @@
 mod audit;
 mod bilinear;
 mod copies;
+mod corner;
 mod derivatives;
 mod follower;
 mod graze;

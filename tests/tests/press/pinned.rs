@@ -94,7 +94,7 @@ fn ground_that_rubs_does_not_hold_what_a_wall_leads() {
 }
 
 /// What drives the hammer of k = c = 0 and m = 1, from φ₀ on at speed 0 with friction s: its speed and its way at φ.
-fn flies(load: f64, bias: f64, from: f64, to: f64) -> [f64; 2] {
+pub(crate) fn flies(load: f64, bias: f64, from: f64, to: f64) -> [f64; 2] {
     let t = to - from;
     [
         load * (to.sin() - from.sin()) + bias * t,

@@ -5,6 +5,9 @@ use stickslip::field::Design;
 use stickslip::model::Model;
 use stickslip::study::{Along, Case, Dynamics, System};
 
+use stickslip_tests::random::Random;
+
+use crate::hopf::{closed_form, drawn};
 use crate::models::Squeal;
 
 /// Steps of Dormand and Prince's fifth-order method.
@@ -253,6 +256,35 @@ fn stick_or_lift_off_bounds_squeal() {
         );
         assert_eq!(spelt, word);
     }
+}
+
+/// Beyond the Hopf points of random sets: a slow belt is stuck to, from a fast one the mass lifts off. All but load and belt is
+/// linear, so that their ratio decides: a fast belt and a small load are one.
+#[test]
+#[ignore = "long"]
+fn stick_or_lift_off_bounds_squeal_of_any_stiffness_and_damping() {
+    let mut random = Random::new(1915);
+    let mut bounds = [0, 0];
+    for _ in 0..10 {
+        let drawn = drawn(&mut random);
+        let (critical, _) = closed_form(&drawn);
+        for speed in [0.03, 1.0] {
+            let model = Squeal {
+                mu: 1.3 * critical,
+                belt: speed * drawn.load,
+                ..drawn
+            };
+            let (found, word) = orbit(&model);
+            let expected = period(&model);
+            assert!(
+                (found - expected).abs() < 1e-8,
+                "{found} against {expected}: {word}, {model:?}"
+            );
+            bounds[0] += usize::from(word.contains("stick(F)"));
+            bounds[1] += usize::from(word.contains("open(N)"));
+        }
+    }
+    assert!(bounds.iter().all(|count| *count >= 5), "{bounds:?}");
 }
 
 /// Between what bounds it slowly and what bounds it fast lies a grazing: on its orbit the force just touches zero.

@@ -1,0 +1,4 @@
+//! Dry contacts in closed form: one element, one mass.
+
+mod hartog;
+mod jenkins;
