@@ -59,7 +59,7 @@ impl<const N: usize, const P: usize> Lanes<N> for DualSVec64<P> {
     #[inline]
     fn slopes(&self) -> ([f64; N], f64) {
         match self.eps.0 {
-            Some(lanes) => (std::array::from_fn(|i| lanes[i]), lanes[N]),
+            Some(lanes) => (filled(|i| lanes[i]), lanes[N]),
             None => ([0.0; N], 0.0),
         }
     }
@@ -74,6 +74,29 @@ pub trait Inline<T>: Copy + AsRef<[T]> + AsMut<[T]> + Send + Sync {
 impl<T: Copy + Send + Sync, const LENGTH: usize> Inline<T> for [T; LENGTH] {
     #[inline]
     fn from_fn(element: impl FnMut(usize) -> T) -> Self {
-        std::array::from_fn(element)
+        filled(element)
     }
+}
+
+/// An array filled from the function of the index. The standard library's `from_fn`, which may stop half way, is four functions
+/// for each function that it calls; so this is a quarter less to compile of every model.
+#[inline]
+pub(crate) fn filled<T: Copy, const LENGTH: usize>(
+    mut element: impl FnMut(usize) -> T,
+) -> [T; LENGTH] {
+    if LENGTH == 0 {
+        return std::array::from_fn(none);
+    }
+    let mut all = [element(0); LENGTH];
+    let mut i = 1;
+    while i < LENGTH {
+        all[i] = element(i);
+        i += 1;
+    }
+    all
+}
+
+/// The element of an empty array.
+fn none<T>(_: usize) -> T {
+    unreachable!("an empty array has no element")
 }

@@ -4,9 +4,12 @@ use nalgebra::Complex;
 
 use super::condition::pairs;
 use super::isola::Unfolding;
-use super::point::{CurvePoint, Stands};
+use super::point::{CurvePoint, Unfolds};
 use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{Kind, Monitor, Verdict};
+use crate::shooting::Orbit;
+
+type Point = CurvePoint<Orbit>;
 
 /// The part along the other variable that is left of a tangent at a cusp, relative to its neighbours.
 const CUSP: f64 = 0.1;
@@ -15,10 +18,10 @@ const CUSP: f64 = 0.1;
 const CONSTANT: f64 = 1e-6;
 
 /// What is looked for on a curve of this kind.
-pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a, CurvePoint>> {
-    let last = |kind| move |_: [&CurvePoint; 2], _: &CurvePoint| Some(Verdict::Last(kind));
-    let multipliers = |point: &CurvePoint| point.floquet().multipliers.clone();
-    let cosine = move |point: &CurvePoint| cosine(&multipliers(point)).unwrap_or(f64::NAN);
+pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a, Point>> {
+    let last = |kind| move |_: [&Point; 2], _: &Point| Some(Verdict::Last(kind));
+    let multipliers = |point: &Point| point.floquet().multipliers.clone();
+    let cosine = move |point: &Point| cosine(&multipliers(point)).unwrap_or(f64::NAN);
     match of {
         Kind::Fold => vec![
             still(unfolding, 1),
@@ -49,19 +52,25 @@ pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a
 
 /// Where the curve of folds stands still in one variable: in the other one, too, at a cusp, which is told of once; else
 /// branches along that other one appear there, vanish, or exchange their parts.
-pub(super) fn still<P: Stands + 'static>(unfolding: &Unfolding, still: usize) -> Monitor<'_, P> {
-    let monitor = Monitor::new(Kind::Cusp, move |point: &P| point.tangent()[still]);
+pub(super) fn still<T: Unfolds + 'static>(
+    unfolding: &Unfolding,
+    still: usize,
+) -> Monitor<'_, CurvePoint<T>> {
+    let monitor = Monitor::new(Kind::Cusp, move |point: &CurvePoint<T>| {
+        point.tangent[still]
+    });
     // A curve along which one variable is constant all the way stands still nowhere.
-    let moves = move |ends: [&P; 2]| ends.iter().any(|end| end.tangent()[still].abs() > CONSTANT);
+    let moves =
+        move |ends: [&CurvePoint<T>; 2]| ends.iter().any(|end| end.tangent[still].abs() > CONSTANT);
     let marked = monitor
         .only_if(moves)
-        .marked(move |point| point.stands(still));
+        .marked(move |point| point.still = Some(still));
     marked.judged(move |[before, after], at| {
-        let other = |point: &P| point.tangent()[1 - still].abs();
+        let other = |point: &CurvePoint<T>| point.tangent[1 - still].abs();
         let kind = if other(at) <= CUSP * other(before).max(other(after)) {
             (still == 1).then_some(Kind::Cusp)
         } else {
-            at.unfolded(unfolding, still)
+            at.of.unfolded([at.p, at.q], unfolding, still)
         };
         kind.map(Verdict::Special)
     })

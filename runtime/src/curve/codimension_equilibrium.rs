@@ -5,16 +5,17 @@ use nalgebra::Complex;
 use super::codimension::still;
 use super::condition::pairs;
 use super::isola::Unfolding;
-use super::point::EquilibriumCurvePoint;
+use super::point::{CriticalEquilibrium, CurvePoint};
 use crate::continuation::{Kind, Monitor, Verdict};
 
-type Point = EquilibriumCurvePoint;
+type Point = CurvePoint<CriticalEquilibrium>;
 
 /// What is looked for on a curve of this kind.
 pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a, Point>> {
     let ends = |kind| move |_: [&Point; 2], _: &Point| Some(Verdict::Last(kind));
     let least = |point: &Point| {
         point
+            .of
             .margins
             .iter()
             .map(|one| one.1)
@@ -25,7 +26,7 @@ pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a
     match of {
         Kind::Hopf => named.extend([
             Monitor::new(Kind::GeneralizedHopf, coefficient)
-                .known_to(|point| point.onset.map_or(0.0, |onset| onset.error))
+                .known_to(|point| point.of.onset.map_or(0.0, |onset| onset.error))
                 .judged(passes),
             // Beyond, the pair is real, and the equilibrium a neutral saddle.
             Monitor::new(Kind::BogdanovTakens, square).judged(ends(Kind::BogdanovTakens)),
@@ -45,7 +46,7 @@ pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a
 
 /// l₁; no number where it is not known.
 fn coefficient(point: &Point) -> f64 {
-    point.onset.map_or(f64::NAN, |onset| onset.coefficient)
+    point.of.onset.map_or(f64::NAN, |onset| onset.coefficient)
 }
 
 /// Where l₁ changes its sign through zero, and not through infinity, as it does where eigenvalues meet.
@@ -59,7 +60,7 @@ fn passes(ends: [&Point; 2], at: &Point) -> Option<Verdict> {
 
 /// The product of the pair: ω² where it turns.
 fn square(point: &Point) -> f64 {
-    point.pair.map_or(f64::NAN, |[a, b]| (a * b).re)
+    point.of.pair.map_or(f64::NAN, |[a, b]| (a * b).re)
 }
 
 /// Where two more eigenvalues come to the sum zero, and turn.
@@ -79,8 +80,8 @@ fn pair<'a>(kind: Kind) -> Monitor<'a, Point> {
 
 /// The eigenvalues but those for which the equilibrium is special.
 fn others(point: &Point) -> Vec<Complex<f64>> {
-    let mut all = point.spectrum.eigenvalues.clone();
-    let critical = point.pair.map_or(vec![Complex::default()], Vec::from);
+    let mut all = point.of.spectrum.eigenvalues.clone();
+    let critical = point.of.pair.map_or(vec![Complex::default()], Vec::from);
     for one in critical {
         let distance = |i: &usize| (all[*i] - one).norm();
         let nearest = (0..all.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));

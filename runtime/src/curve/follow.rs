@@ -31,8 +31,8 @@ pub fn follow(
     orbit: &Orbit,
     window: [f64; 2],
     settings: Settings,
-    watch: &mut dyn FnMut(&CurvePoint) -> ControlFlow<()>,
-) -> Result<Option<Curve<CurvePoint>>, Failure<FlowError>> {
+    watch: &mut dyn FnMut(&CurvePoint<Orbit>) -> ControlFlow<()>,
+) -> Result<Option<Curve<CurvePoint<Orbit>>>, Failure<FlowError>> {
     let Some(condition) = Condition::of(kind) else {
         return Ok(None);
     };
@@ -79,14 +79,14 @@ struct Orbits {
 
 impl Reader for Orbits {
     type Problem = CriticalProblem<OrbitProblem>;
-    type Point = CurvePoint;
+    type Point = CurvePoint<Orbit>;
 
     fn read(
         &self,
         problem: &CriticalProblem<OrbitProblem>,
         point: &Point<Critical<Shot>>,
         _work: Work,
-    ) -> CurvePoint {
+    ) -> CurvePoint<Orbit> {
         let (z, p) = split(&point.z);
         let family = problem.plane.along_p(point.r);
         let solution = Solution {
@@ -100,20 +100,20 @@ impl Reader for Orbits {
         CurvePoint {
             p,
             q: point.r,
-            orbit,
+            of: orbit,
             test: point.extra.test,
             tangent: [point.tangent[order + 1], point.tangent[order + 2]],
             still: None,
         }
     }
 
-    fn monitors(&self) -> Vec<Monitor<'_, CurvePoint>> {
-        let bounds = bounds(self.window, |point: &CurvePoint| point.p);
+    fn monitors(&self) -> Vec<Monitor<'_, CurvePoint<Orbit>>> {
+        let bounds = bounds(self.window, |point: &CurvePoint<Orbit>| point.p);
         bounds.chain(monitors(self.kind, &self.unfolding)).collect()
     }
 
     /// Whether the multipliers do not say what the condition does any more.
-    fn lost(&self, point: &CurvePoint) -> Option<f64> {
+    fn lost(&self, point: &CurvePoint<Orbit>) -> Option<f64> {
         let off = Condition::of(self.kind)?.distance(&point.floquet().multipliers);
         (off.is_nan() || off > LOST).then_some(off)
     }

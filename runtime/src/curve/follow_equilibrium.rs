@@ -11,12 +11,14 @@ use super::critical::{Critical, CriticalProblem, joined, split};
 use super::follow::Curve;
 use super::isola::Unfolding;
 use super::plane::Plane;
-use super::point::EquilibriumCurvePoint;
-use crate::continuation::{self, Branch, Failure, Kind, Monitor, Point, Reader, Settings};
+use super::point::{CriticalEquilibrium, CurvePoint};
+use crate::continuation::{self, Branch, Failure, Kind, Monitor, Reader, Settings};
 use crate::equilibrium::{EquilibriumProblem, Onset};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Place, Velocity};
+
+type Point = CurvePoint<CriticalEquilibrium>;
 
 /// Follows the fold or Hopf point `kind` of equilibria that lies at `from` for (p, q = settings.from) as
 /// [`follow`](super::follow) does that of orbits; `None` if there is no condition for that kind.
@@ -29,8 +31,8 @@ pub fn follow_equilibrium(
     (from, p): (&Place, f64),
     window: [f64; 2],
     settings: Settings,
-    watch: &mut dyn FnMut(&EquilibriumCurvePoint) -> ControlFlow<()>,
-) -> Result<Option<Curve<EquilibriumCurvePoint>>, Failure<FlowError>> {
+    watch: &mut dyn FnMut(&Point) -> ControlFlow<()>,
+) -> Result<Option<Curve<Point>>, Failure<FlowError>> {
     let known = matches!(kind, Kind::Fold | Kind::Hopf);
     let Some(condition) = Condition::of(kind).filter(|_| known) else {
         return Ok(None);
@@ -67,14 +69,14 @@ struct Equilibria {
 
 impl Reader for Equilibria {
     type Problem = CriticalProblem<EquilibriumProblem>;
-    type Point = EquilibriumCurvePoint;
+    type Point = Point;
 
     fn read(
         &self,
         problem: &Self::Problem,
-        point: &Point<Critical<Velocity>>,
+        point: &continuation::Point<Critical<Velocity>>,
         _work: Work,
-    ) -> EquilibriumCurvePoint {
+    ) -> Point {
         let (z, p) = split(&point.z);
         let velocity = &point.extra.of;
         let place = problem.subject.place(&z);
@@ -84,23 +86,26 @@ impl Reader for Equilibria {
         let onset = flow.as_ref().zip(turns);
         let onset = onset.and_then(|(flow, turns)| Onset::of(flow.as_ref(), &place, turns));
         let count = z.len();
-        EquilibriumCurvePoint {
-            p,
-            q: point.r,
+        let of = CriticalEquilibrium {
             spectrum: problem.subject.spectrum(velocity),
             pair,
             onset,
             margins: flow.map_or_else(Vec::new, |flow| flow.margins(&place)),
             place,
             residual: point.residual,
+        };
+        CurvePoint {
+            p,
+            q: point.r,
+            of,
             test: point.extra.test,
             tangent: [point.tangent[count], point.tangent[count + 1]],
             still: None,
         }
     }
 
-    fn monitors(&self) -> Vec<Monitor<'_, EquilibriumCurvePoint>> {
-        let bounds = bounds(self.window, |point: &EquilibriumCurvePoint| point.p);
+    fn monitors(&self) -> Vec<Monitor<'_, Point>> {
+        let bounds = bounds(self.window, |point: &Point| point.p);
         bounds.chain(monitors(self.kind, &self.unfolding)).collect()
     }
 

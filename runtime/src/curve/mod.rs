@@ -22,5 +22,5 @@ pub use follow::{Curve, follow};
 pub use follow_equilibrium::follow_equilibrium;
 pub use follow_graze::{GrazingPoint, follow_graze};
 pub use plane::Plane;
-pub use point::{CurvePoint, EquilibriumCurvePoint};
+pub use point::{CriticalEquilibrium, CurvePoint};
 pub use subject::{Beside, Subject};

@@ -9,15 +9,15 @@ use crate::equilibrium::{EquilibriumProblem, Onset, Spectrum};
 use crate::motion::Place;
 use crate::shooting::{Orbit, problem};
 
-/// An orbit that is special, and where.
+/// What is special on a curve, an [`Orbit`] or a [`CriticalEquilibrium`], and where.
 #[derive(Debug, Clone)]
-pub struct CurvePoint {
+pub struct CurvePoint<T> {
     /// The first design variable.
     pub p: f64,
     /// The second one.
     pub q: f64,
-    /// The orbit; its residual includes that of the condition.
-    pub orbit: Orbit,
+    /// What is special; its residual includes that of the condition.
+    pub of: T,
     /// The condition that makes it special, as it was met.
     pub test: f64,
     /// Components of the unit tangent along p and q, in scaled coordinates.
@@ -26,22 +26,18 @@ pub struct CurvePoint {
     pub still: Option<usize>,
 }
 
-impl CurvePoint {
+impl CurvePoint<Orbit> {
     /// Stability.
     #[must_use]
     pub fn floquet(&self) -> &Floquet {
-        &self.orbit.floquet
+        &self.of.floquet
     }
 }
 
-/// An equilibrium that is special, and where.
+/// An equilibrium with an eigenvalue, or a pair of them, on the imaginary axis.
 #[derive(Debug, Clone)]
-pub struct EquilibriumCurvePoint {
-    /// The first design variable.
-    pub p: f64,
-    /// The second one.
-    pub q: f64,
-    /// The equilibrium.
+pub struct CriticalEquilibrium {
+    /// Where it is.
     pub place: Place,
     /// Its eigenvalues.
     pub spectrum: Spectrum,
@@ -53,15 +49,9 @@ pub struct EquilibriumCurvePoint {
     pub margins: Vec<(usize, f64)>,
     /// Norm of the residual of its equations, that of the condition included.
     pub residual: f64,
-    /// The condition that makes it special, as it was met.
-    pub test: f64,
-    /// Components of the unit tangent along p and q, in scaled coordinates.
-    pub tangent: [f64; 2],
-    /// Which of p and q stands still here along the curve, if it was found because one does.
-    pub still: Option<usize>,
 }
 
-impl EquilibriumCurvePoint {
+impl CriticalEquilibrium {
     /// |Im λ| of the pair, if it turns.
     #[must_use]
     pub fn frequency(&self) -> Option<f64> {
@@ -70,68 +60,30 @@ impl EquilibriumCurvePoint {
     }
 }
 
-/// A point of a curve that may stand still in one of its variables.
-pub(super) trait Stands {
-    /// Components of the unit tangent along p and q, in scaled coordinates.
-    fn tangent(&self) -> [f64; 2];
-
-    /// Told which variable stands still here.
-    fn stands(&mut self, still: usize);
-
-    /// What becomes of branches along the other variable there.
-    fn unfolded(&self, unfolding: &Unfolding, still: usize) -> Option<Kind>;
+/// What may turn back, or exchange its branches, where a curve of folds stands still in one variable.
+pub(super) trait Unfolds: Clone {
+    /// What becomes of branches along the other variable at this (p, q).
+    fn unfolded(&self, at: [f64; 2], unfolding: &Unfolding, still: usize) -> Option<Kind>;
 }
 
-impl Stands for CurvePoint {
-    fn tangent(&self) -> [f64; 2] {
-        self.tangent
-    }
-
-    fn stands(&mut self, still: usize) {
-        self.still = Some(still);
-    }
-
-    fn unfolded(&self, unfolding: &Unfolding, still: usize) -> Option<Kind> {
-        let guess = self.orbit.guess();
-        unfolding.kind([self.p, self.q], still, |family, a| {
-            problem(family, a, &guess, 1)
-        })
+impl Unfolds for Orbit {
+    fn unfolded(&self, at: [f64; 2], unfolding: &Unfolding, still: usize) -> Option<Kind> {
+        let guess = self.guess();
+        unfolding.kind(at, still, |family, a| problem(family, a, &guess, 1))
     }
 }
 
-impl Stands for EquilibriumCurvePoint {
-    fn tangent(&self) -> [f64; 2] {
-        self.tangent
-    }
-
-    fn stands(&mut self, still: usize) {
-        self.still = Some(still);
-    }
-
-    fn unfolded(&self, unfolding: &Unfolding, still: usize) -> Option<Kind> {
+impl Unfolds for CriticalEquilibrium {
+    fn unfolded(&self, at: [f64; 2], unfolding: &Unfolding, still: usize) -> Option<Kind> {
         let Place { state, modes } = &self.place;
-        unfolding.kind([self.p, self.q], still, |family, _| {
+        unfolding.kind(at, still, |family, _| {
             let problem = EquilibriumProblem::new(family, modes.clone(), state);
             Ok((problem, DVector::from_column_slice(state)))
         })
     }
 }
 
-impl Watched for EquilibriumCurvePoint {
-    fn r(&self) -> f64 {
-        self.q
-    }
-
-    fn slope(&self) -> f64 {
-        self.tangent[1]
-    }
-
-    fn moved(&self, from: &Self) -> f64 {
-        moved([self.p, self.q], [from.p, from.q])
-    }
-}
-
-impl Watched for CurvePoint {
+impl<T: Clone> Watched for CurvePoint<T> {
     fn r(&self) -> f64 {
         self.q
     }

@@ -92,7 +92,7 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
             at_rest: None,
             at_kink: None,
         };
-        let coordinates = std::array::from_fn(|j| Enclosure::coordinate(states[j], j));
+        let coordinates = crate::scalar::filled(|j| Enclosure::coordinate(states[j], j));
         let field = M::rhs(&self.params, coordinates, &mut rule);
         if let Some(contact) = rule.at_rest {
             let name = M::INFO.contact(contact).unwrap_or("?");

@@ -44,7 +44,7 @@ impl<const N: usize> LinearField<N> {
         let still = field.linearise(&[0.0; N]);
         let turned = |angle| {
             let phase = phase?;
-            let state = std::array::from_fn(|i| if i == phase { angle } else { 0.0 });
+            let state = crate::scalar::filled(|i| if i == phase { angle } else { 0.0 });
             Some(field.linearise(&state))
         };
         let [quarter, half] = [FRAC_PI_2, PI].map(|angle| turned(angle).unwrap_or(still));
@@ -124,7 +124,7 @@ impl<const N: usize> LinearField<N> {
 
     /// The magnitude of the terms of f: what its rounding errors are measured against.
     pub(crate) fn terms(&self, (state, wave): &Point<N>) -> [f64; N] {
-        std::array::from_fn(|i| {
+        crate::scalar::filled(|i| {
             let own = self.own.matrix[i].iter().zip(state);
             let forced = self.own.forcing[i].iter().zip(wave);
             own.chain(forced).map(|(a, y)| (a * y).abs()).sum()
@@ -166,7 +166,7 @@ impl<const N: usize> Parts<N> {
         };
         Self {
             matrix,
-            forcing: std::array::from_fn(waves),
+            forcing: crate::scalar::filled(waves),
             rate: phase.map_or(0.0, |phase| at[0][phase]),
         }
     }
@@ -179,7 +179,7 @@ impl<const N: usize> Parts<N> {
 
     #[inline]
     fn along(&self, factor: f64, (state, wave): &Point<N>) -> Point<N> {
-        let rates = std::array::from_fn(|i| {
+        let rates = crate::scalar::filled(|i| {
             let forcing = &self.forcing[i];
             let mut sum = forcing[0] * wave[0] + forcing[1] * wave[1] + forcing[2] * wave[2];
             for (a, y) in self.matrix[i].iter().zip(state) {

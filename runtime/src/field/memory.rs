@@ -47,7 +47,7 @@ pub(super) fn corners<M: Model<N>, const N: usize>(params: &M::Params<f64>) -> u
     if M::INFO.memories.is_empty() {
         return 0;
     }
-    let start = std::array::from_fn(|i| M::INFO.states[i].start);
+    let start = crate::scalar::filled(|i| M::INFO.states[i].start);
     let mut rule = Corners {
         wanted: usize::MAX,
         seen: 0,
@@ -78,7 +78,7 @@ pub(super) fn bounded<M: Model<N>, const N: usize>(
     mut magnitude: [f64; N],
 ) -> [f64; N] {
     if !M::INFO.memories.is_empty() {
-        let start = std::array::from_fn(|i| M::INFO.states[i].start);
+        let start = crate::scalar::filled(|i| M::INFO.states[i].start);
         let stops = super::Stops::of::<M>(params, &Inline::from_fn(|_| 0.0));
         for (i, magnitude) in magnitude.iter_mut().enumerate() {
             if stops.bound(i) > 0.0 {

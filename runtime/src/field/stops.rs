@@ -45,7 +45,7 @@ impl<const N: usize> Stops<N> {
         let mut stops = Self::NONE;
         if M::INFO.has_stops() {
             let params = Inline::from_fn(|i| Dual64::new(values.as_ref()[i], seeds.as_ref()[i]));
-            let start = std::array::from_fn(|i| Dual64::from(M::INFO.states[i].start));
+            let start = crate::scalar::filled(|i| Dual64::from(M::INFO.states[i].start));
             let mut rule = Bounds::<M, N> {
                 stops: &mut stops,
                 model: std::marker::PhantomData,

@@ -66,7 +66,7 @@ pub(crate) fn standing<M: Model<N>, const N: usize>(
     let Some(index) = M::INFO.drive else {
         return Ok(());
     };
-    let start = std::array::from_fn(|i| M::INFO.states[i].start);
+    let start = crate::scalar::filled(|i| M::INFO.states[i].start);
     let rate = M::rhs(params, start, &mut Frictionless)[index];
     if rate > 0.0 && rate.is_finite() {
         return Ok(());

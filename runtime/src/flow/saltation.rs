@@ -67,7 +67,7 @@ impl<const N: usize> Saltation<N> {
     /// # Errors
     /// D = h_y f⁻, if the motion `grazes` the surface instead of crossing it and the field jumps there.
     pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<(), f64> {
-        let jump: [f64; N] = std::array::from_fn(|i| self.after[i] - self.before[i]);
+        let jump: [f64; N] = crate::scalar::filled(|i| self.after[i] - self.before[i]);
         if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
             return Ok(());
         }
@@ -86,10 +86,10 @@ impl<const N: usize> Saltation<N> {
         reset: &Reset<N>,
         grazes: bool,
     ) -> Result<(), f64> {
-        let jump = std::array::from_fn(|i| self.after[i] - dot(&reset.slopes[i], &self.before));
+        let jump = crate::scalar::filled(|i| self.after[i] - dot(&reset.slopes[i], &self.before));
         let (shift, shifts) = self.shifts(motion, grazes)?;
         motion.design =
-            std::array::from_fn(|i| dot(&reset.slopes[i], &motion.design) + reset.design[i]);
+            crate::scalar::filled(|i| dot(&reset.slopes[i], &motion.design) + reset.design[i]);
         motion.tangent = product(&reset.slopes, &motion.tangent);
         leap(motion, &jump, shift, &shifts);
         Ok(())

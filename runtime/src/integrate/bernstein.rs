@@ -18,7 +18,7 @@ impl Bernstein {
     /// Nodes on [0, 1] from whose values [`Bernstein::interpolate`] builds a polynomial (Chebyshev-Lobatto).
     #[must_use]
     pub fn nodes() -> [f64; DEGREE + 1] {
-        std::array::from_fn(|i| {
+        crate::scalar::filled(|i| {
             let half = 0.5 * std::f64::consts::PI * i as f64 / DEGREE as f64;
             half.sin().powi(2)
         })
@@ -216,7 +216,7 @@ const NESTED: [[f64; DEGREE + 1]; DEGREE] = nested();
 
 /// Bernstein coefficients of the polynomials that are 1 at one node and 0 at the others.
 static CARDINAL: LazyLock<[[f64; DEGREE + 1]; DEGREE + 1]> =
-    LazyLock::new(|| std::array::from_fn(|i| Bernstein::cardinal(i).coefficients));
+    LazyLock::new(|| crate::scalar::filled(|i| Bernstein::cardinal(i).coefficients));
 
 const fn nested() -> [[f64; DEGREE + 1]; DEGREE] {
     let mut all = [[0.0; DEGREE + 1]; DEGREE];

@@ -145,7 +145,7 @@ impl<const N: usize> Motion<N> {
 
     /// Sets Φ = I and leaves the rest.
     pub fn restart(&mut self) {
-        self.tangent = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
+        self.tangent = crate::scalar::filled(|i| crate::scalar::filled(|j| f64::from(i == j)));
     }
 }
 

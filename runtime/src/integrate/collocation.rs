@@ -14,7 +14,7 @@ impl<const N: usize, const S: usize> Collocation<N, S> {
     pub(super) fn new(tableau: &Tableau<S>, increments: &[[f64; N]; S]) -> Self {
         let nodes = tableau.nodes;
         let mut coefficients: [[f64; N]; S] =
-            std::array::from_fn(|i| increments[i].map(|increment| increment / nodes[i]));
+            crate::scalar::filled(|i| increments[i].map(|increment| increment / nodes[i]));
         for order in 1..S {
             for i in (order..S).rev() {
                 let width = nodes[i] - nodes[i - order];

@@ -75,7 +75,7 @@ impl<const N: usize> Dense<N> {
     /// The polynomial value + g·(y(θ) − y₀): an affine function of the state, from the product of g with a vector.
     #[must_use]
     pub fn along(&self, value: f64, gradient: impl Fn(&[f64; N]) -> f64) -> Bernstein {
-        let projected = std::array::from_fn(|k| gradient(&self.terms[k]));
+        let projected = crate::scalar::filled(|k| gradient(&self.terms[k]));
         Bernstein::from_nested(value, projected)
     }
 

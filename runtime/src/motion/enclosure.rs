@@ -32,7 +32,7 @@ impl<M: Model<N>, const N: usize> Enclosure for EnclosedField<M, N> {
 
     fn over(&self, states: &[Interval]) -> Result<Enclosed, Unenclosed> {
         let state = |j: usize| states.get(j).copied();
-        let states = std::array::from_fn(|j| state(j).unwrap_or(Interval::from(f64::NAN)));
+        let states = crate::scalar::filled(|j| state(j).unwrap_or(Interval::from(f64::NAN)));
         let field = EnclosedField::over(self, &states)?;
         Ok(Enclosed {
             f: field.f.to_vec(),

@@ -227,5 +227,5 @@ pub(super) fn matrix<const N: usize>(rows: &[[f64; N]; N]) -> DMatrix<f64> {
 
 /// A state of the static floors; NaN where a number is missing, which no integrator takes.
 pub(crate) fn fixed<const N: usize>(state: &[f64]) -> [f64; N] {
-    std::array::from_fn(|j| state.get(j).copied().unwrap_or(f64::NAN))
+    crate::scalar::filled(|j| state.get(j).copied().unwrap_or(f64::NAN))
 }

@@ -210,7 +210,7 @@ pub(super) fn speed_rates<M: Model<N>, D: Scalar, const N: usize>(
 ) -> M::PerContact<D> {
     let mut rule = Branches::<M, Dual<D>, N>::free(modes.as_slice());
     let lifted = Inline::from_fn(|i| Dual::new(params.as_ref()[i], D::from(0.0)));
-    let moving = std::array::from_fn(|i| Dual::new(state[i], direction[i]));
+    let moving = crate::scalar::filled(|i| Dual::new(state[i], direction[i]));
     // Only the speeds matter, which no force enters.
     let _ = M::rhs(&lifted, moving, &mut rule);
     Inline::from_fn(|i| rule.speed.as_ref()[i].eps)

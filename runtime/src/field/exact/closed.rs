@@ -35,7 +35,7 @@ impl<M: Model<N>, const N: usize> Closed<M, N> {
         let mut matrix: Square<M, f64, N> = Inline::from_fn(|_| Inline::from_fn(|_| 0.0));
         for column in modes.resting() {
             let push = input::<M, f64, N>(&system.plain, state, &still, column);
-            let moving = std::array::from_fn(|i| Dual64::new(state[i], push[i]));
+            let moving = crate::scalar::filled(|i| Dual64::new(state[i], push[i]));
             let mut rule = Branches::<M, Dual64, N>::free(still.as_slice());
             let way = M::rhs(&system.directional, moving, &mut rule).map(|f| f.eps);
             let gaps = speed_rates::<M, f64, N>(&system.plain, state, &open, &way);

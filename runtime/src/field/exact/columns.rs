@@ -73,7 +73,7 @@ impl<const N: usize> Columns<N> {
         }
         for (row, from) in self.kinematic.iter().enumerate() {
             if let Some(from) = *from {
-                linear.jacobian[row] = std::array::from_fn(|j| f64::from(j == from));
+                linear.jacobian[row] = crate::scalar::filled(|j| f64::from(j == from));
             }
         }
         if self.design {

@@ -48,8 +48,8 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
 
     fn at(params: &M::Params<M::Lanes>, state: &[f64; N]) -> Option<Self> {
         let modes = Modes::held();
-        let lanes: [M::Lanes; N] = std::array::from_fn(|i| M::Lanes::state(state[i], i));
-        let direction = std::array::from_fn(|i| M::Lanes::constant(generic(i, 0.713)));
+        let lanes: [M::Lanes; N] = crate::scalar::filled(|i| M::Lanes::state(state[i], i));
+        let direction = crate::scalar::filled(|i| M::Lanes::constant(generic(i, 0.713)));
         let bend = speed_rates::<M, M::Lanes, N>(params, &lanes, &modes, &direction);
         let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
         let _ = M::rhs(params, lanes, &mut rule);
@@ -158,7 +158,7 @@ fn generic(index: usize, seed: f64) -> f64 {
 }
 
 pub(super) fn generic_state<M: Model<N>, const N: usize>(seed: f64) -> [f64; N] {
-    std::array::from_fn(|i| {
+    crate::scalar::filled(|i| {
         let start = M::INFO.states.get(i).map_or(0.0, |state| state.start);
         start + (1.0 + start.abs()) * generic(i, seed)
     })

@@ -65,7 +65,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         state: &[f64; N],
         impulses: &Impulses<M, N>,
     ) -> Result<Impact<M, M::Lanes, N>, ContactError> {
-        let lanes = std::array::from_fn(|i| M::Lanes::state(state[i], i));
+        let lanes = crate::scalar::filled(|i| M::Lanes::state(state[i], i));
         let affine = Affine::new(None, &self.lanes, &lanes, &impulses.modes);
         impact(&self.lanes, &lanes, impulses, &affine).ok_or_else(|| singular(&impulses.modes))
     }
@@ -90,7 +90,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let affine = Affine::new(None, &self.plain, state, modes);
         opposing::<M, N>(&affine.compliance, modes)?;
         let push = affine.input.as_ref()[press];
-        let moving = std::array::from_fn(|i| Dual64::new(state[i], push[i]));
+        let moving = crate::scalar::filled(|i| Dual64::new(state[i], push[i]));
         let (rate, rebound) = rebound::<M, Dual64, N>(&self.directional, &moving, press);
         let restitution = -rebound.eps / rate.eps;
         let unit = Inline::from_fn(|i| if i == press { 1.0 + restitution } else { 0.0 });

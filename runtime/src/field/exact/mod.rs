@@ -134,7 +134,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         };
         let gaps = self.system.speeds(state);
         let mut change = closed.correction(&gaps);
-        let moved = std::array::from_fn(|i| state[i] - change[i]);
+        let moved = crate::scalar::filled(|i| state[i] - change[i]);
         let rates = self.system.rates(&moved, &self.modes);
         let back = self.correction(&moved, &rates);
         for ((c, b), y) in change.iter_mut().zip(back).zip(state) {
@@ -201,7 +201,7 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
     /// A law that changes within a thin layer of speed tightens what its speed is measured against.
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
         let magnitude = &self.system.magnitude;
-        let mut scale = std::array::from_fn(|j| {
+        let mut scale = crate::scalar::filled(|j| {
             tolerance.absolute * magnitude[j] + tolerance.relative * y[j].abs()
         });
         let (Some(layers), Some(gradients)) = (&self.layers, self.system.gradients()) else {
@@ -237,12 +237,12 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
     #[inline]
     fn linearise(&self, y: &[f64; N]) -> Linear<N> {
         if self.sticks() && self.levers.is_none() {
-            let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+            let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
             return linear_of(&self.probe(&self.system.lanes, &state));
         }
         let mut linear = self.system.columns.linearise(
             |seed| {
-                let state = std::array::from_fn(|i| Dual64::new(y[i], seed[i]));
+                let state = crate::scalar::filled(|i| Dual64::new(y[i], seed[i]));
                 self.free(&self.system.directional, state)
             },
             || self.free(&self.system.turned, y.map(Dual64::from)),
@@ -258,9 +258,9 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
 
 /// Values, Jacobian and design column out of the lanes.
 pub(crate) fn linear_of<L: Lanes<N>, const N: usize>(field: &[L; N]) -> Linear<N> {
-    let slopes: [_; N] = std::array::from_fn(|i| field[i].slopes());
+    let slopes: [_; N] = crate::scalar::filled(|i| field[i].slopes());
     Linear {
-        f: std::array::from_fn(|i| field[i].re()),
+        f: crate::scalar::filled(|i| field[i].re()),
         jacobian: slopes.map(|(state, _)| state),
         design: slopes.map(|(_, design)| design),
     }

@@ -236,7 +236,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         modes: &Modes<M, N>,
     ) -> Result<Snapshot<M, Dual64, N>, ContactError> {
         let field = self.snapshot(state, modes)?.field;
-        let state = std::array::from_fn(|i| Dual64::new(state[i], field[i]));
+        let state = crate::scalar::filled(|i| Dual64::new(state[i], field[i]));
         self.known(&self.directional, &state, modes)
     }
 
@@ -249,7 +249,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         state: &[f64; N],
         modes: &Modes<M, N>,
     ) -> Result<Snapshot<M, M::Lanes, N>, ContactError> {
-        let state = std::array::from_fn(|i| M::Lanes::state(state[i], i));
+        let state = crate::scalar::filled(|i| M::Lanes::state(state[i], i));
         self.known(&self.lanes, &state, modes)
     }
 
@@ -260,7 +260,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         modes: &Modes<M, N>,
         field: &[Dual64; N],
     ) -> M::PerContact<f64> {
-        let state = std::array::from_fn(|i| Dual64::new(state[i], field[i].re));
+        let state = crate::scalar::filled(|i| Dual64::new(state[i], field[i].re));
         let rates = speed_rates::<M, Dual64, N>(&self.directional, &state, modes, field);
         Inline::from_fn(|i| rates.as_ref()[i].eps)
     }
@@ -291,7 +291,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         state: &[f64; N],
         modes: &Modes<M, N>,
     ) -> M::PerContact<M::Lanes> {
-        let lanes = std::array::from_fn(|i| M::Lanes::state(state[i], i));
+        let lanes = crate::scalar::filled(|i| M::Lanes::state(state[i], i));
         let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
         let _ = M::rhs(&self.lanes, lanes, &mut rule);
         rule.speed

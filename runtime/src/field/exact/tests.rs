@@ -37,7 +37,7 @@ fn differences_agree<M: Model<N>, const N: usize>(of: &[Mode], state: [f64; N]) 
         let (mut up, mut down) = (state, state);
         up[j] += h;
         down[j] -= h;
-        let column = std::array::from_fn(|i| linear.jacobian[i][j]);
+        let column = crate::scalar::filled(|i| linear.jacobian[i][j]);
         close(f(0.0, &up), f(0.0, &down), column);
     }
     close(f(h, &state), f(-h, &state), linear.design);

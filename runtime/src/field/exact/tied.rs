@@ -46,8 +46,8 @@ fn moves_with<M: Model<N>, const N: usize>(
     let (push, gives) = push::<M, N>(plain, state, press);
     let impulse = -rule.speed.as_ref()[press] / gives.as_ref()[press];
     let factor = gives.as_ref()[contact] / gives.as_ref()[press];
-    let still: [f64; N] = std::array::from_fn(|i| state[i] + impulse * push[i]);
-    let at = std::array::from_fn(|i| M::Lanes::state(still[i], i));
+    let still: [f64; N] = crate::scalar::filled(|i| state[i] + impulse * push[i]);
+    let at = crate::scalar::filled(|i| M::Lanes::state(still[i], i));
     let mut rule = Branches::<M, M::Lanes, N>::free(alone.as_slice());
     let _ = M::rhs(lanes, at, &mut rule);
     let [speed, rate] = [contact, press].map(|i| Linear::of(&rule.speed.as_ref()[i]));

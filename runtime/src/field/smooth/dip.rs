@@ -32,7 +32,7 @@ fn dip([first, after, before, last]: [f64; 4], height: impl Fn(f64) -> f64) -> O
         return None;
     }
     let at = |k: usize| height(k as f64 / LOOKS as f64);
-    let (theta, least) = lowest(&std::array::from_fn(at));
+    let (theta, least) = lowest(&crate::scalar::filled(at));
     (least < 0.0).then_some(theta)
 }
 

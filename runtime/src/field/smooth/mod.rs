@@ -101,10 +101,10 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     /// field changes at the declared start.
     #[must_use]
     pub fn rates(&self) -> (f64, f64) {
-        let start: [f64; N] = std::array::from_fn(|i| M::INFO.states[i].start);
+        let start: [f64; N] = crate::scalar::filled(|i| M::INFO.states[i].start);
         let params = self.lifted();
         let rate = |steepness: f64| {
-            let state = std::array::from_fn(|i| M::Lanes::state(start[i], i));
+            let state = crate::scalar::filled(|i| M::Lanes::state(start[i], i));
             let rows = M::rhs(&params, state, &mut Layer { steepness });
             let sums = rows.map(|row| row.slopes().0.iter().map(|slope| slope.abs()).sum::<f64>());
             sums.into_iter().fold(0.0, f64::max)
@@ -171,7 +171,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
                 terms = moving.map(f64::abs).sum::<f64>() + rest.abs();
             }
         });
-        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+        let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
         let _ = M::rhs(&self.lifted(), state, &mut visit);
         f64::EPSILON * terms * self.rule.sharpness
     }
@@ -210,7 +210,7 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
 
     #[inline]
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
-        let plain = std::array::from_fn(|i| {
+        let plain = crate::scalar::filled(|i| {
             tolerance.relative * y[i].abs() + tolerance.absolute * self.magnitude[i]
         });
         if M::INFO.contacts.is_empty() {
@@ -221,7 +221,7 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
             width: 1.0 / self.rule.sharpness,
             tolerance,
         };
-        let state = std::array::from_fn(|i| M::Lanes::state(y[i], i));
+        let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
         let _ = M::rhs(&self.lifted(), state, &mut layers);
         layers.scale
     }

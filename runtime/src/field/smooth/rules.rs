@@ -17,7 +17,7 @@ pub(super) fn accept<M: Model<N>, const N: usize>(
         smoothing,
         info: M::INFO,
     };
-    let start = std::array::from_fn(|i| M::INFO.states[i].start);
+    let start = crate::scalar::filled(|i| M::INFO.states[i].start);
     let _ = M::rhs(values, start, &mut levels);
     levels.verdict
 }

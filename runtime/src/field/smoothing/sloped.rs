@@ -122,7 +122,7 @@ mod tests {
     fn by_dual(kernel: Kernel, speed: f64, moves: [f64; 3]) -> Dual64 {
         let [by_speed, by_law, by_sharpness] = moves;
         let [peak, limit, decay] =
-            std::array::from_fn(|i| Dual64::new(FIELDS[i], by_law * MOVES[i]));
+            crate::scalar::filled(|i| Dual64::new(FIELDS[i], by_law * MOVES[i]));
         let law = Weakening { peak, limit, decay };
         let mut rule = Smoothed {
             kernel,

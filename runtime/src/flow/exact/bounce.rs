@@ -109,7 +109,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         };
         let (gradient, design) = system.linear_speeds(&state).as_ref()[press].slopes();
         let linear = system.linear_impact(&state, impulses)?.state;
-        let slopes: [([f64; N], f64); N] = std::array::from_fn(|i| linear[i].slopes());
+        let slopes: [([f64; N], f64); N] = crate::scalar::filled(|i| linear[i].slopes());
         let reset = Reset {
             slopes: slopes.map(|(state, _)| state),
             design: slopes.map(|(_, design)| design),

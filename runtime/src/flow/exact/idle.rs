@@ -103,7 +103,7 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
             most.max(rate.abs()).max(bend.abs().sqrt())
         });
         let time = if fastest > 0.0 { AHEAD / fastest } else { 0.0 };
-        std::array::from_fn(|j| {
+        crate::scalar::filled(|j| {
             self.state[j] + time * (moving.field[j].re + 0.5 * time * moving.field[j].eps)
         })
     }

@@ -76,7 +76,7 @@ fn project<M: Model<N>, const N: usize>(
     let off = correction(&rates(&motion.design, 1.0));
     motion.design.add(-1.0, &off);
     for column in 0..N {
-        let along = std::array::from_fn(|row| motion.tangent[row][column]);
+        let along = crate::scalar::filled(|row| motion.tangent[row][column]);
         let off = correction(&rates(&along, 0.0));
         for (row, change) in motion.tangent.iter_mut().zip(off) {
             row[column] -= change;

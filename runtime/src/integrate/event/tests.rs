@@ -36,7 +36,7 @@ fn derivative_is_the_slope() {
 fn no_root_of_random_polynomials_is_missed() {
     let mut random = Rng::with_seed(1);
     for _ in 0..20_000 {
-        let coefficients: [f64; 8] = std::array::from_fn(|_| random.f64() - 0.4);
+        let coefficients: [f64; 8] = crate::scalar::filled(|_| random.f64() - 0.4);
         let p = Bernstein::new(&coefficients);
         let found: Vec<_> = p.sign_changes().iter().copied().collect();
         // Between neighbouring sign changes, a fine grid shows the sign that they announce.

@@ -37,8 +37,8 @@ impl<const N: usize> Jump<N> {
         };
         Self {
             length,
-            states: std::array::from_fn(|j| column((unit(j), [0.0; 3]))),
-            waves: std::array::from_fn(|j| match j {
+            states: crate::scalar::filled(|j| column((unit(j), [0.0; 3]))),
+            waves: crate::scalar::filled(|j| match j {
                 1 | 2 if !field.is_driven() => nothing,
                 _ => column(([0.0; N], unit(j))),
             }),
@@ -114,10 +114,10 @@ fn propagator<const N: usize>(
     design: [f64; N],
     rise: impl FnMut(usize) -> [f64; N],
 ) -> Propagator<N> {
-    let rises: [[f64; N]; N] = std::array::from_fn(rise);
+    let rises: [[f64; N]; N] = crate::scalar::filled(rise);
     let entry = |i: usize, j: usize| f64::from(i == j) + rises[j][i];
     Propagator {
-        state: std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))),
+        state: crate::scalar::filled(|i| crate::scalar::filled(|j| entry(i, j))),
         design,
         time: [0.0; N],
         trace: field.trace() * length,
@@ -125,5 +125,5 @@ fn propagator<const N: usize>(
 }
 
 fn unit<const K: usize>(j: usize) -> [f64; K] {
-    std::array::from_fn(|i| f64::from(i == j))
+    crate::scalar::filled(|i| f64::from(i == j))
 }

@@ -25,12 +25,12 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
             Some(before) => {
                 let ratio = step / before.step;
                 let end = before.collocation.at(1.0);
-                std::array::from_fn(|i| {
+                crate::scalar::filled(|i| {
                     let value = before.collocation.at(1.0 + nodes[i] * ratio);
-                    std::array::from_fn(|j| value[j] - end[j])
+                    crate::scalar::filled(|j| value[j] - end[j])
                 })
             }
-            None => std::array::from_fn(|i| self.start.f.map(|slope| step * nodes[i] * slope)),
+            None => crate::scalar::filled(|i| self.start.f.map(|slope| step * nodes[i] * slope)),
         }
     }
 }

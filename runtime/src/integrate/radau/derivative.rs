@@ -41,7 +41,9 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
                 .map(|i| weights[i] * self.last.linear[i].jacobian[row][column])
                 .sum()
         };
-        std::array::from_fn(|row| std::array::from_fn(|column| self.last.step * entry(row, column)))
+        crate::scalar::filled(|row| {
+            crate::scalar::filled(|column| self.last.step * entry(row, column))
+        })
     }
 
     /// Differentiates the stage equations along (δy₀, δr, δh) and returns δy₁.
@@ -49,7 +51,7 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
         let (trial, solved, a) = (&self.last, Layout::<F, N>::solved(), &self.tableau.matrix);
         let (h, width, nodes) = (trial.step, solved.len(), &self.tableau.nodes);
         // Stage velocities of the eliminated rows' sources, for the part that is known beforehand.
-        let known: [[f64; N]; S] = std::array::from_fn(|j| {
+        let known: [[f64; N]; S] = crate::scalar::filled(|j| {
             let mut stage = *start;
             for (eliminated, source) in kinematic::<F, N>() {
                 stage[eliminated] += h * nodes[j] * start[source];
@@ -57,9 +59,9 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
             }
             stage
         });
-        let slope: [[f64; N]; S] = std::array::from_fn(|j| {
+        let slope: [[f64; N]; S] = crate::scalar::filled(|j| {
             let linear = &trial.linear[j];
-            std::array::from_fn(|row| {
+            crate::scalar::filled(|row| {
                 dot(&linear.jacobian[row], &known[j]) + linear.design[row] * design
             })
         });

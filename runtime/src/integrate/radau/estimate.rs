@@ -44,7 +44,7 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
         jacobian: &[[f64; N]; N],
     ) -> [f64; N] {
         let (solved, shift) = (Layout::<F, N>::solved(), trial.step * self.tableau.gamma);
-        let mut error: [f64; N] = std::array::from_fn(|j| {
+        let mut error: [f64; N] = crate::scalar::filled(|j| {
             let stages: f64 = (0..S)
                 .map(|i| self.tableau.error[i] * trial.increments[i][j])
                 .sum();

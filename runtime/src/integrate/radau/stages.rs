@@ -63,7 +63,7 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
     /// What errors are measured against at `y`, never below what its digits resolve.
     pub(super) fn scale(&self, y: &[f64; N]) -> [f64; N] {
         let scale = self.field.scale(y, &self.tolerance);
-        std::array::from_fn(|j| scale[j].max(ROUNDING / NEWTON_REST * y[j].abs()))
+        crate::scalar::filled(|j| scale[j].max(ROUNDING / NEWTON_REST * y[j].abs()))
     }
 
     /// I − h A∘J with the kinematic rows eliminated; false if it is singular.
@@ -125,7 +125,7 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
         let old = trial.increments[S - 1];
         self.follow_kinematics(trial);
         let new = trial.increments[S - 1];
-        trial.correction = std::array::from_fn(|j| new[j] - old[j]);
+        trial.correction = crate::scalar::filled(|j| new[j] - old[j]);
         for (d, &row) in solved.iter().enumerate() {
             trial.correction[row] = flat[(S - 1) * width + d];
         }

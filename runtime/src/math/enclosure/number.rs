@@ -17,7 +17,7 @@ impl<const N: usize> Enclosure<N> {
     fn combined(self, other: Self, value: Interval, [a, b]: [Interval; 2]) -> Self {
         Self {
             value,
-            slopes: std::array::from_fn(|j| self.slopes[j] * a + other.slopes[j] * b),
+            slopes: crate::scalar::filled(|j| self.slopes[j] * a + other.slopes[j] * b),
         }
     }
 

@@ -5,7 +5,7 @@ use super::found::Watch;
 use super::reader::Reader;
 use super::record::{CurveFinding, CurvePointRecord, CurveScope, Curved};
 use crate::continuation::Kind;
-use crate::curve::{EquilibriumCurvePoint, Plane, follow_equilibrium};
+use crate::curve::{CriticalEquilibrium, CurvePoint, Plane, follow_equilibrium};
 use crate::equilibrium::settings;
 use crate::motion::Place;
 use crate::study::equilibria::EquilibriaRecord;
@@ -47,7 +47,7 @@ impl System {
             along,
             and: scope.and,
         };
-        let mut seen = |point: &EquilibriumCurvePoint| {
+        let mut seen = |point: &CurvePoint<CriticalEquilibrium>| {
             let record: CurvePointRecord = read.equilibrium(point);
             watch(CurveFinding::Point(&record))
         };

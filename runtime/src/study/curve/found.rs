@@ -8,6 +8,7 @@ use super::record::{CurveFinding, CurvePointRecord, CurveScope, Curved};
 use crate::continuation::{Kind, Settings};
 use crate::curve::{Condition, CurvePoint, GrazingPoint, Plane, follow, follow_graze};
 use crate::integrate::Tolerance;
+use crate::shooting::Orbit;
 use crate::study::branch::{BranchRecord, Hopf, numbered};
 use crate::study::error::StudyError;
 use crate::study::orbit::Sought;
@@ -105,7 +106,7 @@ impl Sought<'_> {
             let found = follow_graze(&plane, orbit, r, window, settings, &mut seen);
             found.map(|found| found.map(|found| read.curve(found, Reader::graze, |_| None)))
         } else {
-            let mut seen = |point: &CurvePoint| see(&read.orbit(point));
+            let mut seen = |point: &CurvePoint<Orbit>| see(&read.orbit(point));
             let found = follow(&plane, kind, &located.point, window, settings, &mut seen);
             found.map(|found| found.map(|found| read.curve(found, Reader::orbit, |at| at.still)))
         };

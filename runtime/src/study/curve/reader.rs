@@ -2,8 +2,9 @@
 
 use super::record::{CurvePointRecord, CurveRecord, SpecialCurvePoint};
 use crate::continuation::Kind;
-use crate::curve::{self, CurvePoint, EquilibriumCurvePoint, GrazingPoint};
+use crate::curve::{self, CriticalEquilibrium, CurvePoint, GrazingPoint};
 use crate::field::Work;
+use crate::shooting::Orbit;
 use crate::study::ended::Ended;
 use crate::study::label::labels;
 use crate::study::question::Along;
@@ -81,14 +82,14 @@ impl Reader {
         [self.along.value(p), self.and.value(q)]
     }
 
-    pub(super) fn orbit(&self, point: &CurvePoint) -> CurvePointRecord {
+    pub(super) fn orbit(&self, point: &CurvePoint<Orbit>) -> CurvePointRecord {
         let floquet = point.floquet();
         let at = self.at([point.p, point.q]);
-        let met = [point.orbit.residual, point.test];
+        let met = [point.of.residual, point.test];
         CurvePointRecord {
-            period: Some(point.orbit.period),
+            period: Some(point.of.period),
             multipliers: floquet.multipliers.clone(),
-            ..CurvePointRecord::bare(at, &point.orbit.place.state, met)
+            ..CurvePointRecord::bare(at, &point.of.place.state, met)
         }
     }
 
@@ -102,16 +103,19 @@ impl Reader {
         }
     }
 
-    pub(super) fn equilibrium(&self, point: &EquilibriumCurvePoint) -> CurvePointRecord {
+    pub(super) fn equilibrium(&self, point: &CurvePoint<CriticalEquilibrium>) -> CurvePointRecord {
         let at = self.at([point.p, point.q]);
-        let met = [point.residual, point.test];
+        let met = [point.of.residual, point.test];
         CurvePointRecord {
-            period: point.frequency().map(|omega| std::f64::consts::TAU / omega),
-            eigenvalues: point.spectrum.eigenvalues.clone(),
-            l1: point.onset.map(|onset| onset.coefficient),
-            l1_error: point.onset.map(|onset| onset.error),
-            onset: point.onset.and_then(|onset| onset.name()),
-            ..CurvePointRecord::bare(at, &point.place.state, met)
+            period: point
+                .of
+                .frequency()
+                .map(|omega| std::f64::consts::TAU / omega),
+            eigenvalues: point.of.spectrum.eigenvalues.clone(),
+            l1: point.of.onset.map(|onset| onset.coefficient),
+            l1_error: point.of.onset.map(|onset| onset.error),
+            onset: point.of.onset.and_then(|onset| onset.name()),
+            ..CurvePointRecord::bare(at, &point.of.place.state, met)
         }
     }
 }
