@@ -228,9 +228,17 @@ fn mutated_declarations() {
     });
 }
 
-/// The message for a formula without end: `--------x`, `((((x))))`, `x + x + x`.
+/// What the compiler runs a macro on.
+const STACK: usize = 8 << 20;
+
 #[test]
 fn formulas_without_end() {
+    let compiler = std::thread::Builder::new().stack_size(STACK);
+    compiler.spawn(without_end).unwrap().join().unwrap();
+}
+
+/// The message for a formula without end: `--------x`, `((((x))))`, `x + x + x`.
+fn without_end() {
     let lines = |formula: &str| format!("state x = 1.0; der(x) = {formula};");
     let deep = |depth: usize| format!("{}x{}", "(".repeat(depth), ")".repeat(depth));
     let long = |terms: usize| vec!["x"; terms].join(" + ");
