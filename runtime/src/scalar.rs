@@ -79,7 +79,7 @@ impl<T: Copy + Send + Sync, const LENGTH: usize> Inline<T> for [T; LENGTH] {
 }
 
 /// An array filled from the function of the index. The standard library's `from_fn`, which may stop half way, is four functions
-/// for each function that it calls; so this is a quarter less to compile of every model.
+/// for each function that it calls; without it an eighth less is to compile of every model.
 #[inline]
 pub(crate) fn filled<T: Copy, const LENGTH: usize>(
     mut element: impl FnMut(usize) -> T,

@@ -87,3 +87,34 @@ fn wrong_words_are_named() {
     );
     with("branch drill-string --and zeta=0.05..0.06", 2, &["--along"]);
 }
+
+/// The layer of a copy has a Hopf point; where it lies depends on neither mass nor spring, and its period is that of both.
+#[test]
+fn the_shape_of_a_curve_of_equilibria() {
+    let copy = "belt-oscillator --smooth arctan:1e2 --along v_dr=0.1..0.03 --and m=1..4";
+    let answer = stickslip(&words(&format!("equilibria {copy} --json --quiet")));
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    let curve: Value = serde_json::from_str(&answer.stdout).unwrap();
+    assert_eq!(
+        (&curve["kind"], &curve["of"]),
+        (&"hopf".into(), &"HB1".into())
+    );
+    let points = curve["points"].as_array().unwrap();
+    let number = |point: &Value, of: [&str; 2]| point[of[0]][of[1]].as_f64().unwrap();
+    let begin = number(&points[0], ["at", "v_dr"]);
+    for point in points {
+        let period = std::f64::consts::TAU * number(point, ["at", "m"]).sqrt();
+        assert!((number(point, ["at", "v_dr"]) / begin - 1.0).abs() < 1e-9);
+        assert!((point["period"].as_f64().unwrap() / period - 1.0).abs() < 1e-9);
+        assert_eq!(point["eigenvalues"].as_array().unwrap().len(), 2);
+        assert_eq!(point["onset"], "soft");
+    }
+    // Along its orbits the same point is their end: from there none can be followed.
+    let orbits = stickslip(&words(&format!("branch {copy} --quiet")));
+    assert_eq!(orbits.code, Some(1));
+    assert!(
+        orbits.stderr.contains("HB1") && orbits.stderr.contains("two parameters"),
+        "{}",
+        orbits.stderr
+    );
+}

@@ -34,12 +34,21 @@ enum Near {
 }
 
 impl Condition {
-    /// The condition of a fold, flip, torus or Hopf point; `None` for any other kind.
+    /// The condition of orbits at a fold, flip or torus point; `None` for any other kind.
     #[must_use]
-    pub fn of(kind: Kind) -> Option<Self> {
-        let known = matches!(kind, Kind::Fold | Kind::Flip | Kind::Torus | Kind::Hopf);
+    pub fn of_orbits(kind: Kind) -> Option<Self> {
+        matches!(kind, Kind::Fold | Kind::Flip | Kind::Torus).then_some(Self::unaligned(kind))
+    }
+
+    /// The condition of equilibria at a fold or Hopf point; `None` for any other kind.
+    #[must_use]
+    pub fn of_equilibria(kind: Kind) -> Option<Self> {
+        matches!(kind, Kind::Fold | Kind::Hopf).then_some(Self::unaligned(kind))
+    }
+
+    const fn unaligned(kind: Kind) -> Self {
         let near = Near::Nothing;
-        known.then_some(Self { kind, near })
+        Self { kind, near }
     }
 
     /// Which.
@@ -210,7 +219,7 @@ mod tests {
     #[test]
     fn it_passes_through_zero_with_a_slope() {
         for (kind, critical) in [(Kind::Fold, 1.0), (Kind::Flip, -1.0)] {
-            let mut condition = Condition::of(kind).unwrap();
+            let mut condition = Condition::of_orbits(kind).unwrap();
             let beside = Beside::Orbit(phi(critical + 0.01), velocity());
             condition.align(&beside, &[1.0, 2.0, 0.5]);
             assert!(value(&condition, critical).abs() < 1e-14);
@@ -222,8 +231,8 @@ mod tests {
 
     #[test]
     fn a_sliding_bifurcation_has_no_multiplier() {
-        assert_eq!(Condition::of(Kind::GrazingSliding), None);
-        let torus = Condition::of(Kind::Torus).unwrap();
+        assert_eq!(Condition::of_orbits(Kind::GrazingSliding), None);
+        let torus = Condition::of_orbits(Kind::Torus).unwrap();
         let pair = Complex::from_polar(1.0, 0.7);
         assert!(torus.distance(&[pair, pair.conj(), Complex::new(0.2, 0.0)]) < 1e-15);
     }
@@ -236,7 +245,8 @@ mod tests {
 
     #[test]
     fn the_sum_of_a_pair_is_smooth_where_it_becomes_real() {
-        let mut condition = Condition::of(Kind::Hopf).unwrap();
+        assert_eq!(Condition::of_orbits(Kind::Hopf), None);
+        let mut condition = Condition::of_equilibria(Kind::Hopf).unwrap();
         condition.align(&jacobian(0.0, 0.09), &[1.0; 3]);
         for square in [0.04, 1e-4, -1e-4, -0.01] {
             condition.align(&jacobian(0.0, square), &[1.0; 3]);

@@ -33,7 +33,7 @@ pub fn follow(
     settings: Settings,
     watch: &mut dyn FnMut(&CurvePoint<Orbit>) -> ControlFlow<()>,
 ) -> Result<Option<Curve<CurvePoint<Orbit>>>, Failure<FlowError>> {
-    let Some(condition) = Condition::of(kind) else {
+    let Some(condition) = Condition::of_orbits(kind) else {
         return Ok(None);
     };
     let guess = orbit.guess();
@@ -114,7 +114,7 @@ impl Reader for Orbits {
 
     /// Whether the multipliers do not say what the condition does any more.
     fn lost(&self, point: &CurvePoint<Orbit>) -> Option<f64> {
-        let off = Condition::of(self.kind)?.distance(&point.floquet().multipliers);
+        let off = Condition::of_orbits(self.kind)?.distance(&point.floquet().multipliers);
         (off.is_nan() || off > LOST).then_some(off)
     }
 

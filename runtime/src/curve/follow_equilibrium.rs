@@ -33,8 +33,7 @@ pub fn follow_equilibrium(
     settings: Settings,
     watch: &mut dyn FnMut(&Point) -> ControlFlow<()>,
 ) -> Result<Option<Curve<Point>>, Failure<FlowError>> {
-    let known = matches!(kind, Kind::Fold | Kind::Hopf);
-    let Some(condition) = Condition::of(kind).filter(|_| known) else {
+    let Some(condition) = Condition::of_equilibria(kind) else {
         return Ok(None);
     };
     let q = settings.from;

@@ -52,10 +52,12 @@ pub enum StudyError {
     #[error("the equilibrium cannot be followed: {0}")]
     Equilibrium(Failure<FlowError>),
     /// The branch has no such special point.
-    #[error("{}", no_special(.wanted.as_deref(), .labels))]
+    #[error("{}", no_special(.wanted.as_deref(), .known, .labels))]
     NoSpecial {
         /// Its label, if one was asked for.
         wanted: Option<String>,
+        /// The kinds that are followed.
+        known: &'static str,
         /// The labels that there are.
         labels: Vec<String>,
     },
@@ -87,16 +89,15 @@ pub enum StudyError {
     Flow(#[from] FlowError),
 }
 
-fn no_special(wanted: Option<&str>, labels: &[String]) -> String {
+fn no_special(wanted: Option<&str>, known: &str, labels: &[String]) -> String {
     let there = match labels {
-        [] => "the branch has no special point at all".to_owned(),
-        labels => format!("the branch has {}", labels.join(", ")),
+        [] => "no special point at all".to_owned(),
+        labels => labels.join(", "),
     };
+    let there = format!("where the second range begins, the branch has {there}");
     match wanted {
         Some(wanted) => format!("there is no special point {wanted}: {there}"),
-        None => format!(
-            "there is no fold, flip, torus or grazing point to be followed in two parameters: {there}"
-        ),
+        None => format!("there is no {known} point to be followed in two parameters: {there}"),
     }
 }
 

@@ -3,11 +3,11 @@
 use crate::continuation::Kind;
 use crate::study::error::StudyError;
 
-/// The number of the special point that is asked for.
+/// The number of the special point that is asked for, among kinds of these names that are `known`.
 pub(super) fn choose(
     all: &[(String, Kind)],
     wanted: Option<&str>,
-    known: impl Fn(Kind) -> bool,
+    (names, known): (&'static str, impl Fn(Kind) -> bool),
 ) -> Result<usize, StudyError> {
     let found = all.iter().position(|(label, kind)| match wanted {
         Some(wanted) => label == wanted,
@@ -15,6 +15,7 @@ pub(super) fn choose(
     });
     let place = found.ok_or_else(|| StudyError::NoSpecial {
         wanted: wanted.map(str::to_owned),
+        known: names,
         labels: all.iter().map(|(label, _)| label.clone()).collect(),
     })?;
     let (label, kind) = &all[place];

@@ -5,7 +5,7 @@ use super::found::Watch;
 use super::reader::Reader;
 use super::record::{CurveFinding, CurvePointRecord, CurveScope, Curved};
 use crate::continuation::Kind;
-use crate::curve::{CriticalEquilibrium, CurvePoint, Plane, follow_equilibrium};
+use crate::curve::{Condition, CriticalEquilibrium, CurvePoint, Plane, follow_equilibrium};
 use crate::equilibrium::settings;
 use crate::motion::Place;
 use crate::study::equilibria::EquilibriaRecord;
@@ -34,8 +34,8 @@ impl System {
         }
         let all = branch.special.iter();
         let all: Vec<(String, Kind)> = all.map(|one| (one.label.clone(), one.kind)).collect();
-        let known = |kind| matches!(kind, Kind::Fold | Kind::Hopf);
-        let place = choose(&all, scope.of.as_deref(), known)?;
+        let known = |kind| Condition::of_equilibria(kind).is_some();
+        let place = choose(&all, scope.of.as_deref(), ("fold or Hopf", known))?;
         let (of, from) = (all[place].clone(), &branch.special[place]);
         let plane = Plane {
             family: self.family(case),

@@ -79,9 +79,9 @@ impl Sought<'_> {
         }
         let labels = branch.special.iter().map(|special| special.label.clone());
         let all: Vec<(String, Kind)> = labels.zip(located.iter().map(|one| one.kind)).collect();
-        let place = choose(&all, scope.of.as_deref(), |kind| {
-            kind == Kind::GrazingSliding || Condition::of(kind).is_some()
-        })?;
+        let known = |kind| kind == Kind::GrazingSliding || Condition::of_orbits(kind).is_some();
+        let known = ("fold, flip, torus or grazing", known);
+        let place = choose(&all, scope.of.as_deref(), known)?;
         let (label, kind) = (&all[place].0, all[place].1);
         let (and_from, and_to) = scope.and.span();
         let plane = Plane {
