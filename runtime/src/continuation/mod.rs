@@ -82,6 +82,12 @@ pub trait ZeroProblem {
         Ok(None)
     }
 
+    /// Whether a branch ends at once where a point is refused for this reason; else it is told as the end where shorter steps
+    /// have come to it.
+    fn ends(_why: &Self::Error) -> bool {
+        true
+    }
+
     /// Other unknowns for the solution accepted last, at this r: tried where no step succeeds, with
     /// `trial` = 0, 1, ... until there are none left.
     fn elsewhere(&mut self, _r: f64, _trial: usize) -> Option<DVector<f64>> {

@@ -203,6 +203,12 @@ pub enum FlowError {
         /// How far the end is from the start, relative to the extents of the states.
         closure: f64,
     },
+    /// A contact that stuck all along lets go: what it held in one place slides.
+    #[error(
+        "friction lets go what it has held in one place all along; an orbit that is held elsewhere, or that slides, is one to \
+         begin anew with"
+    )]
+    LetsGo,
     /// A drive that stands still, or turns backwards.
     #[error(
         "the drive `{name}` advances at the rate {rate}, which must be a finite number above 0"

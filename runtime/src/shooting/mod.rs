@@ -13,6 +13,7 @@ mod division;
 mod echelon;
 mod equations;
 mod error;
+mod grip;
 mod guess;
 mod hopf;
 mod least;

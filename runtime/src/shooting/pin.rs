@@ -45,7 +45,8 @@ impl Pin {
         self
     }
 
-    fn of(&self, state: &[f64]) -> f64 {
+    /// c·x.
+    pub(super) fn of(&self, state: &[f64]) -> f64 {
         let terms = self.combination.iter().zip(state);
         terms.map(|(c, x)| c * x).sum()
     }

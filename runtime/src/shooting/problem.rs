@@ -17,8 +17,6 @@ use crate::motion::{Family, Modes, Place, Velocity};
 const HASTE: f64 = 4.0;
 /// Share of the period by which a start keeps away from events.
 const MARGIN: f64 = 0.01;
-/// A pinned orbit that closes no better than this is none.
-const CLOSED: f64 = 1e-5;
 /// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
 const VANISHED: f64 = 1e-4;
 
@@ -52,6 +50,8 @@ pub struct OrbitProblem {
     crawl: Crawl,
     /// How large the last accepted orbit was.
     size: Option<Size>,
+    /// The contacts that stuck all along it.
+    pub(super) held: Vec<usize>,
 }
 
 impl OrbitProblem {
@@ -83,6 +83,7 @@ impl OrbitProblem {
             others: Vec::new(),
             crawl: Crawl::default(),
             size: None,
+            held: Vec::new(),
         }
     }
 
@@ -173,7 +174,8 @@ impl ZeroProblem for OrbitProblem {
         r: f64,
     ) -> Result<Linearisation<Self::Extra>, FlowError> {
         let flow = self.family.at(r)?;
-        let at = self.once_around(flow.as_ref(), z)?;
+        let at = self.once_around(flow.as_ref(), z);
+        let at = at.map_err(|why| self.lets_go(why))?;
         self.held(flow.as_ref(), z, at)
     }
 
@@ -188,11 +190,7 @@ impl ZeroProblem for OrbitProblem {
         r: f64,
         shot: &Self::Extra,
     ) -> Result<Option<DVector<f64>>, FlowError> {
-        if !self.pins.is_empty() && shot.closure > CLOSED {
-            return Err(FlowError::Unpinned {
-                closure: shot.closure,
-            });
-        }
+        self.keep_pinned(shot)?;
         self.leave_centres(r, shot)?;
         self.period = shot.period;
         self.measure(z, r, shot)?;
@@ -219,6 +217,10 @@ impl ZeroProblem for OrbitProblem {
             r,
         )?;
         Ok(division.map(|division| self.divide(&division)))
+    }
+
+    fn ends(why: &FlowError) -> bool {
+        !matches!(why, FlowError::LetsGo)
     }
 
     fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {

@@ -67,7 +67,9 @@ impl Ended {
         match &self.ending {
             Ending::Stopped(stop) => match stop {
                 Stop::ReachedEnd | Stop::ReachedStart => true,
-                Stop::Refused(error) => matches!(error, FlowError::Vanished { .. }),
+                Stop::Refused(error) => {
+                    matches!(error, FlowError::Vanished { .. } | FlowError::LetsGo)
+                }
                 Stop::StepTooSmall(_) | Stop::Creeping(_) | Stop::TooManyPoints => false,
             },
             Ending::At(..)

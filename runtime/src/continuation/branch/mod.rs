@@ -260,26 +260,26 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
         let mut base = self.point.clone()?;
         let (step, mut failures) = (self.step, 0);
         loop {
-            match self.attempt(&base) {
+            let (ends, stop) = match self.attempt(&base) {
                 Ok(point) => return Some(point),
-                Err(Refusal::Refused(error)) => {
-                    self.stop = Some(Stop::Refused(error));
-                    return None;
+                Err(Refusal::Refused(error)) => (P::ends(&error), Stop::Refused(error)),
+                Err(Refusal::Retry(Failure::Evaluation(why))) if !P::ends(&why) => {
+                    (false, Stop::Refused(why))
                 }
-                Err(Refusal::Retry(failure)) => {
-                    failures += 1;
-                    if failures % PATIENCE == 0
-                        && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
-                    {
-                        base = moved;
-                        self.step = step;
-                    }
-                    self.step *= 0.4;
-                    if self.step < self.settings.smallest_step {
-                        self.stop = Some(Stop::StepTooSmall(failure));
-                        return None;
-                    }
-                }
+                Err(Refusal::Retry(failure)) => (false, Stop::StepTooSmall(failure)),
+            };
+            failures += 1;
+            if !ends
+                && failures % PATIENCE == 0
+                && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
+            {
+                base = moved;
+                self.step = step;
+            }
+            self.step *= 0.4;
+            if ends || self.step < self.settings.smallest_step {
+                self.stop = Some(stop);
+                return None;
             }
         }
     }

@@ -1,0 +1,57 @@
+//! Contacts that stick all along an orbit: what friction holds in one place, until it lets go.
+
+use super::pin::Pin;
+use super::problem::OrbitProblem;
+use super::shot::Shot;
+use crate::field::exact::Mode;
+use crate::flow::FlowError;
+
+/// A pinned orbit that closes no better than this is none.
+const CLOSED: f64 = 1e-5;
+/// What is conserved changes by no more than this, over its usual magnitude.
+const ROUNDING: f64 = 1e-13;
+
+impl Shot {
+    /// The contacts that stick all along.
+    fn held(&self) -> Vec<usize> {
+        let all = || self.passages.iter().flat_map(|passage| &passage.segments);
+        let sticks = |contact: &usize| all().all(|one| one.modes[*contact] == Mode::Stick);
+        (0..self.start.modes.len()).filter(sticks).collect()
+    }
+}
+
+impl OrbitProblem {
+    /// Takes what holds one more orbit of a branch; it is refused where that is held no more.
+    ///
+    /// # Errors
+    /// The motion does not close.
+    pub(super) fn keep_pinned(&mut self, shot: &Shot) -> Result<(), FlowError> {
+        let held = shot.held();
+        let lets_go = self.held.iter().any(|contact| !held.contains(contact));
+        if lets_go && self.pins.iter().any(|pin| self.slips(pin, shot)) {
+            return Err(FlowError::LetsGo);
+        }
+        let closure = shot.closure;
+        if !self.pins.is_empty() && closure > CLOSED {
+            return Err(FlowError::Unpinned { closure });
+        }
+        self.held = held;
+        Ok(())
+    }
+
+    /// The same of a motion that cannot even be compared with its beginning.
+    pub(super) fn lets_go(&self, why: FlowError) -> FlowError {
+        let slides = matches!(why, FlowError::OtherMode { .. });
+        match slides && !self.pins.is_empty() && !self.held.is_empty() {
+            true => FlowError::LetsGo,
+            false => why,
+        }
+    }
+
+    /// Whether what never changes has changed once around.
+    fn slips(&self, pin: &Pin, shot: &Shot) -> bool {
+        let end = shot.passages.last().map(|passage| &passage.end.state);
+        let moved = end.map_or(0.0, |end| pin.of(end) - pin.of(&shot.start.state));
+        pin.conserved() && moved.abs() > ROUNDING * pin.unit(&self.magnitude)
+    }
+}
