@@ -3,6 +3,7 @@
 use super::Kind;
 use super::periodic::PeriodicPoint;
 use crate::continuation::Located;
+use crate::math::at_zero;
 
 /// Points that are looked at.
 const POINTS: usize = 8;
@@ -38,9 +39,8 @@ fn meeting<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> 
     let (y, q) = earlier.find(|(square, _)| *square >= APART * z)?;
     let (x, p) = earlier.find(|(square, _)| *square >= APART * y)?;
     let least = looked().fold(f64::INFINITY, |least, (square, _)| least.min(square));
-    let line = |(x, p): (f64, f64), (y, q): (f64, f64)| (x * q - y * p) / (x - y);
-    let [far, near] = [line((x, p), (y, q)), line((y, q), (z, r))];
-    let at = (x * near - z * far) / (x - z);
+    let found = at_zero([(x, p), (y, q), (z, r)]);
+    let (at, near) = (found.value, found.lines[0]);
     let closes = z <= CLOSING * CLOSING && z <= NOISE * least;
     (closes && at.is_finite()).then(|| {
         let error = DOUBT * (at - near).abs() + WEIGHT * accuracy * at.abs();

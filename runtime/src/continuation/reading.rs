@@ -92,6 +92,15 @@ pub trait Reader: Clone {
         None
     }
 
+    /// The same where steps still succeed, and would go on doing so ever more slowly.
+    fn leads(
+        &self,
+        _branch: &Branch<Self::Problem>,
+        _points: &[Self::Point],
+    ) -> Option<Crossing<Self::Problem, Self::Point>> {
+        None
+    }
+
     /// The point between two others at which the equations become others, and what it is.
     fn border(
         &self,

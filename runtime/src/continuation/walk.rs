@@ -119,6 +119,11 @@ impl<R: Reader> Walk<'_, R> {
             if verdict.is_break() {
                 return Ending::Interrupted;
             }
+            let Reading { reader, branch, .. } = &*self.followed;
+            let crossing = reader.leads(branch, &self.points);
+            if let Some(ending) = crossing.and_then(|crossing| self.pass(crossing)) {
+                return ending;
+            }
         }
     }
 

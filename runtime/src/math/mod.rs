@@ -1,11 +1,13 @@
 //! The functions that formulas may use, over any [`Scalar`].
 
 pub mod enclosure;
+mod extrapolation;
 pub mod interval;
 #[doc(hidden)]
 pub mod slope;
 mod spread;
 
+pub(crate) use extrapolation::at_zero;
 pub(crate) use spread::Spread;
 
 use crate::scalar::Scalar;

@@ -2,11 +2,12 @@
 
 use nalgebra::DVector;
 
-use super::anchor::problem;
+use super::begin::begin;
 use super::border::{between, cross};
 use super::bound::unbounded;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
+use super::rest::comes_to_rest;
 use super::search::Search;
 use super::shot::Shot;
 use super::shrunk::shrunk;
@@ -66,19 +67,7 @@ impl OrbitBranch {
         settings: Settings,
         (r, upwards): (f64, bool),
     ) -> Result<Self, Failure<FlowError>> {
-        let guess = orbit.guess();
-        let family = family
-            .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-            .with_magnitude(&guess.magnitude);
-        let (mut problem, z) =
-            problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
-        problem.centre(r).map_err(Failure::Evaluation)?;
-        problem
-            .float(&guess.place, r)
-            .map_err(Failure::Evaluation)?;
-        let mut direction = DVector::zeros(z.len() + 1);
-        direction[z.len()] = if upwards { 1.0 } else { -1.0 };
-        let started = Branch::set_out(problem, (z, r), (&direction, 1.0), settings)?;
+        let started = begin(family, orbit, search, settings, (r, upwards))?;
         Ok(Self::begin(started, search.accuracy))
     }
 
@@ -152,6 +141,14 @@ impl Reader for Orbits {
         orbits: &[Orbit],
     ) -> Option<Crossing<OrbitProblem, Orbit>> {
         cross(branch, orbits, self.accuracy)
+    }
+
+    fn leads(
+        &self,
+        branch: &Branch<OrbitProblem>,
+        orbits: &[Orbit],
+    ) -> Option<Crossing<OrbitProblem, Orbit>> {
+        comes_to_rest(branch, orbits, self.accuracy)
     }
 
     fn border(

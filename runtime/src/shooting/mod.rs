@@ -1,6 +1,7 @@
 //! Periodic orbits by shooting: thesis section 2.2.
 
 mod anchor;
+mod begin;
 mod beside;
 mod border;
 mod bound;
@@ -22,6 +23,7 @@ mod orbit;
 mod phase;
 mod pin;
 mod problem;
+mod rest;
 mod running;
 mod same;
 mod search;

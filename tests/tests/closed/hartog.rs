@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use stickslip::continuation::{Ending, Stop};
-use stickslip::flow::FlowError;
 use stickslip::model;
 use stickslip::study::{Case, OrbitRecord, System};
 use stickslip_models::friction::Coulomb;
@@ -118,28 +116,5 @@ fn with_two_stops_the_response_is_its_closed_form() {
         close(multipliers[0].norm(), slope * slope, 1e-6, &what);
         assert_eq!(multipliers[1].norm(), 0.0, "{what}");
         assert_eq!(orbit.floquet.stability.name(), "stable", "{what}");
-    }
-}
-
-/// Held at x, the mass lets go where the spring and the force are more than friction: |x| + 1 = F.
-#[test]
-fn an_orbit_that_friction_holds_ends_where_it_lets_go() {
-    let held = Hartog {
-        beta: 0.6,
-        level: 1.5,
-    };
-    for place in [0.25, -0.1] {
-        let case = Case {
-            start: Some(vec![place, 0.0, 0.0]),
-            ..Case::of(&held).following(Hartog::level, 1.5..0.5)
-        };
-        let branch = System::of::<Hartog, _>().branch(&case).unwrap();
-        let last = branch.points.last().unwrap();
-        close(last.max[0], place, 1e-12, "where it is held");
-        close(last.r.unwrap(), 1.0 + place.abs(), 1e-6, "where it lets go");
-        assert!(branch.special.is_empty());
-        let why = &branch.ended.ending;
-        assert_eq!(*why, Ending::Stopped(Stop::Refused(FlowError::LetsGo)));
-        assert!(branch.ended.is_located());
     }
 }

@@ -1,0 +1,38 @@
+//! Where a branch of orbits sets out.
+
+use nalgebra::DVector;
+
+use super::anchor::problem;
+use super::orbit::Orbit;
+use super::problem::OrbitProblem;
+use super::search::Search;
+use crate::continuation::{Branch, Failure, Settings, Started};
+use crate::flow::FlowError;
+use crate::integrate::Tolerance;
+use crate::motion::Family;
+
+/// The branch through an orbit found at r, anywhere in the range of the settings, that goes up from there or down.
+///
+/// # Errors
+/// The orbit cannot be converged on with the family's derivative ∂/∂r.
+pub(super) fn begin(
+    family: &Family,
+    orbit: &Orbit,
+    search: &Search,
+    settings: Settings,
+    (r, upwards): (f64, bool),
+) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
+    let guess = orbit.guess();
+    let family = family
+        .with_tolerance(Tolerance::for_accuracy(search.accuracy))
+        .with_magnitude(&guess.magnitude);
+    let (mut problem, z) =
+        problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
+    problem.centre(r).map_err(Failure::Evaluation)?;
+    problem
+        .float(&guess.place, r)
+        .map_err(Failure::Evaluation)?;
+    let mut direction = DVector::zeros(z.len() + 1);
+    direction[z.len()] = if upwards { 1.0 } else { -1.0 };
+    Branch::set_out(problem, (z, r), (&direction, 1.0), settings)
+}
