@@ -4,7 +4,6 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::continuation::ZeroProblem;
 use crate::equilibrium::EquilibriumProblem;
-use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Family, Place, Velocity};
 use crate::shooting::{OrbitProblem, Shot};
@@ -30,9 +29,6 @@ pub trait Subject: ZeroProblem<Error = FlowError> {
         r: f64,
         near: &Self::Extra,
     ) -> Result<Beside, FlowError>;
-
-    /// Work of all evaluations.
-    fn work(&self) -> Work;
 }
 
 /// How motions beside an orbit or an equilibrium come nearer or leave.
@@ -71,10 +67,6 @@ impl Subject for OrbitProblem {
         let phi = passage.derivatives.map_or_else(identity, |d| d.state);
         Ok(Beside::Orbit(phi, velocity))
     }
-
-    fn work(&self) -> Work {
-        self.work
-    }
 }
 
 impl Subject for EquilibriumProblem {
@@ -99,9 +91,5 @@ impl Subject for EquilibriumProblem {
         self.work.linearisations += 1;
         let velocity = self.family.at(r)?.velocity(&self.place(z))?;
         Ok(Beside::Equilibrium(velocity.jacobian))
-    }
-
-    fn work(&self) -> Work {
-        self.work
     }
 }

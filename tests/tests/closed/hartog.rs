@@ -8,7 +8,7 @@ use stickslip_models::friction::Coulomb;
 
 model! {
     /// A mass on rough ground under a harmonic force: Den Hartog 1931, in units of the force and the static deflection.
-    struct Hartog {
+    pub struct Hartog {
         state x: 1 = 1.0;
         state v: 1 = 0.0;
         param beta: 1 = 0.6 where beta > 0.0;
@@ -79,7 +79,7 @@ impl Slide {
 }
 
 /// Where a function that rises from below zero passes it.
-fn bisected(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn bisected(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..80 {
         let middle = 0.5 * (low + high);
         if of(middle) < 0.0 {

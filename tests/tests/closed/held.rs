@@ -6,19 +6,7 @@ use stickslip::model;
 use stickslip::study::{BranchRecord, Case, Stability, System};
 use stickslip_models::friction::Coulomb;
 
-model! {
-    /// A mass on rough ground under a harmonic force of one.
-    struct Mass {
-        state x: 1 = 0.25;
-        state v: 1 = 0.0;
-        param beta: 1 = 0.6 where beta > 0.0;
-        param level: 1 = 0.9 where level >= 0.0;
-        drive phi at beta;
-        friction F: 1 = Coulomb { level } opposing v;
-        der(x) = v;
-        der(v) = cos(phi) - x + F;
-    }
-}
+use crate::hartog::{Hartog, bisected};
 
 model! {
     /// A damped mass that is shaken, and by a spring pulls another one on rough ground.
@@ -56,16 +44,16 @@ fn comes_to_rest(branch: &BranchRecord, r: f64) {
 /// Held at x, the mass lets go where the spring and the force are more than friction: |x| + 1 = F.
 #[test]
 fn an_orbit_that_is_held_ends_where_friction_lets_go() {
-    let held = Mass {
+    let held = Hartog {
         level: 1.5,
-        ..Mass::default()
+        ..Hartog::default()
     };
     for place in [0.25, -0.1] {
         let case = Case {
             start: Some(vec![place, 0.0, 0.0]),
-            ..Case::of(&held).following(Mass::level, 1.5..0.5)
+            ..Case::of(&held).following(Hartog::level, 1.5..0.5)
         };
-        let branch = System::of::<Mass, _>().branch(&case).unwrap();
+        let branch = System::of::<Hartog, _>().branch(&case).unwrap();
         let last = branch.points.last().unwrap();
         assert!((last.max[0] - place).abs() < 1e-12, "{:?}", last.max);
         let off = last.r.unwrap() - (1.0 + place.abs());
@@ -80,8 +68,8 @@ fn an_orbit_that_is_held_ends_where_friction_lets_go() {
 /// In the middle, where its slides lead it, the mass is held from F = 1 on.
 #[test]
 fn a_mass_comes_to_rest_where_friction_is_the_force() {
-    let case = Case::of(&Mass::default()).following(Mass::level, 0.9..1.3);
-    let branch = System::of::<Mass, _>().branch(&case).unwrap();
+    let case = Case::of(&Hartog::default()).following(Hartog::level, 0.9..1.3);
+    let branch = System::of::<Hartog, _>().branch(&case).unwrap();
     comes_to_rest(&branch, 1.0);
 }
 
@@ -95,19 +83,10 @@ fn a_mass_comes_to_rest_beyond_a_resonance() {
         ..
     } = Pulled::default();
     let pull = |beta: f64| force / (2.0 - beta * beta).hypot(damping * beta);
-    let (mut low, mut high) = (1.0_f64, 1.2_f64);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        let side = if pull(middle) < level {
-            &mut low
-        } else {
-            &mut high
-        };
-        *side = middle;
-    }
+    let rest = bisected(1.0, 1.2, |beta| pull(beta) - level);
     let case = Case::of(&Pulled::default()).following(Pulled::beta, 1.2..0.8);
     let branch = System::of::<Pulled, _>().branch(&case).unwrap();
-    comes_to_rest(&branch, low);
+    comes_to_rest(&branch, rest);
     let last = branch.points.last().unwrap();
     let swing = 0.5 * (last.max[0] - last.min[0]);
     assert!((swing / pull(0.8) - 1.0).abs() < 1e-9, "{swing}");
