@@ -4,14 +4,12 @@ use super::crossing::{Beyond, Crossing};
 use super::ending::Ending;
 use super::located::{Findings, Located};
 use super::path::Watched;
-use super::reading::{ErrorOf, Reader, Reading};
+use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
 use super::walk::Walk;
 
 /// Points that lie between two crossings of one border, and the distance up to which it is one.
 const APART: usize = 3;
 const SAME: f64 = 1e-7;
-
-type CrossingOf<R> = Crossing<<R as Reader>::Problem, <R as Reader>::Point>;
 
 impl<R: Reader> Walk<'_, R> {
     /// Goes on beyond a point at which the branch is not smooth, or ends there.

@@ -71,14 +71,13 @@ pub trait Reader: Clone {
         None
     }
 
-    /// The special point in which a branch ends after these points, the next one being refused for this reason; `None`
-    /// if it is none.
+    /// The point to which a branch comes after these, the next one being refused for this reason; `None` if it is none.
     fn refused(
         &self,
-        _problem: &Self::Problem,
+        _branch: &Branch<Self::Problem>,
         _points: &[Self::Point],
         _why: &ErrorOf<Self>,
-    ) -> Option<Located<Self::Point>> {
+    ) -> Option<Crossing<Self::Problem, Self::Point>> {
         None
     }
 
@@ -141,6 +140,8 @@ pub trait Reader: Clone {
 
 /// Why a point cannot be evaluated.
 pub type ErrorOf<R> = <<R as Reader>::Problem as ZeroProblem>::Error;
+/// What a branch comes to where it is not smooth.
+pub(super) type CrossingOf<R> = Crossing<<R as Reader>::Problem, <R as Reader>::Point>;
 
 /// A branch under way, its points read by `R`; an iterator over them.
 pub struct Reading<R: Reader> {

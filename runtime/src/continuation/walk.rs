@@ -9,7 +9,7 @@ use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::path::Watched;
 use super::range::{Settings, Stop};
-use super::reading::{Between, ErrorOf, Reader, Reading};
+use super::reading::{Between, CrossingOf, ErrorOf, Reader, Reading};
 use super::root::reach;
 use crate::field::Work;
 
@@ -131,8 +131,10 @@ impl<R: Reader> Walk<'_, R> {
     fn stopped(&mut self) -> Option<Ending<ErrorOf<R>>> {
         let stop = self.followed.stop().cloned().unwrap_or(Stop::TooManyPoints);
         if !matches!(stop, Stop::StepTooSmall(_) | Stop::Creeping(_)) {
-            let met = self.refused(&stop);
-            return Some(met.map_or(Ending::Stopped(stop), |met| self.end(met)));
+            return match self.refused(&stop) {
+                Some(crossing) => self.pass(crossing),
+                None => Some(Ending::Stopped(stop)),
+            };
         }
         if let Some(crossing) = self.crossing() {
             return self.pass(crossing);
@@ -141,11 +143,11 @@ impl<R: Reader> Walk<'_, R> {
         Some(reason.map_or(Ending::Stopped(stop), |reason| self.end(reason)))
     }
 
-    /// The special point in which the branch ends, if it is for that that there is no next one.
-    fn refused(&self, stop: &Stop<ErrorOf<R>>) -> Option<Located<R::Point>> {
+    /// The point to which the branch comes, if it is for that that there is no next one.
+    fn refused(&self, stop: &Stop<ErrorOf<R>>) -> Option<CrossingOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
         match stop {
-            Stop::Refused(why) => reader.refused(&branch.problem, &self.points, why),
+            Stop::Refused(why) => reader.refused(branch, &self.points, why),
             _ => None,
         }
     }

@@ -30,6 +30,9 @@ pub(super) fn begin(
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
     problem.centre(r).map_err(Failure::Evaluation)?;
     problem
+        .balance(&orbit.segments, (&z, r))
+        .map_err(Failure::Evaluation)?;
+    problem
         .float(&guess.place, r)
         .map_err(Failure::Evaluation)?;
     let mut direction = DVector::zeros(z.len() + 1);

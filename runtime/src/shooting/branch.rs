@@ -11,10 +11,11 @@ use super::rest::comes_to_rest;
 use super::search::Search;
 use super::shot::Shot;
 use super::shrunk::shrunk;
+use super::slip::lets_go;
 use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
 use crate::continuation::{
-    Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading, Settings,
-    Started, ZeroProblem,
+    Beyond, Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading,
+    Settings, Started, ZeroProblem,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -166,12 +167,18 @@ impl Reader for Orbits {
 
     fn refused(
         &self,
-        problem: &OrbitProblem,
+        branch: &Branch<OrbitProblem>,
         orbits: &[Orbit],
         why: &FlowError,
-    ) -> Option<Located<Orbit>> {
-        let vanished = matches!(why, FlowError::Vanished { .. });
-        vanished.then(|| shrunk(&problem.family, orbits)).flatten()
+    ) -> Option<Crossing<OrbitProblem, Orbit>> {
+        match why {
+            FlowError::Vanished { .. } => Some(Crossing {
+                located: shrunk(&branch.problem.family, orbits)?,
+                beyond: Beyond::Nothing,
+            }),
+            FlowError::LetsGo => lets_go(branch, orbits, self.accuracy),
+            _ => None,
+        }
     }
 
     fn ends(&self, orbits: &[Orbit]) -> Option<Ending<FlowError>> {

@@ -1,18 +1,17 @@
-//! Internal states of laws that never meet their stops: what they hold is free, and their swing is held about the middle.
+//! What is free where its bounds are never met: it is held where it swings about their middle. Internal states of laws hold
+//! something of their own; what a contact holds that sticks all along depends on where it does so.
 
 use nalgebra::{DVector, RowDVector};
 
 use super::echelon::Echelon;
 use super::neutral::{Null, is_conserved};
-use super::pin::{Condition, Pin, through};
+use super::pin::{Condition, Pin, Swing, through};
 use super::problem::OrbitProblem;
 use super::shot::Shot;
+use super::swing::{met, sticks};
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::flow::{FlowError, Want};
-use crate::motion::Flow;
-
-/// A state this near to its stop, relatively, is on it.
-const ON: f64 = 1e-13;
+use crate::motion::{Flow, Segment};
 
 impl OrbitProblem {
     /// Lets internal states of laws swing about the middle of their stops, whatever they hold at r.
@@ -25,6 +24,35 @@ impl OrbitProblem {
         self.centred = (0..self.magnitude.len()).filter(stops).collect();
         let held = |pin: &Pin| self.centred.iter().any(|&j| pin.combination[j] != 0.0);
         self.pins.retain(|pin| !held(pin));
+        Ok(())
+    }
+
+    /// Lets contacts that stick all along bear as much the one way as the other, if where they stick is free and if that
+    /// tells it.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn balance(
+        &mut self,
+        segments: &[Segment],
+        (z, r): (&DVector<f64>, f64),
+    ) -> Result<(), FlowError> {
+        let contacts = 0..segments.first().map_or(0, |first| first.modes.len());
+        let held: Vec<usize> = contacts.filter(|&i| sticks(segments, i)).collect();
+        let free: Vec<usize> = (0..self.pins.len())
+            .filter(|&k| self.pins[k].conserved() && self.pins[k].centred.is_none())
+            .collect();
+        if held.is_empty() || held.len() != free.len() || self.modes.len() > 1 {
+            return Ok(());
+        }
+        let plain = self.pins.clone();
+        for (k, contact) in free.into_iter().zip(held) {
+            self.pins[k].centred = Some(Swing::Force(contact));
+        }
+        let at = self.evaluate(z, r)?;
+        if Null::of(&at, &self.scale()).is_some() {
+            self.pins = plain;
+        }
         Ok(())
     }
 
@@ -47,19 +75,27 @@ impl OrbitProblem {
             .collect();
         let known = |state: &usize| self.pins.iter().any(|pin| pin.combination[*state] != 0.0);
         if !free.iter().all(known) {
-            self.pins.retain(|pin| pin.centred.is_none());
+            self.pins.retain(|pin| !pin.holds_state());
             let found = centred(flow, &at, &self.scale(), &self.magnitude, &free);
             self.pins.extend(found);
         }
         self.run(&mut at);
-        let holds = |pin: &&Pin| pin.centred.is_none_or(|state| free.contains(&state));
-        let pins: Vec<Pin> = self.pins.iter().filter(holds).cloned().collect();
+        let free = |pin: &&Pin| {
+            pin.centred
+                .is_none_or(|swing| swing.is_free(flow, &at.extra))
+        };
+        let pins: Vec<Pin> = self.pins.iter().filter(free).cloned().collect();
+        if self
+            .pins
+            .iter()
+            .any(|pin| !pin.holds_state() && !free(&pin))
+        {
+            return Err(FlowError::LetsGo);
+        }
+        let moved = aside.as_ref().map(|aside| z + aside);
         for pin in &pins {
             let condition = match pin.centred {
-                Some(state) => match &aside {
-                    Some(aside) => self.swing(flow, &(z + aside), &at.extra, state)?,
-                    None => self.swing(flow, z, &at.extra, state)?,
-                },
+                Some(swing) => self.middle(flow, moved.as_ref().unwrap_or(z), &at.extra, swing)?,
                 None => pin.condition(&at.extra.start.state, &self.magnitude, z.len()),
             };
             condition.enter(&self.holds(pin), &mut at);
@@ -121,56 +157,40 @@ impl OrbitProblem {
         Ok(())
     }
 
-    /// The middle of the swing of a state, over its magnitude: its rate vanishes at both ends, so that they may be taken
-    /// where they are.
-    fn swing(
+    /// The middle of what swings, over its magnitude: its rate vanishes at both ends, so that they may be taken where they
+    /// are.
+    fn middle(
         &self,
         flow: &dyn Flow,
         z: &DVector<f64>,
         shot: &Shot,
-        state: usize,
+        swing: Swing,
     ) -> Result<Condition, FlowError> {
         let mut middle = Condition {
             value: 0.0,
             gradient: RowDVector::zeros(z.len()),
             design: 0.0,
         };
-        for sign in [1.0, -1.0] {
-            let (segment, time) = farthest(shot, state, sign);
-            let passage = flow.advance(&self.start(z, segment), time, Want::DERIVATIVES)?;
-            middle.value += passage.end.state[state];
+        let order = self.magnitude.len();
+        for turn in swing.turns(flow, shot)? {
+            let start = self.start(z, turn.segment);
+            let passage = flow.advance(&start, turn.time, Want::DERIVATIVES)?;
+            let row = swing.row(flow, &passage.end.state, &turn)?;
+            middle.value += row.value;
+            middle.design += row.design;
             if let Some(derivatives) = &passage.derivatives {
-                let order = self.magnitude.len();
-                let mut slopes = middle.gradient.columns_mut(segment * order, order);
-                slopes += derivatives.state.row(state);
-                middle.design += derivatives.design[state];
+                let row = RowDVector::from_vec(row.slopes);
+                let mut slopes = middle.gradient.columns_mut(turn.segment * order, order);
+                slopes += &row * &derivatives.state;
+                middle.design += (row * &derivatives.design)[0];
             }
         }
-        Ok(middle.over(2.0 * self.magnitude[state]))
+        let unit = match swing {
+            Swing::State(state) => self.magnitude[state],
+            Swing::Force(_) => 1.0,
+        };
+        Ok(middle.over(2.0 * unit))
     }
-}
-
-/// The segment in which a state is greatest, or least, and the time since that began.
-fn farthest(shot: &Shot, state: usize, sign: f64) -> (usize, f64) {
-    let passages = shot.passages.iter().enumerate();
-    let turns = passages.flat_map(|(segment, passage)| {
-        let turns = passage.extrema.iter().filter(|turn| turn.index == state);
-        turns.map(move |turn| (sign * turn.state[state], (segment, turn.time)))
-    });
-    let start = (sign * shot.start.state[state], (0, 0.0));
-    turns
-        .fold(
-            start,
-            |most, turn| if turn.0 > most.0 { turn } else { most },
-        )
-        .1
-}
-
-/// Which stops of a state a motion meets: the lower one, and the upper one.
-fn met(flow: &dyn Flow, shot: &Shot, state: usize) -> [bool; 2] {
-    let (low, high) = shot.extent();
-    let stop = flow.stop(state) * (1.0 - ON);
-    [-low[state] >= stop, high[state] >= stop]
 }
 
 /// The condition for each of these states that is free along a motion.
@@ -185,11 +205,11 @@ fn centred(
     let combinations = Echelon::of(&left, magnitude.len(), free).conditions(magnitude);
     let pin = |(combination, left): (Vec<f64>, DVector<f64>)| {
         let state = free.iter().find(|&&state| combination[state] != 0.0)?;
-        is_conserved(flow, &combination, &at.extra).then_some(Pin {
+        is_conserved(flow, &combination, &at.extra, magnitude).then_some(Pin {
             combination,
             value: 0.0,
             direction: None,
-            centred: Some(*state),
+            centred: Some(Swing::State(*state)),
             left,
         })
     };

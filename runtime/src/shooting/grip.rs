@@ -1,10 +1,14 @@
 //! Contacts that stick all along an orbit: what friction holds in one place, until it lets go.
 
+use std::f64::consts::TAU;
+
+use super::orbit::Orbit;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
+use crate::motion::{Flow, Place};
 
 /// A pinned orbit that closes no better than this is none.
 const CLOSED: f64 = 1e-5;
@@ -54,4 +58,20 @@ impl OrbitProblem {
         let moved = end.map_or(0.0, |end| pin.of(end) - pin.of(&shot.start.state));
         pin.conserved() && moved.abs() > ROUNDING * pin.unit(&self.magnitude)
     }
+}
+
+/// For which share of its period a contact slides.
+pub(super) fn slides(orbit: &Orbit, contact: usize) -> f64 {
+    let slides = orbit.segments.iter();
+    let slides = slides.filter(|segment| segment.modes[contact] != Mode::Stick);
+    slides.map(|segment| segment.duration).sum::<f64>() / orbit.period
+}
+
+/// The time after which a motion of about this period is to repeat: the drive turns as often as before.
+pub(super) fn once(flow: &dyn Flow, place: &Place, about: f64) -> Option<f64> {
+    let Some(phase) = flow.phase() else {
+        return Some(about);
+    };
+    let turn = TAU / flow.velocity(place).ok()?.f[phase];
+    Some(turn * (about / turn).round().max(1.0))
 }

@@ -18,15 +18,18 @@ use crate::motion::{Family, Flow, Velocity};
 const SHARP: f64 = 1e-12;
 /// A motion that comes back this closely has come back.
 const CLOSED: f64 = 1e-6;
+/// One that comes back as near as this is corrected so often where that can be done.
+const NEAR: f64 = 1e-2;
+const CORRECTIONS: usize = 3;
 /// Singular values below this share of the largest are zero; a multiplier so near to 1 singles out no orbit.
 const NEUTRAL: f64 = 1e-7;
 /// The same for a matrix that is known roughly.
 const SUSPECT: f64 = 1e-4;
 /// A motion that misses closing by more than this, sharply followed, does not close.
 const DRIFT: f64 = 1e-9;
-/// How far a neighbour is sought, in units of the condition, and how well it must close.
-const ASIDE: f64 = 1e-3;
-const NEIGHBOUR: f64 = 1e-8;
+/// How far a neighbour is sought, in units of the condition: some have none but very near. How well it must close, over that.
+const ASIDE: [f64; 2] = [1e-3, 1e-5];
+const NEIGHBOUR: f64 = 1e-5;
 /// Share of its terms below which a sum of rates is none.
 const ROUNDING: f64 = 1e-8;
 /// The same where all of them vanish, of what they are elsewhere.
@@ -48,8 +51,16 @@ fn sharply(
     let family = family
         .with_tolerance(Tolerance::for_accuracy(SHARP))
         .with_magnitude(&guess.magnitude);
-    let (mut problem, z) = problem(family, r, guess, 1).ok()?;
-    let at = problem.evaluate(&z, r).ok()?;
+    let (mut problem, mut z) = problem(family, r, guess, 1).ok()?;
+    let mut at = problem.evaluate(&z, r).ok()?;
+    for _ in 0..CORRECTIONS {
+        let gap = at.residual.norm();
+        if gap <= CLOSED || gap > NEAR {
+            break;
+        }
+        z += correction(&at, &problem.scale())?;
+        at = problem.evaluate(&z, r).ok()?;
+    }
     (at.residual.norm() <= CLOSED).then_some((problem, z, at))
 }
 
@@ -96,7 +107,7 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let constant = Echelon::of(&left, order, &[]).conditions(magnitude);
     let conserved = constant
         .iter()
-        .all(|c| is_conserved(flow.as_ref(), c, &at.extra));
+        .all(|c| is_conserved(flow.as_ref(), c, &at.extra, magnitude));
     let (chosen, directions) = if conserved {
         let directions = constant.iter().map(|_| None).collect();
         (constant, directions)
@@ -158,8 +169,13 @@ fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<
 }
 
 /// Whether a combination of the states has no rate anywhere on the way. Where all its terms vanish, rounding is left of
-/// them, which is measured by what they are elsewhere.
-pub(super) fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) -> bool {
+/// them, which is measured by what they are elsewhere, and by what would be usual.
+pub(super) fn is_conserved(
+    flow: &dyn Flow,
+    combination: &[f64],
+    shot: &Shot,
+    magnitude: &[f64],
+) -> bool {
     let Some(velocities) = velocities(flow, shot) else {
         return false;
     };
@@ -169,7 +185,10 @@ pub(super) fn is_conserved(flow: &dyn Flow, combination: &[f64], shot: &Shot) ->
     };
     let all: Vec<Vec<f64>> = velocities.iter().map(terms).collect();
     let size = |terms: &Vec<f64>| terms.iter().map(|term| term.abs()).sum::<f64>();
-    let rounding = VANISHING * all.iter().map(size).fold(0.0, f64::max);
+    let usual = combination.iter().zip(magnitude);
+    let usual: f64 = usual.map(|(c, unit)| (c * unit).abs()).sum();
+    let most = all.iter().map(size).fold(usual / shot.period, f64::max);
+    let rounding = VANISHING * most;
     all.iter()
         .all(|terms| terms.iter().sum::<f64>().abs() <= rounding.max(ROUNDING * size(terms)))
 }
@@ -205,10 +224,12 @@ fn has_neighbour(
     pins: &[Pin],
     moved: usize,
 ) -> bool {
-    let mut problem = problem.clone();
-    problem.pins = pins.to_vec();
-    let aside = ASIDE * pins[moved].unit(&problem.magnitude);
-    problem.pins[moved].value += aside;
-    let found = correct_at(&mut problem, z.clone(), r, NEIGHBOUR);
-    found.is_ok_and(|found| found.linearisation.extra.closure <= NEIGHBOUR)
+    ASIDE.iter().any(|aside| {
+        let mut problem = problem.clone();
+        problem.pins = pins.to_vec();
+        problem.pins[moved].value += aside * pins[moved].unit(&problem.magnitude);
+        let closed = NEIGHBOUR * aside;
+        let found = correct_at(&mut problem, z.clone(), r, closed);
+        found.is_ok_and(|found| found.linearisation.extra.closure <= closed)
+    })
 }

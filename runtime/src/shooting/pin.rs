@@ -19,11 +19,20 @@ pub struct Pin {
     pub value: f64,
     /// Where c·x changes along the orbit, the direction in which that may be shifted.
     pub(super) direction: Option<Free>,
-    /// The internal state of a law whose swing is about the middle of its stops instead. It meets both at once where it
-    /// begins to meet any, so that the orbits go on as those that do.
-    pub(super) centred: Option<usize>,
+    /// What swings about the middle of its bounds instead. It meets both at once where it begins to meet any, so that the
+    /// orbits go on as those that do.
+    pub(super) centred: Option<Swing>,
     /// u, over the equations.
     pub(super) left: DVector<f64>,
+}
+
+/// What swings between two bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Swing {
+    /// The internal state of a law, of this index, between its stops.
+    State(usize),
+    /// The force of the contact of this index, which sticks all along, over the most that it can bear.
+    Force(usize),
 }
 
 /// The same conditions, fulfilled by this state.
@@ -36,6 +45,11 @@ impl Pin {
     #[must_use]
     pub fn conserved(&self) -> bool {
         self.direction.is_none()
+    }
+
+    /// Whether an internal state of a law is what is held.
+    pub(super) fn holds_state(&self) -> bool {
+        matches!(self.centred, Some(Swing::State(_)))
     }
 
     /// The same condition, fulfilled by this state.

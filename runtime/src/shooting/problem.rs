@@ -126,7 +126,7 @@ impl OrbitProblem {
             .map(|place| place.modes.clone())
             .collect();
         self.shares.clone_from(&division.shares);
-        self.pins.retain(|pin| pin.centred.is_none());
+        self.pins.retain(|pin| !pin.holds_state());
         Self::unknowns(&division.starts, self.period)
     }
 

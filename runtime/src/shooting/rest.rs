@@ -1,29 +1,39 @@
 //! Contacts that slide ever less along a branch, until friction holds them all along.
 //!
-//! Where the force on a contact exceeds its limit by ε for a moment, it slides for a time that grows with √ε: the square of
-//! that time falls to zero with r. Near there a multiplier is 1 but for √ε, and slides are noise in the end; so the branch is
-//! taken up again a little beyond, among the orbits that are held.
+//! Where the force on a contact exceeds its limit by ε for a moment, it slides for a time that grows with √ε, where it does so
+//! for a while, hardly less: but the mean acceleration of its slides falls to zero with r either way. Near there a multiplier
+//! is 1 but for √ε, and slides are noise in the end; so the branch is taken up again a little beyond, among the orbits that are
+//! held, and it is these that tell the point, by how near they are to letting go.
 
-use std::f64::consts::TAU;
+use nalgebra::DVector;
 
 use super::begin::begin;
 use super::converge::converge;
+use super::grip::{once, slides};
 use super::guess::Guess;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::search::Search;
-use crate::continuation::{Beyond, Branch, Crossing, Kind, Located};
+use super::swing::spare_force;
+use crate::continuation::{Beyond, Branch, Crossing, Kind, Located, Started, correct_at};
 use crate::field::exact::Mode;
 use crate::flow::Want;
 use crate::math::at_zero;
-use crate::motion::{Family, Flow, Place, apart};
+use crate::motion::{Family, Flow, Node, Place, apart};
 
-/// Share of the period below which it is looked at whether sliding vanishes.
-const SHORT: f64 = 0.03;
+/// Steps that become shorter than this share of the one before are looked at, where their urge to slide falls below this
+/// share within two of them.
+const SLOWER: f64 = 0.95;
+const LESS: f64 = 0.9;
+/// Panels of a quadrature over an orbit.
+const PANELS: f64 = 50.0;
 /// How far two extrapolations may be apart, as a share of the way to where they lead.
 const APART: f64 = 0.05;
 /// How far beyond the orbits are held for certain, over the same way.
 const BEYOND: f64 = 2.0;
+/// Orbits beyond by which it is located, as shares of the way to the first of them, then ever closer.
+const NEARER: [f64; 3] = [1.0, 0.5, 0.25];
+const CLOSER: [f64; 2] = [1.0 / 16.0, 1.0 / 256.0];
 /// What the errors of three orbits may add up to, over one of them.
 const NOISE: f64 = 10.0;
 /// Periods after which it is looked whether a motion has lost what it brought along, how often, and how well it repeats then.
@@ -32,7 +42,7 @@ const LOOKS: usize = 100;
 const REPEATS: f64 = 1e-8;
 /// Relative change of the period up to which an orbit that is held is that to which the branch comes. What slides has hardly
 /// an extent, by which orbits could be compared.
-const REACH: f64 = 1e-2;
+pub(super) const REACH: f64 = 1e-2;
 
 /// Where sliding vanishes.
 #[derive(Debug, Clone, Copy)]
@@ -52,7 +62,7 @@ pub(super) fn comes_to_rest(
     let [.., first, second, last] = orbits else {
         return None;
     };
-    let rest = rest([first, second, last])?;
+    let rest = rest(&branch.problem.family, [first, second, last])?;
     let settings = branch.settings();
     let upwards = rest.r > last.r;
     let r = beyond(rest.r, rest.r - last.r, [settings.from, settings.to])?;
@@ -63,8 +73,18 @@ pub(super) fn comes_to_rest(
         segments: 1,
     };
     let family = &branch.problem.family;
-    let held = held(family, r, (last, rest.contact), &search)?;
+    let held = held(family, r, ([second, last], rest.contact), &search)?;
     let started = begin(family, &held, &search, settings, (r, upwards)).ok()?;
+    let mut z = started.1.z.clone();
+    let mut closer = |rest: Rest, share| rest.sharper(&started, &mut z, share, accuracy);
+    let seen = closer(rest, 1.0)?;
+    if (seen.r - rest.r).abs() > APART * (rest.r - last.r).abs() {
+        return None;
+    }
+    let mut rest = seen;
+    for share in CLOSER {
+        rest = closer(rest, share).unwrap_or(rest);
+    }
     let mut located = Located::at(Kind::VanishingSegment, rest.r, last.clone());
     (located.point.r, located.error) = (rest.r, rest.error + NOISE * accuracy * rest.r.abs());
     Some(Crossing {
@@ -73,15 +93,25 @@ pub(super) fn comes_to_rest(
     })
 }
 
-/// Where the sliding of a contact vanishes, as three orbits that follow each other show.
-fn rest(orbits: [&Orbit; 3]) -> Option<Rest> {
+/// Where the sliding of a contact vanishes, as three orbits that follow each other ever more closely show.
+fn rest(family: &Family, orbits: [&Orbit; 3]) -> Option<Rest> {
+    let [p, q, r] = orbits.map(|orbit| orbit.r);
+    if (r - q).abs() >= SLOWER * (q - p).abs() || (r - q) * (q - p) <= 0.0 {
+        return None;
+    }
     let contacts = orbits[2].place.modes.len();
     let rest = |contact: usize| {
-        let squares = orbits.map(|orbit| (slides(orbit, contact).powi(2), orbit.r));
-        let [(x, _), (y, q), (z, r)] = squares;
-        let found = at_zero(squares);
+        let [x, y, z] = orbits.map(|orbit| slides(orbit, contact));
+        if !(x > y && y > z && z > 0.0) {
+            return None;
+        }
+        let mut urges = [(0.0, 0.0); 3];
+        for (urge, orbit) in urges.iter_mut().zip(orbits) {
+            *urge = (self::urge(family, orbit, contact)?, orbit.r);
+        }
+        let found = at_zero(urges);
         let [near, far] = found.lines;
-        let falls = x > y && y > z && z > 0.0 && z <= SHORT * SHORT;
+        let falls = urges[2].0 < LESS * urges[0].0;
         let leads = (near - far).abs() <= APART * (near - r).abs() && (near - r) * (r - q) > 0.0;
         (falls && leads).then(|| Rest {
             contact,
@@ -90,6 +120,52 @@ fn rest(orbits: [&Orbit; 3]) -> Option<Rest> {
         })
     };
     (0..contacts).find_map(rest)
+}
+
+/// The mean acceleration with which a contact slides: it falls to zero as the force does that exceeds the limit, both where
+/// that is a moment's, and where it lasts.
+fn urge(family: &Family, orbit: &Orbit, contact: usize) -> Option<f64> {
+    let flow = family.at(orbit.r).ok()?;
+    let want = Want {
+        panel: orbit.period / PANELS,
+        ..Want::default()
+    };
+    let passage = flow.advance(&orbit.place, orbit.period, want).ok()?;
+    let way = |node: &Node| node.weight * flow.speeds(&node.state)[contact].abs();
+    let slides = slides(orbit, contact) * orbit.period;
+    Some(passage.nodes.iter().map(way).sum::<f64>() / slides.powi(2))
+}
+
+impl Rest {
+    /// The same from the other side, where it is known better: how near orbits that are held are to letting go.
+    fn sharper(
+        self,
+        (branch, point): &Started<OrbitProblem>,
+        z: &mut DVector<f64>,
+        closer: f64,
+        accuracy: f64,
+    ) -> Option<Self> {
+        let mut spares = [(0.0, 0.0); 3];
+        for (spare, share) in spares.iter_mut().zip(NEARER) {
+            let r = self.r + closer * share * (point.r - self.r);
+            let mut problem = branch.problem.clone();
+            let found = correct_at(&mut problem, z.clone(), r, accuracy).ok()?;
+            z.clone_from(&found.z);
+            let shot = &found.linearisation.extra;
+            let flow = problem.family.at(r).ok()?;
+            let all = shot.stretches();
+            *spare = (
+                spare_force(flow.as_ref(), &shot.start, &all, self.contact)?,
+                r,
+            );
+        }
+        let found = at_zero(spares);
+        Some(Self {
+            r: found.value,
+            error: (found.value - found.lines[0]).abs(),
+            ..self
+        })
+    }
 }
 
 /// A place beyond r in the range, next to it on this way; `None` if r is not inside.
@@ -105,29 +181,66 @@ fn beyond(r: f64, way: f64, [from, to]: [f64; 2]) -> Option<f64> {
     inside(r).then_some(within)
 }
 
-/// For which share of its period a contact slides.
-fn slides(orbit: &Orbit, contact: usize) -> f64 {
-    let slides = orbit.segments.iter();
-    let slides = slides.filter(|segment| segment.modes[contact] != Mode::Stick);
-    slides.map(|segment| segment.duration).sum::<f64>() / orbit.period
-}
-
-/// The orbit at r on which the motion from this one settles, if friction holds the contact there all along.
+/// The orbit at r to which these two lead, if friction holds the contact there all along.
 fn held(
     family: &Family,
     r: f64,
-    (from, contact): (&Orbit, usize),
+    (orbits, contact): ([&Orbit; 2], usize),
     search: &Search,
 ) -> Option<Orbit> {
-    let guess = from.guess();
+    let guess = orbits[1].guess();
     let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
+    let period = once(flow.as_ref(), &guess.place, guess.period)?;
+    let at = |place| Guess {
+        place,
+        period,
+        pins: Vec::new(),
+        division: None,
+        ..guess.clone()
+    };
+    let holds = |guess: Guess| {
+        let found = converge(family, r, &guess, search).ok()?;
+        let held = slides(&found, contact) == 0.0 && !found.pins.is_empty();
+        let near = (found.period / period - 1.0).abs() <= REACH;
+        (held && near).then_some(found)
+    };
+    let clings = clings(family, r, orbits, contact).map(at);
+    let settles = || settles(flow.as_ref(), &at(guess.place.clone()), contact).map(at);
+    clings.and_then(holds).or_else(|| settles().and_then(holds))
+}
+
+/// Where the motion is in the middle of the time for which a contact sticks longest, continued to r.
+fn clings(family: &Family, r: f64, orbits: [&Orbit; 2], contact: usize) -> Option<Place> {
+    let [before, last] = orbits;
+    let mut begin = 0.0;
+    let sticks = last.segments.iter().filter_map(|segment| {
+        begin += segment.duration;
+        let middle = begin - 0.5 * segment.duration;
+        (segment.modes[contact] == Mode::Stick).then_some((segment.duration, middle))
+    });
+    let (_, middle) = sticks.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let there = |orbit: &Orbit| {
+        let time = middle * orbit.period / last.period;
+        let flow = family.at(orbit.r).ok()?;
+        let passage = flow.advance(&orbit.heading.start, time, Want::default());
+        Some(passage.ok()?.end)
+    };
+    let (old, mut place) = (there(before)?, there(last)?);
+    let ahead = (r - last.r) / (last.r - before.r);
+    for (x, old) in place.state.iter_mut().zip(old.state) {
+        *x += ahead * (*x - old);
+    }
+    Some(place)
+}
+
+/// Where the motion from a guess repeats, the contact sticking all along.
+fn settles(flow: &dyn Flow, guess: &Guess, contact: usize) -> Option<Place> {
     let mut place = flow.place(&guess.place.state).ok()?;
-    let period = once(flow.as_ref(), &place, guess.period)?;
     for _ in 0..LOOKS {
-        let settled = flow.advance(&place, SETTLES * period, Want::default());
+        let settled = flow.advance(&place, SETTLES * guess.period, Want::default());
         place = settled.ok()?.end;
         place.state = flow.wrapped(place.state);
-        let again = flow.advance(&place, period, Want::EXTREMA).ok()?;
+        let again = flow.advance(&place, guess.period, Want::EXTREMA).ok()?;
         let mut own = again.events.iter().filter(|event| event.contact == contact);
         if own.any(|event| event.switches()) {
             return None;
@@ -140,22 +253,5 @@ fn held(
             break;
         }
     }
-    let guess = Guess {
-        place,
-        period,
-        ..guess
-    };
-    let found = converge(family, r, &guess, search).ok()?;
-    let held = slides(&found, contact) == 0.0 && !found.pins.is_empty();
-    let near = (found.period / from.period - 1.0).abs() <= REACH;
-    (held && near).then_some(found)
-}
-
-/// The time after which a motion of about this period is to repeat: the drive turns as often as before.
-fn once(flow: &dyn Flow, place: &Place, about: f64) -> Option<f64> {
-    let Some(phase) = flow.phase() else {
-        return Some(about);
-    };
-    let turn = TAU / flow.velocity(place).ok()?.f[phase];
-    Some(turn * (about / turn).round().max(1.0))
+    Some(place)
 }

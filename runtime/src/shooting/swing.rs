@@ -1,0 +1,235 @@
+//! What swings between two bounds along a motion, so that where it could be as well is told by the middle: an internal
+//! state of a law between its stops, or the force of a contact that sticks all along, over the most that it can bear.
+
+use super::pin::Swing;
+use super::shot::Shot;
+use crate::field::exact::Mode;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Flow, Modes, Place, Row, Segment};
+
+/// A state this near to its stop, relatively, is on it.
+const ON: f64 = 1e-13;
+/// Panels of a quadrature over a period, at whose nodes forces are looked at.
+const PANELS: f64 = 24.0;
+
+/// Where what swings turns.
+#[derive(Debug, Clone)]
+pub(super) struct Turn {
+    /// The segment of the motion.
+    pub(super) segment: usize,
+    /// The time since that began.
+    pub(super) time: f64,
+    /// Its value there.
+    pub(super) value: f64,
+    /// The modes there, where forces are asked for.
+    modes: Option<Modes>,
+    /// Its second derivative in time, where the turn is known roughly.
+    bend: Option<f64>,
+}
+
+impl Swing {
+    /// Whether it reaches neither bound on a motion.
+    pub(super) fn is_free(self, flow: &dyn Flow, shot: &Shot) -> bool {
+        match self {
+            Self::State(state) => met(flow, shot, state) == [false; 2],
+            Self::Force(contact) => sticks(&shot.stretches(), contact),
+        }
+    }
+
+    /// Where it is greatest, and where least.
+    ///
+    /// # Errors
+    /// The motion cannot be followed, or its forces are not determined.
+    pub(super) fn turns(self, flow: &dyn Flow, shot: &Shot) -> Result<[Turn; 2], FlowError> {
+        match self {
+            Self::State(state) => Ok([1.0, -1.0].map(|sign| farthest(shot, state, sign))),
+            Self::Force(contact) => peaks(flow, &shot.start, &shot.stretches(), contact),
+        }
+    }
+
+    /// Its value at a state near a turn, and its slopes.
+    ///
+    /// # Errors
+    /// The forces are not determined there.
+    pub(super) fn row(self, flow: &dyn Flow, state: &[f64], turn: &Turn) -> Result<Row, FlowError> {
+        let contact = match self {
+            Self::State(j) => {
+                let mut slopes = vec![0.0; state.len()];
+                slopes[j] = 1.0;
+                return Ok(Row {
+                    value: state[j],
+                    slopes,
+                    design: 0.0,
+                });
+            }
+            Self::Force(contact) => contact,
+        };
+        let (mut load, rate) = load(
+            flow,
+            &Place::known(flow, state, turn.modes.as_ref())?,
+            contact,
+        )?;
+        // What the turn is beyond the time at which it was taken.
+        load.value -= turn.bend.map_or(0.0, |bend| 0.5 * rate * rate / bend);
+        Ok(load)
+    }
+}
+
+/// Which stops of a state a motion meets: the lower one, and the upper one.
+pub(super) fn met(flow: &dyn Flow, shot: &Shot, state: usize) -> [bool; 2] {
+    let (low, high) = shot.extent();
+    let stop = flow.stop(state) * (1.0 - ON);
+    [-low[state] >= stop, high[state] >= stop]
+}
+
+/// Whether a contact sticks all along.
+pub(super) fn sticks(segments: &[Segment], contact: usize) -> bool {
+    segments
+        .iter()
+        .all(|segment| segment.modes[contact] == Mode::Stick)
+}
+
+/// The place in which a state is greatest, or least.
+fn farthest(shot: &Shot, state: usize, sign: f64) -> Turn {
+    let turn = |segment, time, value| Turn {
+        segment,
+        time,
+        value,
+        modes: None,
+        bend: None,
+    };
+    let passages = shot.passages.iter().enumerate();
+    let turns = passages.flat_map(|(segment, passage)| {
+        let turns = passage.extrema.iter().filter(|turn| turn.index == state);
+        turns.map(move |found| turn(segment, found.time, found.state[state]))
+    });
+    let start = turn(0, 0.0, shot.start.state[state]);
+    let further = |most: Turn, turn: Turn| match sign * (turn.value - most.value) > 0.0 {
+        true => turn,
+        false => most,
+    };
+    turns.fold(start, further)
+}
+
+/// Where on the way from a place through these stretches the force of a contact is greatest over the most that it can bear,
+/// and where least.
+///
+/// # Errors
+/// The motion cannot be followed, or its forces are not determined.
+pub(super) fn peaks(
+    flow: &dyn Flow,
+    start: &Place,
+    stretches: &[Segment],
+    contact: usize,
+) -> Result<[Turn; 2], FlowError> {
+    let period: f64 = stretches.iter().map(|stretch| stretch.duration).sum();
+    let want = Want {
+        panel: period / PANELS,
+        ..Want::default()
+    };
+    let (mut state, mut begin) = (start.state.clone(), 0.0);
+    let mut most: [Option<Turn>; 2] = [None, None];
+    for stretch in stretches {
+        let modes = &stretch.modes;
+        let place = |state| Place {
+            state,
+            modes: modes.clone(),
+        };
+        let passage = flow.advance(&place(state.clone()), stretch.duration, want)?;
+        let nodes = passage
+            .nodes
+            .into_iter()
+            .map(|node| (node.time, node.state));
+        let ends = [(0.0, state), (stretch.duration, passage.end.state.clone())];
+        let mut looks: Vec<(f64, Vec<f64>)> = nodes.chain(ends).collect();
+        looks.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut looked = Vec::with_capacity(looks.len());
+        for (time, state) in looks {
+            let (load, rate) = load(flow, &place(state), contact)?;
+            looked.push([begin + time, load.value, rate]);
+        }
+        for (sign, most) in [1.0, -1.0].into_iter().zip(&mut most) {
+            let turn = top(&looked, sign, modes);
+            let further = |old: &Turn| sign * (turn.value - old.value) > 0.0;
+            if most.as_ref().is_none_or(further) {
+                *most = Some(turn);
+            }
+        }
+        (state, begin) = (passage.end.state, begin + stretch.duration);
+    }
+    let none = || Turn {
+        segment: 0,
+        time: 0.0,
+        value: 0.0,
+        modes: Some(start.modes.clone()),
+        bend: None,
+    };
+    Ok(most.map(|turn| turn.unwrap_or_else(none)))
+}
+
+/// What a contact that sticks all along could bear besides, over the most that it can; `None` where it slides, or forces are
+/// not determined.
+pub(super) fn spare_force(
+    flow: &dyn Flow,
+    start: &Place,
+    stretches: &[Segment],
+    contact: usize,
+) -> Option<f64> {
+    if !sticks(stretches, contact) {
+        return None;
+    }
+    let turns = peaks(flow, start, stretches, contact).ok()?;
+    let part = |turn: &Turn| {
+        let there = flow.advance(start, turn.time, Want::default()).ok()?.end;
+        let row = Swing::Force(contact).row(flow, &there.state, turn).ok()?;
+        Some(row.value.abs())
+    };
+    Some(1.0 - part(&turns[0])?.max(part(&turns[1])?))
+}
+
+/// The turn next to the greatest, or least, of these times, values and rates.
+fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes) -> Turn {
+    let heights = looked.iter().map(|[_, value, _]| sign * value).enumerate();
+    let (i, _) = heights
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or_default();
+    let [time, value, rate] = looked.get(i).copied().unwrap_or_default();
+    let next = if sign * rate > 0.0 {
+        Some(i + 1)
+    } else {
+        i.checked_sub(1)
+    };
+    let next = next.and_then(|next| looked.get(next));
+    let bend = next.map(|next| (next[2] - rate) / (next[0] - time));
+    let bend = bend.filter(|bend| sign * bend < 0.0 && bend.is_finite());
+    let off = bend.map_or(0.0, |bend| -rate / bend);
+    Turn {
+        segment: 0,
+        time: time + off,
+        value: value + 0.5 * off * rate,
+        modes: Some(modes.clone()),
+        bend,
+    }
+}
+
+/// What part of the most that it can bear a contact holds at a place, and its rate.
+fn load(flow: &dyn Flow, at: &Place, contact: usize) -> Result<(Row, f64), FlowError> {
+    let contacts = flow.contacts(at)?;
+    let (force, stick) = (&contacts.all[contact].force, &contacts.all[contact].stick);
+    let most = stick.value;
+    let value = force.value / most;
+    if !value.is_finite() {
+        return Err(FlowError::LetsGo);
+    }
+    let slope = |force: f64, stick: f64| (force - value * stick) / most;
+    let slopes = force.slopes.iter().zip(&stick.slopes);
+    let slopes: Vec<f64> = slopes.map(|(f, s)| slope(*f, *s)).collect();
+    let rate = slopes.iter().zip(&contacts.f).map(|(s, f)| s * f).sum();
+    let design = slope(force.design, stick.design);
+    let row = Row {
+        value,
+        slopes,
+        design,
+    };
+    Ok((row, rate))
+}
