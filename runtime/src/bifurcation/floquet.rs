@@ -3,9 +3,10 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Kind;
-use super::exponents::exponents;
 use super::growth::{Growth, Growths};
+use super::liouville::{Told, agree};
 use super::stability::Stability;
+use crate::flow::Determinant;
 use crate::linear::{Eigenvalue, eigenvalues};
 use crate::motion::Factor;
 
@@ -32,14 +33,14 @@ pub struct Floquet {
 }
 
 /// Judges an orbit from its monodromy matrix `monodromy`, the velocity `velocity` at its start,
-/// ∫ tr J dt where det Φ follows from it (`trace`), the number of multipliers that are zero
+/// det Φ where it is known apart from Φ (`determinant`), the number of multipliers that are zero
 /// because contacts stick, and the relative accuracy of Φ. `factors` of Φ, where given, tell apart what
 /// underflows in their product. As many multipliers as directions are `neutral`, those nearest to 1, are left out.
 #[must_use]
 pub fn floquet(
     monodromy: &DMatrix<f64>,
     velocity: &DVector<f64>,
-    trace: Option<f64>,
+    determinant: Option<Determinant>,
     zeros: usize,
     factors: &[Factor],
     neutral: usize,
@@ -60,25 +61,21 @@ pub fn floquet(
     all.sort_by(order);
     let errors = all.iter().map(|one| one.error(0.0) + uncertainty);
     let errors: Vec<f64> = errors.collect();
-    let mut found: Vec<Complex<f64>> = all.iter().map(|one| one.value).collect();
-    let zeros = zeros.min(found.len());
-    let live = found.len() - zeros;
-    found[live..].fill(Complex::new(0.0, 0.0));
     let floor = RESOLVED.max(trivial_error) * size.max(f64::MIN_POSITIVE);
-    let mut logs: Vec<Option<f64>> = found
-        .iter()
-        .map(|multiplier| (multiplier.norm() > floor).then(|| multiplier.norm().ln()))
-        .collect();
-    if zeros == 0
-        && let Some(trace) = trace
-    {
-        supplement(&mut found, &mut logs, trace, factors);
+    let mut told = told(&all, floor);
+    let flat = determinant.is_some_and(Determinant::is_zero);
+    let zeros = zeros.max(usize::from(flat)).min(told.len());
+    let live = told.len() - zeros;
+    told[live..].fill(Told::ZERO);
+    if let (0, Some(determinant)) = (zeros, determinant) {
+        agree(&mut told, determinant, factors);
     }
+    let found: Vec<Complex<f64>> = told.iter().map(|one| one.value).collect();
     let growth = |(multiplier, error): (&Complex<f64>, &f64)| growth(*multiplier, *error);
     let growths = Growths::new(found.iter().zip(&errors).map(growth).collect());
     Floquet {
+        log_moduli: told.iter().map(|one| one.log).collect(),
         multipliers: found,
-        log_moduli: logs,
         trivial_error,
         stability: growths.stability(),
         unstable: growths.growing(),
@@ -119,6 +116,22 @@ impl Floquet {
     }
 }
 
+/// What Φ tells of multipliers, those up to `floor` not resolved.
+fn told(all: &[Eigenvalue], floor: f64) -> Vec<Told> {
+    let mut told: Vec<Told> = Vec::with_capacity(all.len());
+    for one in all {
+        let size = one.value.norm();
+        // A conjugate pair stays one.
+        let pair = told.last().filter(|other| other.value == one.value.conj());
+        told.push(Told {
+            value: one.value,
+            log: (size > floor).then(|| size.ln()),
+            loose: pair.map_or(one.condition / size, |other| other.loose),
+        });
+    }
+    told
+}
+
 /// ln μ, real where the multiplier is, whatever its sign; its error is to the rate as that of μ to its way to the circle.
 fn growth(multiplier: Complex<f64>, error: f64) -> Growth {
     let (size, real) = (multiplier.norm(), multiplier.im == 0.0);
@@ -139,46 +152,6 @@ fn section_map(phi: &DMatrix<f64>, f: &DVector<f64>) -> DMatrix<f64> {
         DMatrix::identity(n, n) - 2.0 / normal.norm_squared() * &normal * normal.transpose();
     let basis = reflection.columns(1, n - 1);
     basis.transpose() * phi * basis
-}
-
-/// Liouville: the logarithms of all moduli add up to ∫ tr J. What the product of Φ cannot resolve
-/// is told apart by the factors, and their sum made to agree.
-fn supplement(
-    found: &mut [Complex<f64>],
-    logs: &mut [Option<f64>],
-    trace: f64,
-    factors: &[Factor],
-) {
-    if found.len() == 1 {
-        // One multiplier besides the trivial one: Liouville is exact and never worse.
-        logs[0] = Some(trace);
-        found[0] = Complex::new(trace.exp(), 0.0);
-        return;
-    }
-    let known = logs.iter().take_while(|log| log.is_some()).count();
-    let missing = logs.len() - known;
-    let rest = trace - logs.iter().flatten().sum::<f64>();
-    let shares = match missing {
-        0 => return,
-        1 => vec![rest],
-        _ if factors.is_empty() => Vec::new(),
-        _ => {
-            let all = exponents(factors);
-            let small = &all[all.len() - missing..];
-            let sum: f64 = small.iter().sum();
-            small.iter().map(|log| log * rest / sum).collect()
-        }
-    };
-    for (i, multiplier) in found.iter_mut().enumerate().skip(known) {
-        logs[i] = shares.get(i - known).copied();
-        let size = logs[i].map_or(0.0, f64::exp);
-        let signed = if size > 0.0 {
-            size.copysign(multiplier.re)
-        } else {
-            0.0
-        };
-        *multiplier = Complex::new(signed, 0.0);
-    }
 }
 
 #[cfg(test)]
@@ -208,7 +181,7 @@ mod tests {
         let verdict = floquet(
             &DMatrix::from_row_slice(2, 2, &[1.0, 3.0, 0.0, 0.0]),
             &DVector::from_vec(vec![1.0, 0.0]),
-            Some(-29_000.0),
+            Some(Determinant::grown(-29_000.0)),
             0,
             &[],
             0,

@@ -6,6 +6,7 @@ mod ending;
 mod exponents;
 mod floquet;
 mod growth;
+mod liouville;
 mod monitors;
 mod periodic;
 mod stability;

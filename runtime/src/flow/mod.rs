@@ -1,5 +1,6 @@
 //! Where a motion is after a time, and how that depends on where it began.
 
+mod determinant;
 mod drive;
 mod error;
 pub mod event;
@@ -12,6 +13,7 @@ pub(crate) mod saltation;
 mod smooth;
 mod told;
 
+pub use determinant::Determinant;
 pub(crate) use drive::{countable, longest, standing, strobes};
 pub use error::{FlowError, SensitivityUndefined};
 pub use event::EventKind;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::EventKind;
+use super::{Determinant, EventKind};
 use crate::field::exact::Mode;
 
 /// The field at a place, with its derivatives where the motion continues.
@@ -27,12 +27,11 @@ pub struct Derivatives<V, M> {
     pub design: V,
     /// ∂φ/∂t: the velocity at the end.
     pub time: V,
-    /// ∫ tr J dt over the smooth stretches: ln det Φ by Liouville where no event lies between.
-    pub trace: f64,
+    /// det Φ: Liouville's ∫ tr J dt over the smooth stretches, and what each event adds to it.
+    pub determinant: Determinant,
     /// Factors of Φ = Fₘ ⋯ F₁ in the order of time, if wanted.
     pub factors: Vec<Factor<M>>,
-    /// The most internal states that rested on their stops at once: as many multipliers of an orbit are exactly zero,
-    /// and `trace` says nothing of Φ.
+    /// The most internal states that rested on their stops at once: as many multipliers of an orbit are exactly zero.
     pub lost: usize,
 }
 

@@ -1,5 +1,6 @@
 //! Derivatives through an event: the saltation matrix of Aizerman and Gantmakher (1958).
 
+use super::Determinant;
 use crate::field::Caught;
 use crate::integrate::{Carried, Motion};
 
@@ -62,21 +63,22 @@ pub(crate) struct Saltation<const N: usize> {
 }
 
 impl<const N: usize> Saltation<N> {
-    /// Takes Φ and p from before the event to after it.
+    /// Takes Φ and p from before the event to after it; what that makes of volumes, (h_y f⁺)/(h_y f⁻).
     ///
     /// # Errors
     /// D = h_y f⁻, if the motion `grazes` the surface instead of crossing it and the field jumps there.
-    pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<(), f64> {
+    pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<Determinant, f64> {
         let jump: [f64; N] = crate::scalar::filled(|i| self.after[i] - self.before[i]);
         if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
-            return Ok(());
+            return Ok(Determinant::ONE);
         }
         let (shift, shifts) = self.shifts(motion, grazes)?;
         leap(motion, &jump, shift, &shifts);
-        Ok(())
+        Ok(self.stretch())
     }
 
-    /// The same where the state jumps as well: Ξ = R_y + (f⁺ − R_y f⁻) h_y/(h_y f⁻) with the reset R.
+    /// The same where the state jumps as well: Ξ = R_y + (f⁺ − R_y f⁻) h_y/(h_y f⁻) with the reset R. It leaves h as it is,
+    /// so that h_y R_y = h_y and det Ξ = det R_y (h_y f⁺)/(h_y f⁻).
     ///
     /// # Errors
     /// As [`Saltation::apply`].
@@ -85,14 +87,23 @@ impl<const N: usize> Saltation<N> {
         motion: &mut Motion<N>,
         reset: &Reset<N>,
         grazes: bool,
-    ) -> Result<(), f64> {
+    ) -> Result<Determinant, f64> {
         let jump = crate::scalar::filled(|i| self.after[i] - dot(&reset.slopes[i], &self.before));
         let (shift, shifts) = self.shifts(motion, grazes)?;
         motion.design =
             crate::scalar::filled(|i| dot(&reset.slopes[i], &motion.design) + reset.design[i]);
         motion.tangent = product(&reset.slopes, &motion.tangent);
         leap(motion, &jump, shift, &shifts);
-        Ok(())
+        Ok(Determinant::of_matrix(reset.slopes).times(self.stretch()))
+    }
+
+    /// (h_y f⁺)/(h_y f⁻): zero where the motion stays on the surface.
+    fn stretch(&self) -> Determinant {
+        let [before, after] = [&self.before, &self.after].map(|f| dot(&self.gradient, f));
+        if after.abs() <= ROUNDING * norm(&self.gradient) * norm(&self.after) {
+            return Determinant::ZERO;
+        }
+        Determinant::of(after / before)
     }
 
     /// (h_y p + h_r)/(h_y f⁻) and h_y Φ/(h_y f⁻).

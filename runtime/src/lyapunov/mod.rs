@@ -82,7 +82,7 @@ fn area(flow: &dyn Flow, from: &Place, passage: &Passage) -> Result<Option<f64>,
     }
     let before = flow.velocity(from)?.f.norm();
     let along = (derivatives.time.norm() / before).ln();
-    let growth = derivatives.trace - along;
+    let growth = derivatives.determinant.log - along;
     Ok(growth.is_finite().then_some(growth))
 }
 

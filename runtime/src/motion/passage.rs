@@ -175,7 +175,7 @@ impl<const N: usize> From<flow::Derivatives<N>> for Derivatives {
             state: matrix(&derivatives.state),
             design: vector(&derivatives.design),
             time: vector(&derivatives.time),
-            trace: derivatives.trace,
+            determinant: derivatives.determinant,
             factors: derivatives.factors.iter().map(factor).collect(),
             lost: derivatives.lost,
         }

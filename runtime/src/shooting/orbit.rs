@@ -129,8 +129,7 @@ impl Orbit {
         let zeros = stuck.max().unwrap_or(0);
         let derivatives = passages.clone().filter_map(|p| p.derivatives.as_ref());
         let zeros = zeros.max(derivatives.map(|d| d.lost).max().unwrap_or(0));
-        let (monodromy, trace) = shot.monodromy();
-        let trace = (segments.len() == 1).then_some(trace);
+        let (monodromy, determinant) = shot.monodromy();
         Self {
             r,
             pins: shot.pins.clone(),
@@ -145,7 +144,7 @@ impl Orbit {
             floquet: floquet(
                 &monodromy,
                 &shot.velocity.f,
-                trace,
+                Some(determinant),
                 zeros,
                 &shot.factors(),
                 shot.pins.len(),

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::division::Division;
 use super::pin::Pin;
-use crate::flow::FlowError;
+use crate::flow::{Determinant, FlowError};
 use crate::motion::{
     Event, Factor, Flow, Modes, Passage, Place, Segment as Stretch, Velocity, half_extents,
 };
@@ -189,20 +189,20 @@ impl Shot {
         self.switches_near(time, INSTANT)
     }
 
-    /// Φ once around, and ∫ tr J.
-    pub(crate) fn monodromy(&self) -> (DMatrix<f64>, f64) {
+    /// Φ once around, and its determinant.
+    pub(crate) fn monodromy(&self) -> (DMatrix<f64>, Determinant) {
         let order = self.start.state.len();
         let mut phi = DMatrix::identity(order, order);
-        let mut trace = 0.0;
+        let mut determinant = Determinant::ONE;
         for derivatives in self
             .passages
             .iter()
             .filter_map(|passage| passage.derivatives.as_ref())
         {
             phi = &derivatives.state * phi;
-            trace += derivatives.trace;
+            determinant = determinant.times(derivatives.determinant);
         }
-        (phi, trace)
+        (phi, determinant)
     }
 
     fn section(&self) -> usize {

@@ -83,9 +83,9 @@ fn volumes_change_as_liouville_says_while_no_event_comes() {
     assert_eq!(passage.segments.len(), 1);
     let derivatives = passage.derivatives.unwrap();
     let [[a, b], [c, d]] = derivatives.state;
-    assert!(((a * d - b * c).ln() - derivatives.trace).abs() < 1e-11);
+    assert!(((a * d - b * c).ln() - derivatives.determinant.log).abs() < 1e-11);
     assert!(
-        derivatives.trace > 0.0,
+        derivatives.determinant.log > 0.0,
         "weakening friction feeds the motion"
     );
 }

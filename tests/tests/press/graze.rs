@@ -149,13 +149,13 @@ fn agrees(hammer: &Hammer, branch: &BranchRecord) -> usize {
         let multipliers = &point.floquet.multipliers;
         let trace = (multipliers[0] + multipliers[1]).re;
         let size = 1.0 + trace.abs();
-        // What grows takes digits of what it is multiplied with, and the saltation the error of the orbit by (1 + e)/|v|.
         let det = (multipliers[0] * multipliers[1]).re;
-        let grown = 2.0 * (1.0 + E) / speed.abs();
         assert!(
-            (det - hit.determinant()).abs() < 1e-9 * size + point.error_estimate * grown,
+            (det / hit.determinant() - 1.0).abs() < 1e-9,
             "{det} at {load}"
         );
+        // The saltation grows the error of the orbit by (1 + e)/|v|.
+        let grown = 2.0 * (1.0 + E) / speed.abs();
         assert!(
             (trace - hit.trace(speed)).abs() < (1e-8 * size + point.error_estimate * grown) * size,
             "{trace} at {load}"

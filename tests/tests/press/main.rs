@@ -16,4 +16,5 @@ mod rates;
 mod rest;
 mod squeal;
 mod valve;
+mod volumes;
 mod walls;

@@ -127,10 +127,13 @@ fn volumes_shrink_by_the_trace<M: Model<N>, const N: usize>(subject: &Subject<M,
     let flow = subject.flow(TIGHT);
     let passage = |time| derivatives(&flow, subject.start(), time);
     let mut time = TIME;
-    while passage(time).trace.abs() > 4.0 {
+    while passage(time).determinant.log.abs() > 4.0 {
         time *= 0.7;
     }
-    let Derivatives { state, trace, .. } = passage(time);
+    let Derivatives {
+        state, determinant, ..
+    } = passage(time);
+    let trace = determinant.log;
     let determinant = nalgebra::DMatrix::from_fn(N, N, |i, j| state[i][j]).determinant();
     assert!(trace.abs() > 1e-2, "nothing was asked: {trace}");
     assert!(

@@ -123,14 +123,13 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             design,
         };
         let passed = saltation.reset(motion, &reset, strike.grazes);
-        passed.map_err(|rate| {
-            SensitivityUndefined::Grazing {
-                contact: M::INFO.contact_id(press),
-                time,
-                rate,
-            }
-            .into()
-        })
+        let found = passed.map_err(|rate| SensitivityUndefined::Grazing {
+            contact: M::INFO.contact_id(press),
+            time,
+            rate,
+        })?;
+        self.jumps = self.jumps.times(found);
+        Ok(())
     }
 
     /// The modes after an impact: other contacts as their speeds are then, which it may have changed.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::ExactFlow;
 use crate::field::Work;
 use crate::field::exact::{ExactField, Mode, Modes};
-use crate::flow::{Derivatives, Flow, FlowError, Place};
+use crate::flow::{Derivatives, Determinant, Flow, FlowError, Place};
 use crate::integrate::Motion;
 use crate::integrate::explicit::integrate;
 use crate::model::Model;
@@ -35,7 +35,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             state: motion.tangent,
             design: motion.design,
             time: self.velocity(&end)?.f,
-            trace: motion.trace,
+            determinant: Determinant::grown(motion.trace),
             factors: Vec::new(),
             lost: 0,
         };

@@ -6,7 +6,7 @@ use super::run::Run;
 use super::switch::Strike;
 use crate::field::exact::{Closed, ExactField, Modes};
 use crate::flow::saltation::{Saltation, Tracked};
-use crate::flow::{FlowError, SensitivityUndefined};
+use crate::flow::{Determinant, FlowError, SensitivityUndefined};
 use crate::integrate::{Carried, Motion};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
@@ -56,7 +56,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             after: *after,
             strike,
         };
-        crossing.carry(motion)
+        self.jumps = self.jumps.times(crossing.carry(motion)?);
+        Ok(())
     }
 }
 
@@ -95,8 +96,8 @@ struct Passing<'a, M: Model<N>, const N: usize> {
 }
 
 impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
-    /// Carries Φ and p to the other side, in any order of simultaneous events if all agree.
-    fn carry(&self, motion: &mut Motion<N>) -> Result<(), FlowError> {
+    /// Carries Φ and p to the other side, in any order of simultaneous events if all agree; what that makes of volumes.
+    fn carry(&self, motion: &mut Motion<N>) -> Result<Determinant, FlowError> {
         let order: Vec<Guard> = self
             .strike
             .fallen
@@ -106,7 +107,7 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
             .flatten()
             .collect();
         let start = *motion;
-        self.chain(motion, order.iter())?;
+        let found = self.chain(motion, order.iter())?;
         if order.len() > 1 {
             let mut other = start;
             self.chain(&mut other, order.iter().rev())?;
@@ -121,7 +122,7 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
                 .into());
             }
         }
-        Ok(())
+        Ok(found)
     }
 
     /// One saltation for each guard; with the last of them everything is in its new mode.
@@ -129,12 +130,13 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
         &self,
         motion: &mut Motion<N>,
         order: impl ExactSizeIterator<Item = &'g Guard>,
-    ) -> Result<(), FlowError> {
+    ) -> Result<Determinant, FlowError> {
         let system = &self.flow.system;
         let linear = system.linear(&self.state, &self.before)?;
         let mut modes = self.before;
         let mut field = system.snapshot(&self.state, &modes)?.field;
         let mut left = order.len();
+        let mut found = Determinant::ONE;
         for guard in order {
             let contact = guard.contact;
             left -= 1;
@@ -157,16 +159,15 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
                 design,
             };
             let time = self.time;
-            saltation
-                .apply(motion, self.strike.grazes)
-                .map_err(|rate| SensitivityUndefined::Grazing {
-                    contact: M::INFO.contact_id(contact),
-                    time,
-                    rate,
-                })?;
+            let passed = saltation.apply(motion, self.strike.grazes);
+            found = found.times(passed.map_err(|rate| SensitivityUndefined::Grazing {
+                contact: M::INFO.contact_id(contact),
+                time,
+                rate,
+            })?);
             field = after;
         }
-        Ok(())
+        Ok(found)
     }
 }
 

@@ -10,7 +10,8 @@ use crate::field::exact::{ExactField, Modes};
 use crate::flow::reach::leaves;
 use crate::flow::saltation::{Tracked, product};
 use crate::flow::{
-    Calm, Derivatives, Event, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want,
+    Calm, Derivatives, Determinant, Event, Factor, FlowError, Node, Passage, Place, Sample,
+    Segment, Want,
 };
 use crate::integrate::event::polish;
 use crate::integrate::{Carried, Dense, IntegrationError, Motion};
@@ -50,6 +51,8 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     pub(super) path: Vec<Sample<N>>,
     pub(super) nodes: Vec<Node<N>>,
     pub(super) factors: Vec<[[f64; N]; N]>,
+    /// What the events made of volumes.
+    pub(super) jumps: Determinant,
     calm: Calm<N, Modes<M, N>>,
     /// Number of events and time when the count of chatter began.
     pub(super) chatter: (u64, f64),
@@ -82,6 +85,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             path: Vec::new(),
             nodes: Vec::new(),
             factors: Vec::new(),
+            jumps: Determinant::ONE,
             calm: Calm::at(*from),
             chatter: (0, 0.0),
         }
@@ -133,7 +137,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             state: self.factors.iter().fold(identity, multiply),
             design: motion.design,
             time: end.field,
-            trace: motion.trace,
+            determinant: self.jumps.times(Determinant::grown(motion.trace)),
             factors: self.factors.iter().map(factor).collect(),
             lost: 0,
         })

@@ -4,7 +4,8 @@ use super::inside::{Explicit, Implicit};
 use crate::field::{Field, Stops, Work};
 use crate::flow::extrema::Turning;
 use crate::flow::{
-    Calm, Derivatives, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want, nodes,
+    Calm, Derivatives, Determinant, Factor, FlowError, Node, Passage, Place, Sample, Segment, Want,
+    nodes,
 };
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Accepted, Carried, IntegrationError, Look, Motion, Radau};
@@ -173,7 +174,10 @@ impl<const N: usize> Record<N> {
             state: motion.tangent,
             design: motion.design,
             time: velocity,
-            trace: motion.trace,
+            determinant: match self.lost {
+                0 => Determinant::grown(motion.trace),
+                _ => Determinant::ZERO,
+            },
             factors: self.factors,
             lost: self.lost,
         });

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::problem::Round;
+use crate::flow::Determinant;
 use crate::motion::Derivatives;
 
 /// How the arrival at the border depends on the start and on r.
@@ -32,7 +33,7 @@ impl Arrival {
             state: &lead.state * &leap.state * &self.state,
             design: &lead.state * passed + &lead.design,
             time: lead.time.clone(),
-            trace: 0.0,
+            determinant: Determinant::ONE,
             factors: Vec::new(),
             lost: 0,
         }

@@ -180,7 +180,7 @@ pub(super) fn chain(first: &Derivatives, second: &Derivatives) -> Derivatives {
         state: &second.state * &first.state,
         design: &second.design + &second.state * &first.design,
         time: second.time.clone(),
-        trace: first.trace + second.trace,
+        determinant: first.determinant.times(second.determinant),
         factors: Vec::new(),
         lost: first.lost.max(second.lost),
     }

@@ -130,12 +130,11 @@ fn read(
             .map(|segment| sticking(&segment.modes))
             .max();
         let zeros = stuck.unwrap_or(0).max(derivatives.lost);
-        let trace = (passage.segments.len() == 1).then_some(derivatives.trace);
         let velocity = DVector::from_column_slice(velocity.as_slice());
         let floquet = floquet(
             &derivatives.state,
             &velocity,
-            trace,
+            Some(derivatives.determinant),
             zeros,
             &derivatives.factors,
             0,
