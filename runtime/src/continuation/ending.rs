@@ -13,8 +13,8 @@ pub enum Ending<E> {
     At(Kind, f64),
     /// At a special point beyond which something should continue it that was not found.
     Undecided(Kind, f64),
-    /// It has become another branch there, along which it would only run back.
-    Meets(f64),
+    /// It has become another branch there, at such a point of that, along which it would only run back.
+    Meets(Kind, f64),
     /// It cannot be told any more from another branch, however short the step.
     FallsBack(f64),
     /// It came round to where it began.

@@ -14,6 +14,8 @@ pub struct Located<P> {
     pub point: P,
     /// Whether the branch is none any more beyond, or only runs back.
     pub last: bool,
+    /// How often the point is gone around while one of the branch beside it is: 2 where a doubled one ends.
+    pub turns: usize,
     /// r and number of unstable directions at the points between which it was found.
     pub sides: [(f64, usize); 2],
     /// How many points of the branch precede it.
@@ -36,6 +38,7 @@ impl<P> Located<P> {
             r,
             point,
             last: false,
+            turns: 1,
             sides: [(r, 0); 2],
             after: 0,
             error: f64::NAN,

@@ -236,7 +236,7 @@ impl<R: Reader> Walk<'_, R> {
                 return Verdict::Last(last.point, Ending::At(last.kind, last.r));
             }
             (Some(last), _) if last.kind == Kind::Flip => {
-                return Verdict::End(Ending::Meets(last.r));
+                return Verdict::End(Ending::Meets(last.kind, last.r));
             }
             (Some(last), _) => return Verdict::End(Ending::At(last.kind, last.r)),
             (None, Some(bound)) => return Verdict::Last(bound, Ending::Left),
@@ -260,7 +260,7 @@ impl<R: Reader> Walk<'_, R> {
 
     pub(super) fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
         let ending = if reason.last && reason.kind == Kind::Flip {
-            Ending::Meets(reason.r)
+            Ending::Meets(reason.kind, reason.r)
         } else {
             Ending::At(reason.kind, reason.r)
         };

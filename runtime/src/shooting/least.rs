@@ -48,14 +48,16 @@ pub(super) fn shorter(
     for laps in LAPS {
         let guess = orbit.part(laps);
         let place = along(flow, shot, guess.period)?;
-        if gap(flow, &place.state, &guess) > NEAR {
+        let back = gap(flow, &place.state, &guess);
+        if back > NEAR {
             continue;
         }
         let Some(found) = converge(&guess) else {
             continue;
         };
         let found = guess.moved(&found);
-        if between(&found, &guess) <= SAME_POINT.max(BLUR * blur) {
+        // A doubled orbit is nearer to the one that it doubles than its halves are to each other.
+        if back.max(between(&found, &guess)) <= SAME_POINT.max(BLUR * blur) {
             return Ok(Some(found));
         }
     }

@@ -41,6 +41,7 @@ mod watched;
 pub use anchor::anchored;
 pub(crate) use anchor::problem;
 pub use beside::Beside;
+pub(crate) use border::doubles;
 pub use border::{Border, BorderProblem, BorderShot, Condition, Sheet, borders};
 pub(crate) use branch::SAME_ORBIT;
 pub use branch::{OrbitBranch, Orbits};

@@ -33,9 +33,8 @@ impl Ended {
             Ending::Stopped(Stop::StepTooSmall(_) | Stop::Creeping(_)) | Ending::FallsBack(_) => {
                 "step-too-small"
             }
-            Ending::At(kind, _) => kind.name(),
+            Ending::At(kind, _) | Ending::Meets(kind, _) => kind.name(),
             Ending::Undecided(..) => "undecided",
-            Ending::Meets(_) => Kind::Flip.name(),
             Ending::Closed(_) => "closed",
             Ending::Left => Kind::Window.name(),
             Ending::Endless(_) => "infinite-period",
@@ -73,7 +72,7 @@ impl Ended {
                 Stop::StepTooSmall(_) | Stop::Creeping(_) | Stop::TooManyPoints => false,
             },
             Ending::At(..)
-            | Ending::Meets(_)
+            | Ending::Meets(..)
             | Ending::Closed(_)
             | Ending::Left
             | Ending::Endless(_)
@@ -130,7 +129,7 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             kind.name(),
             value(r)
         ),
-        Ending::Meets(r) => format!(
+        Ending::Meets(_, r) => format!(
             "at {} both halves of the orbit become one: it meets the branch from which it doubles",
             value(r)
         ),

@@ -264,3 +264,38 @@ fn a_border_behind_a_step_is_not_met_again() {
     are(&found, &wanted, 1e-9);
     assert_eq!(found.ended.word(), "reached-start");
 }
+
+/// Where an orbit grazes, its multiplier jumps from −3.48 to 0.45: the orbits that double there end at that border (Feigin
+/// 1970), and one of them is not taken for the orbit that it doubles, however near.
+#[test]
+fn orbits_that_double_at_a_graze_end_at_it() {
+    let given = [
+        (ForcedBelt::m, 2.292_613_429_066_069_6),
+        (ForcedBelt::k, 0.450_087_240_649_464_2),
+        (ForcedBelt::load, 1.183_216_605_846_751_3),
+        (ForcedBelt::omega, 0.633_042_873_764_591),
+        (ForcedBelt::F_s, 2.331_536_529_386_831),
+        (ForcedBelt::delta, 0.465_138_375_280_926_66),
+    ];
+    let range = (1.232_733_487_703_264_3, 1.236);
+    let turn = std::f64::consts::TAU / given[3].1;
+    let [single, double] = [
+        ([2.103_509_16, -0.494_674_908, 0.0], 2.0 * turn),
+        (
+            [2.103_526_646_624_812, -0.494_673_384_419_252_5, 0.0],
+            4.0 * turn,
+        ),
+    ]
+    .map(|(start, period)| {
+        branch(&given, ForcedBelt::v_dr, range, |case| {
+            case.accuracy = 1e-9;
+            case.start = Some(start.to_vec());
+            case.period = Some(period);
+        })
+    });
+    are(&single, &[("GS1", 1.232_738_623_852)], 1e-10);
+    are(&double, &named(&single), 1e-10);
+    assert_eq!(double.ended.word(), "grazing-sliding");
+    assert!((double.points[0].period / single.points[0].period - 2.0).abs() < 1e-9);
+    assert!((double.special[0].period / turn - 2.0).abs() < 1e-9);
+}

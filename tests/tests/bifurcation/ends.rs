@@ -138,7 +138,7 @@ fn both_halves_become_one_at_any_accuracy() {
         let found = branch(&given, ForcedBelt::m, range, |case| {
             case.accuracy = accuracy
         });
-        let Ending::Meets(m) = found.ended.ending else {
+        let Ending::Meets(Kind::Flip, m) = found.ended.ending else {
             panic!("{accuracy:e}: {}", found.ended.reason);
         };
         let last = found.special.last().expect("where they meet");
@@ -170,6 +170,6 @@ fn a_branch_ends_in_one_place_at_any_accuracy() {
             ["VS1", "CS1", "GS1", "CS2", "PD1", "PD2"],
             "{accuracy:e}"
         );
-        assert!(matches!(found.ended.ending, Ending::Meets(_)));
+        assert!(matches!(found.ended.ending, Ending::Meets(Kind::Flip, _)));
     }
 }

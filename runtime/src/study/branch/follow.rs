@@ -66,9 +66,9 @@ pub(in crate::study) fn follow(
         points.push(point);
         verdict
     });
-    if let (Ending::Meets(r), Some(met)) = (&mut walked.ending, walked.located.last_mut()) {
+    if let (Ending::Meets(kind, r), Some(met)) = (&mut walked.ending, walked.located.last_mut()) {
         undouble(sought, met, walked.points.last().map(|last| last.r));
-        *r = met.r;
+        (*kind, *r) = (met.kind, met.r);
     }
     Stretch {
         points,

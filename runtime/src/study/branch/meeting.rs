@@ -1,8 +1,8 @@
-//! Where a doubled orbit meets the one that it doubles: a flip of that one.
+//! Where a doubled orbit meets the one that it doubles: a flip of that one, or a border on which that doubles.
 
 use crate::bifurcation::test_function::flip;
 use crate::continuation::{Located, SETTLED};
-use crate::shooting::{Guess, Orbit, Search, converge};
+use crate::shooting::{Guess, Orbit, Search, converge, doubles};
 use crate::study::orbit::Sought;
 
 /// Distance of the first two orbits between which the flip is sought, relative to r.
@@ -16,7 +16,7 @@ const AGAIN: f64 = 0.1;
 const DOUBT: f64 = 2.0;
 
 /// Replaces a doubled orbit that has met the one from which it branches by that one, and r by the one at which a
-/// multiplier of that is −1. Where no such is found, r is where orbits that end at `last` lead to, known to no more than
+/// multiplier of that is −1, or passes −1 in a jump. Where no such is found, r is where orbits that end at `last` lead to, known to no more than
 /// what they were followed to.
 pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Option<f64>) {
     let orbit = &met.point;
@@ -24,15 +24,24 @@ pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Opti
         division: None,
         ..orbit.guess().part(2)
     };
+    met.turns = 2;
     let ahead = last.map_or(0.0, |last| (met.r - last).abs());
     match converge(&sought.family, met.r, &guess, &sought.search) {
         Ok(single) if single.period < 0.75 * orbit.period => {
-            match flips(sought, met.r, &single) {
-                Some(flip) if (flip.r - met.r).abs() <= NEAR * met.r.abs() => {
-                    (met.r, met.error, met.point) = (flip.r, flip.error, flip.orbit);
-                }
-                _ => (met.point, met.error) = (single, met.error.max(ahead)),
+            let near = |r: f64| (r - met.r).abs() <= NEAR * met.r.abs();
+            let flips = flips(sought, met.r, &single).filter(|flip| near(flip.r));
+            let jumps = || {
+                let found = doubles(&sought.family, &single, sought.search.accuracy);
+                found.filter(|border| near(border.r))
             };
+            if let Some(flip) = flips {
+                (met.r, met.error, met.point) = (flip.r, flip.error, flip.orbit);
+            } else if let Some(border) = jumps() {
+                (met.kind, met.r, met.error) = (border.kind, border.r, border.error);
+                met.point = border.point;
+            } else {
+                (met.point, met.error) = (single, met.error.max(ahead));
+            }
         }
         // As far as it is known, the doubled orbit is that orbit twice.
         _ => {

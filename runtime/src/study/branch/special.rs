@@ -62,7 +62,7 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         max_abs: found.point.max_abs(),
         section: found.point.section.clone(),
         criticality: None,
-        turns: 1 + usize::from(found.last && found.kind == Kind::Flip),
+        turns: found.turns,
         note: None,
     };
     located.iter().zip(labels).map(special).collect()
