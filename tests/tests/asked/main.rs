@@ -123,3 +123,17 @@ fn branches_say_the_same_however_they_are_asked() {
         tally.undecided
     );
 }
+
+/// Seeds of branches that once said something else when they were asked in another way: where orbits that double end at a
+/// graze, and where a flip or another border follows a graze at once.
+const DIFFERED: [u64; 3] = [454, 501, 527];
+
+#[test]
+#[ignore = "long"]
+fn branches_that_once_differed_agree() {
+    let mut tally = Tally::default();
+    DIFFERED.into_iter().for_each(|seed| tally.ask(seed));
+    assert_eq!(tally.branches, DIFFERED.len());
+    assert!(tally.differ.is_empty(), "{:#?}", tally.differ);
+    assert!(tally.undecided.is_empty(), "{:#?}", tally.undecided);
+}

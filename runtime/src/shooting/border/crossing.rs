@@ -146,16 +146,19 @@ fn onwards(
     nearest.1
 }
 
-/// Whether a bifurcation lies between the border and the first orbit beyond it, as far as multipliers tell: nobody would
+/// Whether a bifurcation may lie between the border and the first orbit beyond it, as far as multipliers tell: nobody would
 /// look for it there.
 fn passes(found: &Edge, last: &Orbit, first: &Orbit) -> bool {
+    if found.border.drops {
+        return false;
+    }
     let beyond = found.seen_from(last, !found.border.happens, 1.0);
     let certain = [&beyond, first].map(|orbit| orbit.floquet.growths.marginal() == 0);
-    certain == [true; 2] && !found.border.drops && beyond.floquet.unstable != first.floquet.unstable
+    certain != [true; 2] || beyond.floquet.unstable != first.floquet.unstable
 }
 
-/// Whether another border lies between this one and the first orbit beyond it: what is short on one side of this one is not
-/// all that their words differ by. Nobody would look for it there.
+/// Whether another border may lie between this one and the first orbit beyond it: what is short on one side of this one is
+/// not all that their words differ by. Nobody would look for it there.
 fn skips(found: &Edge, branch: &Branch<OrbitProblem>, last: &Orbit, first: &Orbit) -> bool {
     let border = &found.border;
     if border.is_brief() {
@@ -163,13 +166,12 @@ fn skips(found: &Edge, branch: &Branch<OrbitProblem>, last: &Orbit, first: &Orbi
     }
     let flow = branch.problem.family.at(first.r);
     let Ok(near) = flow.and_then(|flow| borders(flow.as_ref(), first)) else {
-        return false;
+        return true;
     };
     let same = |one: &&Candidate| {
         one.is_brief() && (one.contact, one.condition) == (border.contact, border.condition)
     };
-    let mut back = near.iter().filter(same).peekable();
-    back.peek().is_some() && !back.any(|one| one.parts(first, last))
+    !near.iter().filter(same).any(|one| one.parts(first, last))
 }
 
 /// How the motion that begins so far from the border meets the wall: at the slowest of its impacts, if any is.
