@@ -15,6 +15,9 @@ const NOISE: f64 = 30.0;
 /// the motion amplifies strongly, a negligible correction can leave a gap that is not.
 const CLOSED: f64 = 1e3;
 
+/// Share of the last correction up to which the next one shows that Newton's method converges.
+const CONTRACTS: f64 = 0.25;
+
 /// Why a correction failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Failure<E> {
@@ -94,12 +97,14 @@ pub fn correct<P: ZeroProblem>(
         let residual = linearisation.residual.norm();
         let last = corrections.last().copied();
         let settled = last.is_some_and(|last| last <= NOISE * accuracy);
-        if residual >= before && !settled {
-            return Err(Failure::ResidualRose {
-                before,
-                after: residual,
-                r,
-            });
+        let rose = Failure::ResidualRose {
+            before,
+            after: residual,
+            r,
+        };
+        let rises = residual >= before && !settled;
+        if rises && !P::AMPLIFIES {
+            return Err(rose);
         }
         let bordered = bordered(&linearisation, &scale, r_scale, normal);
         let mut right = DVector::zeros(n + 1);
@@ -108,6 +113,9 @@ pub fn correct<P: ZeroProblem>(
         let size = correction.norm();
         if !size.is_finite() {
             return Err(Failure::Singular { r });
+        }
+        if rises && last.is_none_or(|last| size > CONTRACTS * last) {
+            return Err(rose);
         }
         z += correction.rows(0, n).component_mul(&scale);
         r += correction[n] * r_scale;

@@ -49,6 +49,10 @@ use nalgebra::{DMatrix, DVector};
 
 /// n equations h(z, r) = 0 in n unknowns z and one design variable r.
 pub trait ZeroProblem {
+    /// Whether its residual may rise on the way to a solution, as it is amplified more in some directions than in others:
+    /// then corrections tell alone whether Newton's method converges (Deuflhard 1974).
+    const AMPLIFIES: bool = false;
+
     /// Why the equations could not be evaluated.
     type Error: std::error::Error + Clone;
     /// What an evaluation yields beside the equations, kept with an accepted point.

@@ -149,6 +149,8 @@ pub struct Reading<R: Reader> {
     pub(super) reader: R,
     pub(super) branch: Branch<R::Problem>,
     first: Option<R::Point>,
+    /// Whether its points are evaluated as sharply as what lies between them.
+    sharp: bool,
     /// To what share of the values of what is followed special points are located.
     pub(super) accuracy: f64,
     counted: Work,
@@ -162,6 +164,7 @@ impl<R: Reader> Reading<R> {
             reader,
             branch,
             first: None,
+            sharp: false,
             accuracy,
             counted: Work::default(),
         };
@@ -184,6 +187,18 @@ impl<R: Reader> Reading<R> {
     /// What was spent on its points, without what was spent between them.
     pub(super) fn work(&self) -> Work {
         R::work(&self.branch.problem)
+    }
+
+    /// Evaluates its points more sharply and tries once more, as their errors may be what no step is small enough for; false
+    /// if that has been done.
+    pub(super) fn sharpen(&mut self) -> bool {
+        if self.sharp {
+            return false;
+        }
+        self.sharp = true;
+        self.reader.sharpen(&mut self.branch.problem, R::SHARPER);
+        self.branch.resume();
+        true
     }
 
     /// Goes on with another branch, its first point next; what it has cost so far is in its problem.

@@ -140,6 +140,10 @@ impl<R: Reader> Walk<'_, R> {
             return self.pass(crossing);
         }
         let reason = self.followed.reader.explain(&self.points);
+        let sharper = R::SHARPER < 1.0 && matches!(stop, Stop::StepTooSmall(_));
+        if reason.is_none() && sharper && self.followed.sharpen() {
+            return None;
+        }
         Some(reason.map_or(Ending::Stopped(stop), |reason| self.end(reason)))
     }
 

@@ -154,6 +154,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         true
     }
 
+    /// Tries once more where no step was small enough.
+    pub(super) fn resume(&mut self) {
+        (self.step, self.stop) = (self.settings.first_step, None);
+    }
+
     /// Goes on from a corrected point with its tangent.
     pub(super) fn accept(
         &mut self,

@@ -7,9 +7,9 @@ use super::candidate::Border;
 use super::problem::BorderProblem;
 use super::sides::Sides;
 use crate::bifurcation::{Kind, floquet};
-use crate::continuation::{SETTLED, ZeroProblem, correct_at};
+use crate::continuation::{Failure, SETTLED, ZeroProblem, correct_at};
 use crate::field::Work;
-use crate::flow::Want;
+use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
 use crate::motion::{Family, sticking};
 use crate::shooting::orbit::{Orbit, Solution};
@@ -18,8 +18,11 @@ use crate::shooting::shot::Shot;
 
 /// Borders that are tried, the nearest first.
 const TRIED: usize = 4;
-/// Share of the accuracy to which orbits on borders are integrated, and the finer one with which their error is measured.
-const SHARPER: [f64; 2] = [0.02, 0.002];
+/// Shares of the accuracy to which orbits on borders are integrated: the first at which they are found, and the finer one
+/// with which their error is measured.
+const SHARPER: [f64; 3] = [0.02, 0.002, 2e-4];
+/// Residual, or correction, up to which errors of the integration may keep Newton's method from converging.
+const NOISY: f64 = 1e-3;
 /// What is reported over what two runs differ by: they share part of their errors.
 const DOUBT: f64 = 2.0;
 
@@ -72,28 +75,56 @@ fn converge(
             .with_tolerance(Tolerance::for_accuracy(share * accuracy))
             .with_magnitude(&orbit.magnitude())
     };
-    let mut problem = BorderProblem::new(sharpened(SHARPER[0]), orbit, border, scales);
+    let at =
+        |border: Border, share: f64| BorderProblem::new(sharpened(share), orbit, border, scales);
+    let [first, again, last] = SHARPER;
+    let mut problem = at(border, first);
     let z = problem.unknowns(orbit.r);
-    let loose = correct_at(&mut problem, z, 0.0, accuracy);
+    let mut loose = correct_at(&mut problem, z.clone(), 0.0, accuracy);
     *work += problem.work;
+    let mut next = again;
+    if loose.as_ref().is_err_and(is_noise) {
+        problem = at(problem.border, again);
+        loose = correct_at(&mut problem, z, 0.0, accuracy);
+        *work += problem.work;
+        next = last;
+    }
     let loose = loose.ok()?;
     let shot = &loose.linearisation.extra;
     if !shot.least || (shot.period / orbit.period).ln().abs() > 1.0 {
         return None;
     }
-    let mut problem = BorderProblem::new(sharpened(SHARPER[1]), orbit, problem.border, scales);
-    let tight = correct_at(&mut problem, loose.z.clone(), 0.0, accuracy);
-    let order = orbit.place.state.len();
-    let (z, error) = match tight {
-        Ok(tight) => {
-            let apart = (tight.z[order + 1] - loose.z[order + 1]).abs();
-            (tight.z, DOUBT * apart + SETTLED * accuracy * orbit.r.abs())
-        }
-        Err(_) => (loose.z.clone(), accuracy * orbit.r.abs()),
-    };
+    let mut problem = at(problem.border, next);
+    let (z, error) = measured(&mut problem, &loose.z, accuracy, orbit.r);
     let found = read(&mut problem, family, orbit, &z, error);
     *work += problem.work;
     found
+}
+
+/// Whether it may be for the errors of the integration that Newton's method did not converge.
+fn is_noise(failure: &Failure<FlowError>) -> bool {
+    match failure {
+        Failure::ResidualRose { before, .. } => *before <= NOISY,
+        Failure::NoConvergence { correction, .. } => *correction <= NOISY,
+        _ => false,
+    }
+}
+
+/// The unknowns at the sharper accuracy of a problem, and the error of r.
+fn measured(
+    problem: &mut BorderProblem<Family>,
+    loose: &DVector<f64>,
+    accuracy: f64,
+    r: f64,
+) -> (DVector<f64>, f64) {
+    let last = loose.len() - 1;
+    match correct_at(problem, loose.clone(), 0.0, accuracy) {
+        Ok(tight) => {
+            let apart = (tight.z[last] - loose[last]).abs();
+            (tight.z, DOUBT * apart + SETTLED * accuracy * r.abs())
+        }
+        Err(_) => (loose.clone(), accuracy * r.abs()),
+    }
 }
 
 /// The orbit on its border with what the normal form says of it.

@@ -202,6 +202,7 @@ pub struct BorderShot {
 }
 
 impl<S: Sheet> ZeroProblem for BorderProblem<S> {
+    const AMPLIFIES: bool = true;
     type Error = FlowError;
     type Extra = BorderShot;
 
