@@ -38,7 +38,9 @@ pub fn find(
         for modes in modes(start) {
             let state = start.clone();
             if let Some(new) = settle(family, r, &Place { state, modes })
-                && !found.iter().any(|old| same(&old.place, &new.place))
+                && !found
+                    .iter()
+                    .any(|old| same(family, r, [&old.place, &new.place]))
             {
                 found.push(new);
             }
@@ -64,8 +66,17 @@ pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
     })
 }
 
-fn same(a: &Place, b: &Place) -> bool {
-    a.modes == b.modes && near(&a.state, &b.state)
+/// Whether two are one; which way a contact slides tells them apart only where it matters.
+fn same(family: &Family, r: f64, [a, b]: [&Place; 2]) -> bool {
+    let alike = || {
+        let margins = family.at(r).map(|flow| flow.margins(a));
+        let matters = |i: usize| margins.iter().flatten().any(|(one, _)| *one == i);
+        let mut pairs = a.modes.iter().zip(&b.modes).enumerate();
+        pairs.all(|(i, (a, b))| {
+            a == b || (a.rubs() && b.rubs() && !a.binds() && !b.binds() && !matters(i))
+        })
+    };
+    near(&a.state, &b.state) && (a.modes == b.modes || alike())
 }
 
 /// Whether two equilibria of one mode are one, as far as numbers can tell.

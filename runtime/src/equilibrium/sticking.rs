@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
+use super::free::{modulo_kernel, restricted};
 use super::resting::held;
 use crate::field::exact::Mode;
 use crate::linear::svd;
@@ -61,7 +62,6 @@ struct Sought<'a> {
 
 impl Sought<'_> {
     fn set(&self, start: &[f64]) -> Option<StickingSet> {
-        let lost = sticking(self.modes);
         let sticking = self
             .modes
             .iter()
@@ -77,14 +77,41 @@ impl Sought<'_> {
         };
         let (low, high) = (extreme(f64::min), extreme(f64::max));
         let at = self.at(&state)?;
-        self.admissible(&state, &at).then(|| StickingSet {
+        if !self.admissible(&state, &at) {
+            return None;
+        }
+        Some(StickingSet {
             modes: self.modes.clone(),
             dimension,
             low,
             high,
-            spectrum: Spectrum::across(&at.jacobian, lost + dimension),
+            spectrum: self.spectrum(&state, &at.jacobian, dimension)?,
             state,
         })
+    }
+
+    /// Eigenvalues of what the contacts leave free, without the directions of the set.
+    fn spectrum(
+        &self,
+        state: &[f64],
+        jacobian: &DMatrix<f64>,
+        dimension: usize,
+    ) -> Option<Spectrum> {
+        let held = held(self.flow, &self.place(state)).ok()?;
+        let stuck = self.modes.iter().filter(|mode| **mode == Mode::Stick);
+        let stuck = stuck.count();
+        let order = state.len();
+        let held = DMatrix::from_fn(held.len(), order, |i, j| held[i].slopes[j]);
+        // A gap that stays closed has no rate either.
+        let rates = held.rows_range(stuck..) * jacobian;
+        let (holds, rests) = (held.nrows(), rates.nrows());
+        let mut rows = held.resize_vertically(holds + rests, 0.0);
+        rows.rows_range_mut(holds..).copy_from(&rates);
+        let left = modulo_kernel(&restricted(jacobian, &rows), dimension);
+        let apart = order.checked_sub(sticking(self.modes) + dimension)?;
+        // Contacts that hold the same leave a zero more than they take.
+        let twice = left.nrows().saturating_sub(apart);
+        Some(Spectrum::across(&left, twice))
     }
 
     fn rank(&self, inside: &[f64]) -> Option<usize> {

@@ -82,9 +82,20 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
             looks += (self.end.state()[i] - self.last_look[i]).powi(2);
         }
         let stiffness = self.length * ratio(slopes, looks).sqrt();
-        if self.control.is_stiff(stiffness, self.settings.stiff_steps) {
-            return Err(IntegrationError::Stiff { time: self.time });
+        if !self.control.is_stiff(stiffness, self.settings.stiff_steps) {
+            return Ok(());
         }
-        Ok(())
+        let spent = self.work.steps + self.work.rejected;
+        let left = self.settings.steps.saturating_sub(spent);
+        let needed = (self.until - self.time) / self.length;
+        if self.settings.persists && needed <= left as f64 {
+            return Ok(());
+        }
+        Err(IntegrationError::Stiff {
+            time: self.time,
+            step: self.length,
+            needed,
+            left,
+        })
     }
 }

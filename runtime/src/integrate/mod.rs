@@ -114,10 +114,19 @@ pub enum IntegrationError {
         state: Values,
     },
     /// An explicit method met a stiff stretch.
-    #[error("the problem is stiff at t = {}", brief(*.time))]
+    #[error(
+        "the problem is stiff at t = {}: what decays fastest allows steps of {step:.1e} only, of which the rest of the time needs \
+         {needed:.1e}, and {left} are left", brief(*.time)
+    )]
     Stiff {
         /// Time reached.
         time: f64,
+        /// The longest step that is stable.
+        step: f64,
+        /// Steps of this length in the rest of the span.
+        needed: f64,
+        /// Steps that were still allowed.
+        left: u64,
     },
 }
 
@@ -141,7 +150,7 @@ impl IntegrationError {
             Self::StepTooSmall { time, .. }
             | Self::NotFinite { time, .. }
             | Self::TooManySteps { time, .. }
-            | Self::Stiff { time } => *time += by,
+            | Self::Stiff { time, .. } => *time += by,
         }
         self
     }

@@ -15,6 +15,8 @@ pub struct Stepper<'f, F, V, const N: usize> {
     pub(super) settings: Settings,
     pub(super) control: Control,
     pub(super) time: f64,
+    /// The end of the span.
+    pub(super) until: f64,
     pub(super) length: f64,
     pub(super) from: V,
     pub(super) end: V,
@@ -45,6 +47,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             settings,
             control: Control::new(span),
             time,
+            until: time + span,
             length: 0.0,
             from,
             end: from,

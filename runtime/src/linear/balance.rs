@@ -12,7 +12,7 @@ const FARTHEST: f64 = 1e200;
 ///
 /// Eigenvalues stay, and their errors no longer depend on the units of the states (Parlett and Reinsch 1969). An entry
 /// that is rounding error beside the rest of its row has no say: it would be made to look like something.
-pub(super) fn balanced(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+pub(crate) fn balanced(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let order = matrix.nrows();
     let mut balanced = matrix.clone();
     let mut sizes = matrix.map(f64::abs);

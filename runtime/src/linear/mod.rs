@@ -4,6 +4,7 @@ mod balance;
 mod eigenvalue;
 mod svd;
 
+pub(crate) use balance::balanced;
 pub(crate) use eigenvalue::{Eigenvalue, eigenvalues};
 pub(crate) use svd::svd;
 

@@ -122,12 +122,13 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         ))
     }
 
+    // Where w = 0 nothing happens to a contact that no force ever holds.
     fn margins(&self, at: &Place) -> Vec<(usize, f64)> {
         let (speeds, rounding) = self.speeds(&fixed(&at.state));
         let signs = at.modes.iter().map(|mode| mode.sign());
         signs
             .enumerate()
-            .filter(|(_, sign)| *sign != 0.0)
+            .filter(|(i, sign)| *sign != 0.0 && !self.system().is_idle(*i))
             .map(|(i, sign)| (i, sign * speeds.as_ref()[i] - rounding.as_ref()[i]))
             .chain(self.reserves(at))
             .collect()

@@ -23,6 +23,7 @@ mod orbit;
 mod phase;
 mod pin;
 mod problem;
+mod quiet;
 mod rest;
 mod running;
 mod same;

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::guess::Guess;
+use super::quiet::Quiet;
 use super::shift::Shifts;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Extremum, Flow, Modes, Passage, Place, apart};
@@ -51,7 +52,8 @@ pub fn settle<T>(
     let steps = STEPS.min(ADVANCED / flow.order().max(1) as u64);
     while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < steps {
         let crossings = watch.follow(flow, chunk)?;
-        if flow.phase().is_none() && watch.at_rest() {
+        let rests = watch.at_rest() || (crossings < ENOUGH && watch.quiet.lasts());
+        if flow.phase().is_none() && rests {
             return Ok(Settled::Equilibrium(watch.place.state.clone()));
         }
         if crossings < ENOUGH {
@@ -97,6 +99,7 @@ struct Watch {
     extent: Vec<f64>,
     first_extent: f64,
     swings: Vec<f64>,
+    quiet: Quiet,
     steps: u64,
 }
 
@@ -106,6 +109,7 @@ impl Watch {
             section,
             shifts: None,
             extent: vec![0.0; place.state.len()],
+            quiet: Quiet::new(place.state.len()),
             place,
             time: 0.0,
             minima: Vec::new(),
@@ -133,6 +137,7 @@ impl Watch {
         let run = self.run(&passage.end.state);
         let (mut low, mut high) = bounds(&passage, &run, chunk);
         let crossings = self.minima.len() - before;
+        self.quiet.take(&self.place.state, &low, &high);
         if self.minima.is_empty() && self.turned_away(flow, &passage, chunk) {
             self.place = passage.end;
             self.time += chunk;

@@ -12,4 +12,5 @@ mod margins;
 mod onset;
 mod orbits;
 mod scales;
+mod still;
 mod unstable;

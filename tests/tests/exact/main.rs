@@ -12,3 +12,4 @@ mod metamorphic;
 mod properties;
 mod reach;
 mod reference;
+mod stiff;

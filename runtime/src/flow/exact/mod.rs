@@ -80,6 +80,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let settings = Settings {
             steps: 1_000_000,
             stiff_steps: 1000,
+            persists: true,
             ..Settings::new(tolerance)
         };
         Ok(Self {

@@ -19,6 +19,9 @@ pub struct Settings {
     pub steps: u64,
     /// Steps at the edge of stability after which the problem is called stiff.
     pub stiff_steps: u32,
+    /// Whether it goes on at the edge of stability where the steps that are left suffice for the whole span at their
+    /// present length.
+    pub persists: bool,
 }
 
 impl Settings {
@@ -29,6 +32,7 @@ impl Settings {
             tolerance,
             steps: 100_000,
             stiff_steps: 15,
+            persists: false,
         }
     }
 }

@@ -1,0 +1,79 @@
+//! A motion that has stopped: as nothing moves any more, no time will tell more.
+
+/// Share of what a state has moved below which it moves no more.
+const NOTHING: f64 = 1e-7;
+/// Spans without motion, each twice as long as the one before.
+const SPANS: u32 = 8;
+/// What creeps goes twice as far in twice the time, and errors of the integrator do not: so often is what they grow by.
+const GROWTH: f64 = 16.0;
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// How long nothing has moved.
+#[derive(Debug, Clone)]
+pub(super) struct Quiet {
+    /// The farthest that each state has moved in one span.
+    reach: Vec<f64>,
+    spans: u32,
+    /// The largest motion in the first of these spans, and in the last one.
+    moved: [f64; 2],
+}
+
+impl Quiet {
+    pub(super) fn new(order: usize) -> Self {
+        Self {
+            reach: vec![0.0; order],
+            spans: 0,
+            moved: [0.0; 2],
+        }
+    }
+
+    /// Takes a span from this state, and the smallest and largest values in it.
+    pub(super) fn take(&mut self, from: &[f64], low: &[f64], high: &[f64]) {
+        let mut moved = 0.0_f64;
+        for (j, reach) in self.reach.iter_mut().enumerate() {
+            let change = high[j].max(from[j]) - low[j].min(from[j]);
+            *reach = reach.max(change);
+            let size = reach.max(from[j].abs());
+            if change > 0.0 {
+                moved = moved.max(change / size);
+            }
+        }
+        if moved > NOTHING {
+            self.spans = 0;
+            return;
+        }
+        if self.spans == 0 {
+            self.moved[0] = moved;
+        }
+        self.moved[1] = moved;
+        self.spans += 1;
+    }
+
+    /// Whether it has been quiet for so long that it will be so for ever.
+    pub(super) fn lasts(&self) -> bool {
+        let [first, last] = self.moved;
+        self.spans >= SPANS && last <= (GROWTH * first).max(ROUNDING)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_is_quiet_and_what_creeps_is_not() {
+        let after = |change: fn(u32) -> f64| {
+            let mut quiet = Quiet::new(1);
+            quiet.take(&[1.0], &[-1.0], &[1.0]);
+            for span in 0..SPANS {
+                quiet.take(&[0.0], &[0.0], &[change(span)]);
+            }
+            quiet.lasts()
+        };
+        assert!(after(|_| 0.0));
+        assert!(after(|span| [1e-10, 3e-10][span as usize % 2]));
+        assert!(after(|span| 1e-8 / f64::from(span + 1)));
+        assert!(!after(|span| 1e-12 * f64::from(1 << span)));
+        assert!(!after(|_| 1e-3));
+    }
+}
