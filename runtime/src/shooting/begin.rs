@@ -29,9 +29,7 @@ pub(super) fn begin(
     let (mut problem, z) =
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
     problem.centre(r).map_err(Failure::Evaluation)?;
-    problem
-        .balance(&orbit.segments, (&z, r))
-        .map_err(Failure::Evaluation)?;
+    problem.balance(&orbit.segments, (&z, r));
     problem
         .float(&guess.place, r)
         .map_err(Failure::Evaluation)?;

@@ -29,31 +29,23 @@ impl OrbitProblem {
 
     /// Lets contacts that stick all along bear as much the one way as the other, if where they stick is free and if that
     /// tells it.
-    ///
-    /// # Errors
-    /// The motion cannot be followed.
-    pub(super) fn balance(
-        &mut self,
-        segments: &[Segment],
-        (z, r): (&DVector<f64>, f64),
-    ) -> Result<(), FlowError> {
+    pub(super) fn balance(&mut self, segments: &[Segment], (z, r): (&DVector<f64>, f64)) {
         let contacts = 0..segments.first().map_or(0, |first| first.modes.len());
         let held: Vec<usize> = contacts.filter(|&i| sticks(segments, i)).collect();
         let free: Vec<usize> = (0..self.pins.len())
             .filter(|&k| self.pins[k].conserved() && self.pins[k].centred.is_none())
             .collect();
         if held.is_empty() || held.len() != free.len() || self.modes.len() > 1 {
-            return Ok(());
+            return;
         }
         let plain = self.pins.clone();
         for (k, contact) in free.into_iter().zip(held) {
             self.pins[k].centred = Some(Swing::Force(contact));
         }
-        let at = self.evaluate(z, r)?;
-        if Null::of(&at, &self.scale()).is_some() {
+        let at = self.evaluate(z, r);
+        if !at.is_ok_and(|at| Null::of(&at, &self.scale()).is_none()) {
             self.pins = plain;
         }
-        Ok(())
     }
 
     /// These equations with the conditions that hold at this motion.
@@ -84,14 +76,11 @@ impl OrbitProblem {
             pin.centred
                 .is_none_or(|swing| swing.is_free(flow, &at.extra))
         };
-        let pins: Vec<Pin> = self.pins.iter().filter(free).cloned().collect();
-        if self
-            .pins
-            .iter()
-            .any(|pin| !pin.holds_state() && !free(&pin))
-        {
+        let slides = |pin: &Pin| !pin.holds_state() && !free(&pin);
+        if self.pins.iter().any(slides) {
             return Err(FlowError::LetsGo);
         }
+        let pins: Vec<Pin> = self.pins.iter().filter(free).cloned().collect();
         let moved = aside.as_ref().map(|aside| z + aside);
         for pin in &pins {
             let condition = match pin.centred {

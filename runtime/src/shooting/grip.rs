@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 use super::orbit::Orbit;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
+use super::search::Search;
 use super::shot::Shot;
+use crate::continuation::{Beyond, Crossing, Kind, Located, Started};
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};
@@ -14,6 +16,11 @@ use crate::motion::{Flow, Place};
 const CLOSED: f64 = 1e-5;
 /// What is conserved changes by no more than this, over its usual magnitude.
 const ROUNDING: f64 = 1e-13;
+/// Relative change of the period up to which an orbit is that to which a branch comes where a contact begins to slide, or
+/// ceases to: what slides has hardly an extent, by which orbits could be compared.
+const REACH: f64 = 1e-2;
+/// What the errors of three orbits may add up to, over one of them.
+const NOISE: f64 = 10.0;
 
 impl Shot {
     /// The contacts that stick all along.
@@ -74,4 +81,34 @@ pub(super) fn once(flow: &dyn Flow, place: &Place, about: f64) -> Option<f64> {
     };
     let turn = TAU / flow.velocity(place).ok()?.f[phase];
     Some(turn * (about / turn).round().max(1.0))
+}
+
+/// Whether an orbit of about this period is one to which a branch comes.
+pub(super) fn reaches(orbit: &Orbit, period: f64) -> bool {
+    (orbit.period / period - 1.0).abs() <= REACH
+}
+
+/// What is sought next to an orbit.
+pub(super) fn near(orbit: &Orbit, accuracy: f64) -> Search {
+    Search {
+        start: orbit.place.state.clone(),
+        period: Some(orbit.period),
+        accuracy,
+        segments: 1,
+    }
+}
+
+/// The branch passes from what slides to what is held, or back, at r, known with this error.
+pub(super) fn passes(
+    last: &Orbit,
+    (r, error): (f64, f64),
+    beyond: Started<OrbitProblem>,
+    accuracy: f64,
+) -> Crossing<OrbitProblem, Orbit> {
+    let mut located = Located::at(Kind::VanishingSegment, r, last.clone());
+    (located.point.r, located.error) = (r, error + NOISE * accuracy * r.abs());
+    Crossing {
+        located,
+        beyond: Beyond::Onwards(Box::new(beyond)),
+    }
 }

@@ -9,13 +9,13 @@ use nalgebra::DVector;
 
 use super::begin::begin;
 use super::converge::converge;
-use super::grip::{once, slides};
+use super::grip::{near, once, passes, reaches, slides};
 use super::guess::Guess;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::swing::spare_force;
-use crate::continuation::{Beyond, Branch, Crossing, Kind, Located, Started, correct_at};
+use crate::continuation::{Branch, Crossing, Started, correct_at};
 use crate::field::exact::Mode;
 use crate::flow::Want;
 use crate::math::at_zero;
@@ -34,15 +34,10 @@ const BEYOND: f64 = 2.0;
 /// Orbits beyond by which it is located, as shares of the way to the first of them, then ever closer.
 const NEARER: [f64; 3] = [1.0, 0.5, 0.25];
 const CLOSER: [f64; 2] = [1.0 / 16.0, 1.0 / 256.0];
-/// What the errors of three orbits may add up to, over one of them.
-const NOISE: f64 = 10.0;
 /// Periods after which it is looked whether a motion has lost what it brought along, how often, and how well it repeats then.
 const SETTLES: f64 = 20.0;
 const LOOKS: usize = 100;
 const REPEATS: f64 = 1e-8;
-/// Relative change of the period up to which an orbit that is held is that to which the branch comes. What slides has hardly
-/// an extent, by which orbits could be compared.
-pub(super) const REACH: f64 = 1e-2;
 
 /// Where sliding vanishes.
 #[derive(Debug, Clone, Copy)]
@@ -66,12 +61,7 @@ pub(super) fn comes_to_rest(
     let settings = branch.settings();
     let upwards = rest.r > last.r;
     let r = beyond(rest.r, rest.r - last.r, [settings.from, settings.to])?;
-    let search = Search {
-        start: last.place.state.clone(),
-        period: Some(last.period),
-        accuracy,
-        segments: 1,
-    };
+    let search = near(last, accuracy);
     let family = &branch.problem.family;
     let held = held(family, r, ([second, last], rest.contact), &search)?;
     let started = begin(family, &held, &search, settings, (r, upwards)).ok()?;
@@ -85,12 +75,7 @@ pub(super) fn comes_to_rest(
     for share in CLOSER {
         rest = closer(rest, share).unwrap_or(rest);
     }
-    let mut located = Located::at(Kind::VanishingSegment, rest.r, last.clone());
-    (located.point.r, located.error) = (rest.r, rest.error + NOISE * accuracy * rest.r.abs());
-    Some(Crossing {
-        located,
-        beyond: Beyond::Onwards(Box::new(started)),
-    })
+    Some(passes(last, (rest.r, rest.error), started, accuracy))
 }
 
 /// Where the sliding of a contact vanishes, as three orbits that follow each other ever more closely show.
@@ -201,8 +186,7 @@ fn held(
     let holds = |guess: Guess| {
         let found = converge(family, r, &guess, search).ok()?;
         let held = slides(&found, contact) == 0.0 && !found.pins.is_empty();
-        let near = (found.period / period - 1.0).abs() <= REACH;
-        (held && near).then_some(found)
+        (held && reaches(&found, period)).then_some(found)
     };
     let clings = clings(family, r, orbits, contact).map(at);
     let settles = || settles(flow.as_ref(), &at(guess.place.clone()), contact).map(at);

@@ -5,14 +5,13 @@
 
 use super::begin::begin;
 use super::converge::converge;
-use super::grip::{once, slides};
+use super::grip::{near, once, passes, reaches, slides};
 use super::guess::Guess;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
-use super::rest::REACH;
 use super::search::Search;
 use super::swing::{peaks, spare_force};
-use crate::continuation::{Beyond, Branch, Crossing, Kind, Located};
+use crate::continuation::{Branch, Crossing};
 use crate::flow::Want;
 use crate::math::at_zero;
 use crate::motion::Family;
@@ -21,8 +20,6 @@ use crate::motion::Family;
 const BEYOND: [f64; 3] = [1e-2, 1e-3, 1e-1];
 /// Relative change of r by which orbits are apart from which a slope is taken.
 const APART: f64 = 1e-4;
-/// What the errors of three orbits may add up to, over one of them.
-const NOISE: f64 = 10.0;
 
 /// Where a contact begins to slide.
 #[derive(Debug, Clone, Copy)]
@@ -45,12 +42,7 @@ pub(super) fn lets_go(
     let contacts = 0..last.place.modes.len();
     let slips = contacts.filter_map(|contact| slip(family, [first, second, last], contact));
     let slip = slips.min_by(|a, b| (a.r - last.r).abs().total_cmp(&(b.r - last.r).abs()))?;
-    let search = Search {
-        start: last.place.state.clone(),
-        period: Some(last.period),
-        accuracy,
-        segments: 1,
-    };
+    let search = near(last, accuracy);
     let settings = branch.settings();
     let inside = |r: &f64| (r - settings.from) * (r - settings.to) < 0.0;
     let places = BEYOND.iter().map(|share| slip.r + share * slip.way);
@@ -58,24 +50,19 @@ pub(super) fn lets_go(
         let sliding = sliding(family, r, (last, slip.contact), &search)?;
         begin(family, &sliding, &search, settings, (r, slip.way > 0.0)).ok()
     })?;
-    let mut located = Located::at(Kind::VanishingSegment, slip.r, last.clone());
-    (located.point.r, located.error) = (slip.r, slip.error + NOISE * accuracy * slip.r.abs());
-    Some(Crossing {
-        located,
-        beyond: Beyond::Onwards(Box::new(started)),
-    })
+    Some(passes(last, (slip.r, slip.error), started, accuracy))
 }
 
 /// The last of these orbits, and two before that are not too near to it for slopes: a branch comes to its end in ever smaller
 /// steps.
 fn spread(orbits: &[Orbit]) -> Option<[&Orbit; 3]> {
     let (last, before) = orbits.split_last()?;
-    let near = |far: f64| {
+    let from = |far: f64| {
         let apart = |orbit: &&Orbit| (orbit.r - last.r).abs() >= far * last.r.abs();
         before.iter().rev().find(apart)
     };
-    let second = near(APART)?;
-    let first = near(2.0 * (second.r / last.r - 1.0).abs())?;
+    let second = from(APART)?;
+    let first = from(2.0 * (second.r / last.r - 1.0).abs())?;
     Some([first, second, last])
 }
 
@@ -134,6 +121,5 @@ fn sliding(
     };
     let found = converge(family, r, &guess, search).ok()?;
     let slips = slides(&found, contact) > 0.0 && found.pins.len() < from.pins.len();
-    let near = (found.period / guess.period - 1.0).abs() <= REACH;
-    (slips && near).then_some(found)
+    (slips && reaches(&found, guess.period)).then_some(found)
 }

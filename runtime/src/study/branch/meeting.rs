@@ -16,8 +16,8 @@ const AGAIN: f64 = 0.1;
 const DOUBT: f64 = 2.0;
 
 /// Replaces a doubled orbit that has met the one from which it branches by that one, and r by the one at which a
-/// multiplier of that is −1, or passes −1 in a jump. Where no such is found, r is where orbits that end at `last` lead to, known to no more than
-/// what they were followed to.
+/// multiplier of that is −1, or passes −1 in a jump. Where no such is found, r is where orbits that end at `last` lead to,
+/// known to no more than what they were followed to.
 pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Option<f64>) {
     let orbit = &met.point;
     let guess = Guess {
