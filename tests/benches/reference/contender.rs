@@ -67,9 +67,9 @@ fn dop853<M: Model<N>, const N: usize>(
     tolerance: f64,
 ) -> Option<Sensitivities<N>> {
     let settings = Settings {
-        tolerance: both(tolerance),
         steps: BUDGET,
         stiff_steps: u32::MAX,
+        ..Settings::new(both(tolerance))
     };
     let (mut work, from) = (Work::default(), Motion::from(round.start));
     let motion = integrate(
