@@ -84,8 +84,8 @@ impl<T: Copy + Send + Sync, const LENGTH: usize> Inline<T> for [T; LENGTH] {
 pub(crate) fn filled<T: Copy, const LENGTH: usize>(
     mut element: impl FnMut(usize) -> T,
 ) -> [T; LENGTH] {
-    if LENGTH == 0 {
-        return std::array::from_fn(none);
+    if const { LENGTH == 0 } {
+        return empty();
     }
     let mut all = [element(0); LENGTH];
     let mut i = 1;
@@ -96,7 +96,19 @@ pub(crate) fn filled<T: Copy, const LENGTH: usize>(
     all
 }
 
-/// The element of an empty array.
-fn none<T>(_: usize) -> T {
-    unreachable!("an empty array has no element")
+/// An array without elements.
+fn empty<T: Copy, const LENGTH: usize>() -> [T; LENGTH] {
+    let Ok(empty) = <[T; LENGTH]>::try_from(&[] as &[T]) else {
+        unreachable!("an empty array has no element")
+    };
+    empty
+}
+
+/// What a function makes of each element of an array: `map` of the standard library is six functions for each that it calls.
+#[inline]
+pub(crate) fn mapped<T: Copy, U: Copy, const LENGTH: usize>(
+    all: &[T; LENGTH],
+    mut made: impl FnMut(T) -> U,
+) -> [U; LENGTH] {
+    filled(|i| made(all[i]))
 }

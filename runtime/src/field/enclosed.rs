@@ -10,7 +10,7 @@ use crate::math::interval::Interval;
 use crate::memory::{Answer, MemoryLaw};
 use crate::model::Model;
 use crate::press::PressLaw;
-use crate::scalar::Inline;
+use crate::scalar::{Inline, mapped};
 
 /// A field over a box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,8 +107,8 @@ impl<M: Model<N>, const N: usize> EnclosedField<M, N> {
             return Err(Unenclosed::MayTurn { name });
         }
         Ok(Enclosed {
-            f: field.map(|row| row.value),
-            jacobian: field.map(|row| row.slopes),
+            f: mapped(&field, |row| row.value),
+            jacobian: mapped(&field, |row| row.slopes),
         })
     }
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Field;
+use crate::scalar::mapped;
 
 /// States from which on entries of a matrix are looked at before they are multiplied.
 const SPARSE: usize = 8;
@@ -47,13 +48,13 @@ impl<const N: usize> LinearField<N> {
             let state = crate::scalar::filled(|i| if i == phase { angle } else { 0.0 });
             Some(field.linearise(&state))
         };
-        let [quarter, half] = [FRAC_PI_2, PI].map(|angle| turned(angle).unwrap_or(still));
+        let [quarter, half] = mapped(&[FRAC_PI_2, PI], |angle| turned(angle).unwrap_or(still));
         let at = [still, quarter, half];
         let mut matrix = at[0].jacobian;
         if let Some(phase) = phase {
             matrix.iter_mut().for_each(|row| row[phase] = 0.0);
         }
-        let own = Parts::new(matrix, at.map(|linear| linear.f), phase);
+        let own = Parts::new(matrix, mapped(&at, |linear| linear.f), phase);
         let along = design.then(|| {
             let mut slopes = [[0.0; N]; N];
             for column in (0..N).filter(|&column| Some(column) != phase) {
@@ -64,7 +65,7 @@ impl<const N: usize> LinearField<N> {
                     slope[column] = (moved[row] - at[0].design[row]) / units[column];
                 }
             }
-            Parts::new(slopes, at.map(|linear| linear.design), phase)
+            Parts::new(slopes, mapped(&at, |linear| linear.design), phase)
         });
         let finite = own.is_finite() && along.is_none_or(|along| along.is_finite());
         finite.then_some(Self { own, along, phase })
@@ -82,7 +83,7 @@ impl<const N: usize> LinearField<N> {
         if unit == 0.0 {
             return self.own.rate.abs();
         }
-        let mut power = self.own.matrix.map(|row| row.map(|a| a / unit));
+        let mut power = mapped(&self.own.matrix, |row| mapped(&row, |a| a / unit));
         for _ in 0..3 {
             power = squared(&power);
         }
@@ -195,7 +196,7 @@ impl<const N: usize> Parts<N> {
 }
 
 fn squared<const N: usize>(matrix: &[[f64; N]; N]) -> [[f64; N]; N] {
-    matrix.map(|row| {
+    mapped(matrix, |row| {
         let mut sum = [0.0; N];
         for (a, other) in row.iter().zip(matrix).filter(|(a, _)| **a != 0.0) {
             for (s, b) in sum.iter_mut().zip(other) {

@@ -53,7 +53,11 @@ impl<const N: usize> Turning<N> {
     }
 
     /// Finds the extrema of every state inside a step, which is looked at here at least, its beginning first.
-    pub(crate) fn step(&mut self, looks: impl Iterator<Item = Look<N>>, step: &mut impl Inside<N>) {
+    pub(crate) fn step(
+        &mut self,
+        looks: &mut dyn Iterator<Item = Look<N>>,
+        step: &mut dyn Inside<N>,
+    ) {
         let mut seen = std::mem::take(&mut self.looks);
         seen.clear();
         seen.extend(looks);
@@ -63,7 +67,7 @@ impl<const N: usize> Turning<N> {
                 self.follow(index, &seen, step);
             } else {
                 all.extend_from_slice(&seen);
-                all.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+                in_order(&mut all, |look| look.theta);
                 self.follow(index, &all, step);
             }
         }
@@ -75,7 +79,7 @@ impl<const N: usize> Turning<N> {
         &mut self,
         phase: Option<usize>,
         (from, to): (&[f64; N], &[f64; N]),
-        step: &mut impl Inside<N>,
+        step: &mut dyn Inside<N>,
     ) {
         let span = step.span();
         strobes(phase, (from, to), span, &mut self.found, |theta| {
@@ -90,11 +94,11 @@ impl<const N: usize> Turning<N> {
                 self.record(index, self.sign[index] > 0.0, rest);
             }
         }
-        in_time(&mut self.found);
+        in_order(&mut self.found, |extremum| extremum.time);
         self.found
     }
 
-    fn follow(&mut self, index: usize, looks: &[Look<N>], step: &mut impl Inside<N>) {
+    fn follow(&mut self, index: usize, looks: &[Look<N>], step: &mut dyn Inside<N>) {
         let (time, length) = step.span();
         let (mut last, mut still) = (None::<&Look<N>>, None::<&Look<N>>);
         for look in looks {
@@ -142,7 +146,7 @@ impl<const N: usize> Turning<N> {
 fn hidden<const N: usize>(
     index: usize,
     looks: &[Look<N>],
-    step: &mut impl Inside<N>,
+    step: &mut dyn Inside<N>,
 ) -> Vec<Look<N>> {
     let path = step.path(index);
     let noise = FLAT * path.magnitude();
@@ -162,13 +166,15 @@ fn hidden<const N: usize>(
     more
 }
 
-/// Puts extrema in the order of time. They nearly are: a sort for any list would be compiled for each order N.
-pub(crate) fn in_time<const N: usize>(found: &mut [Extremum<N>]) {
-    for next in 1..found.len() {
-        let earlier = found[..next].iter().rev();
-        let later = earlier.take_while(|e| e.time.total_cmp(&found[next].time).is_gt());
-        let steps = later.count();
-        found[next - steps..=next].rotate_right(1);
+/// Puts a list in the order of a number. It is short, or nearly in order: a sort for any would be compiled for each order N.
+pub(crate) fn in_order<T>(list: &mut [T], number: fn(&T) -> f64) {
+    for next in 1..list.len() {
+        let own = number(&list[next]);
+        let mut first = next;
+        while first > 0 && number(&list[first - 1]).total_cmp(&own).is_gt() {
+            first -= 1;
+        }
+        list[first..=next].rotate_right(1);
     }
 }
 
@@ -178,7 +184,7 @@ fn polish<const N: usize>(
     low: &Look<N>,
     high: &Look<N>,
     length: f64,
-    step: &mut impl Inside<N>,
+    step: &mut dyn Inside<N>,
 ) -> (f64, [f64; N]) {
     let (mut a, mut b) = ((low.theta, low.linear.f[j]), (high.theta, high.linear.f[j]));
     let mut theta = a.0 - a.1 * (b.0 - a.0) / (b.1 - a.1);

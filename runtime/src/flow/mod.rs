@@ -231,10 +231,12 @@ pub(crate) fn nodes<const N: usize>(
 ) {
     if want.panel > 0.0 {
         let panels = (length / want.panel).ceil().max(1.0) as u32;
-        found.extend(gauss(panels).map(|(theta, weight)| Node {
-            time: time + theta * length,
-            weight: weight * length,
-            state: probe(theta),
-        }));
+        for (theta, weight) in gauss(panels) {
+            found.push(Node {
+                time: time + theta * length,
+                weight: weight * length,
+                state: probe(theta),
+            });
+        }
     }
 }

@@ -3,7 +3,7 @@
 use crate::friction::{ContactRule, FrictionLaw, LawParameter};
 use crate::integrate::event::Bernstein;
 use crate::memory::{Answer, MemoryLaw};
-use crate::model::Model;
+use crate::model::{Model, ModelInfo};
 
 /// Rounding error of a margin relative to its terms.
 const NOISE: f64 = 128.0 * f64::EPSILON;
@@ -29,7 +29,7 @@ pub(crate) fn beyond<M: Model<N>, const N: usize>(
     state: [f64; N],
 ) -> Option<Beyond> {
     let mut found = None;
-    each::<M, N>(params, state, |one| {
+    each::<M, N>(params, state, &mut |one| {
         if found.is_none() && !one.field.bounds.contain(one.value) {
             found = Some(one);
         }
@@ -40,12 +40,22 @@ pub(crate) fn beyond<M: Model<N>, const N: usize>(
 /// Where on a step, `at` its states from 0 to 1, a field first leaves its bounds, and which.
 pub(crate) fn leaves<M: Model<N>, const N: usize>(
     params: &M::Params<f64>,
-    at: impl Fn(f64) -> [f64; N],
+    at: &dyn Fn(f64) -> [f64; N],
 ) -> Option<(f64, Beyond)> {
     if !M::INFO.moving {
         return None;
     }
-    let rows = Bernstein::nodes().map(|theta| margins::<M, N>(params, at(theta)));
+    first_out(&|theta| {
+        let mut fields = Vec::new();
+        each::<M, N>(params, at(theta), &mut |one| fields.push(one));
+        fields
+    })
+}
+
+/// The first of the fields that a function shows of a place on a step to leave its bounds, and where.
+fn first_out(fields: &dyn Fn(f64) -> Vec<Beyond>) -> Option<(f64, Beyond)> {
+    let margins = |theta: f64| -> Vec<f64> { fields(theta).iter().flat_map(ends).collect() };
+    let rows = Bernstein::nodes().map(margins);
     let fall = |slot: usize| {
         let values = rows.each_ref().map(|row| row[slot]);
         let margin = Bernstein::interpolate(&values);
@@ -54,17 +64,10 @@ pub(crate) fn leaves<M: Model<N>, const N: usize>(
     };
     let falls = (0..rows[0].len()).filter_map(|slot| Some((slot, fall(slot)?)));
     let (slot, (theta, until)) = falls.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
-    let margin = |theta: f64| margins::<M, N>(params, at(theta))[slot];
-    let theta = sharpened(margin, [0.0, theta, until])?;
-    let (mut place, mut out) = (0, None);
-    each::<M, N>(params, at(theta), |one| {
-        let ends = ends(&one).count();
-        if (place..place + ends).contains(&slot) {
-            out = Some(one);
-        }
-        place += ends;
-    });
-    Some((theta, out?))
+    let theta = sharpened(|theta| margins(theta)[slot], [0.0, theta, until])?;
+    let each_end = |one| std::iter::repeat_n(one, ends(&one).count());
+    let out = fields(theta).into_iter().flat_map(each_end).nth(slot)?;
+    Some((theta, out))
 }
 
 /// The zero before `until` at which a function that is positive at `from` falls; `None` if it does not.
@@ -89,13 +92,6 @@ fn sharpened(value: impl Fn(f64) -> f64, [from, theta, until]: [f64; 3]) -> Opti
     Some(high)
 }
 
-/// How far each bounded field is inside each of its bounds.
-fn margins<M: Model<N>, const N: usize>(params: &M::Params<f64>, state: [f64; N]) -> Vec<f64> {
-    let mut all = Vec::new();
-    each::<M, N>(params, state, |one| all.extend(ends(&one)));
-    all
-}
-
 /// How far a field is inside each of its bounds.
 fn ends(one: &Beyond) -> impl Iterator<Item = f64> {
     let (value, bounds) = (one.value, one.field.bounds);
@@ -107,33 +103,21 @@ fn ends(one: &Beyond) -> impl Iterator<Item = f64> {
 fn each<M: Model<N>, const N: usize>(
     params: &M::Params<f64>,
     state: [f64; N],
-    visit: impl FnMut(Beyond),
+    visit: &mut dyn FnMut(Beyond),
 ) {
-    let contacts = |i: usize| M::INFO.contacts[i].name;
-    let memories = |i: usize| M::INFO.memories[i].name;
-    let mut rule = Fields {
-        contacts,
-        memories,
-        visit,
-    };
-    let _ = M::rhs(params, state, &mut rule);
+    let model = M::INFO;
+    let _ = M::rhs(params, state, &mut Fields { model, visit });
 }
 
 /// Shows the fields of each law; the forces of contacts are zero.
-struct Fields<C, R, V> {
-    contacts: C,
-    memories: R,
-    visit: V,
+struct Fields<'v> {
+    model: &'static ModelInfo,
+    visit: &'v mut dyn FnMut(Beyond),
 }
 
-impl<C, R, V> ContactRule<f64> for Fields<C, R, V>
-where
-    C: Fn(usize) -> &'static str,
-    R: Fn(usize) -> &'static str,
-    V: FnMut(Beyond),
-{
+impl ContactRule<f64> for Fields<'_> {
     fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, law: &L, _speed: f64) -> f64 {
-        let (force, parameters) = ((self.contacts)(contact), L::INFO.parameters);
+        let (force, parameters) = (self.model.contacts[contact].name, L::INFO.parameters);
         law.fields(|i, value| {
             (self.visit)(Beyond {
                 force,
@@ -152,7 +136,7 @@ where
         memory: [f64; S],
         speed: f64,
     ) -> Answer<f64, S> {
-        let (force, parameters) = ((self.memories)(element), L::INFO.parameters);
+        let (force, parameters) = (self.model.memories[element].name, L::INFO.parameters);
         law.fields(|i, value| {
             (self.visit)(Beyond {
                 force,

@@ -3,6 +3,7 @@
 use super::Determinant;
 use crate::field::Caught;
 use crate::integrate::{Carried, Motion};
+use crate::scalar::mapped;
 
 /// Rate of a guard, relative to its gradient and to the field, which is nothing but rounding error.
 const ROUNDING: f64 = 1e-14;
@@ -149,7 +150,7 @@ pub(super) fn catch<const N: usize>(motion: &mut Motion<N>, caught: Caught) {
 
 /// A B.
 pub(super) fn product<const N: usize>(a: &[[f64; N]; N], b: &[[f64; N]; N]) -> [[f64; N]; N] {
-    a.map(|row| {
+    mapped(a, |row| {
         let mut sum = [0.0; N];
         for (entry, other) in row.iter().zip(b) {
             sum.add(*entry, other);

@@ -3,7 +3,7 @@
 use super::error::FlowError;
 use super::reach::Beyond;
 use crate::integrate::IntegrationError;
-use crate::model::ModelInfo;
+use crate::model::{ContactId, ModelInfo};
 
 /// How far ahead of where a motion ended its formulas are tried, as powers of two of the unit of time.
 const REACHES: std::ops::Range<i32> = -60..-10;
@@ -64,7 +64,7 @@ impl FlowError {
         self,
         model: &'static ModelInfo,
         parameters: &[f64],
-        rate: impl FnOnce(&[f64]) -> Option<Vec<f64>>,
+        rate: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Self {
         let Self::Integration(
             IntegrationError::NotFinite { time, state }
@@ -88,6 +88,18 @@ impl FlowError {
                 state: state.clone().named(model),
             },
             None => self,
+        }
+    }
+
+    /// The same, if contacts are hit together, with another one that is hit with them.
+    pub(super) fn hit_with(self, other: ContactId, time: f64) -> Self {
+        match self {
+            Self::HitTogether { mut contacts, .. } => {
+                contacts.push(other);
+                contacts.sort_unstable();
+                Self::HitTogether { contacts, time }
+            }
+            error => error,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The collocation polynomial of an implicit step: its predictor and its dense output.
 
 use super::tableau::Tableau;
+use crate::scalar::mapped;
 
 /// The increment y(t + θh) − y(t) over one step, a polynomial of degree `S` in θ (Newton's form).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +15,7 @@ impl<const N: usize, const S: usize> Collocation<N, S> {
     pub(super) fn new(tableau: &Tableau<S>, increments: &[[f64; N]; S]) -> Self {
         let nodes = tableau.nodes;
         let mut coefficients: [[f64; N]; S] =
-            crate::scalar::filled(|i| increments[i].map(|increment| increment / nodes[i]));
+            crate::scalar::filled(|i| mapped(&increments[i], |increment| increment / nodes[i]));
         for order in 1..S {
             for i in (order..S).rev() {
                 let width = nodes[i] - nodes[i - order];
@@ -39,7 +40,7 @@ impl<const N: usize, const S: usize> Collocation<N, S> {
                 value[j] = self.coefficients[i][j] + factor * value[j];
             }
         }
-        value.map(|component| theta * component)
+        mapped(&value, |component| theta * component)
     }
 }
 

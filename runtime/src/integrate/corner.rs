@@ -5,6 +5,7 @@ use super::carried::Carried;
 use super::event::Bernstein;
 use super::stepper::Stepper;
 use crate::field::Field;
+use crate::scalar::mapped;
 
 /// A corner this near to the beginning of a step, as a share of what its function changes by, has been left behind.
 const LEFT_BEHIND: f64 = 1e-9;
@@ -66,7 +67,7 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
             let Some(terms) = self.field.guard(index) else {
                 continue;
             };
-            let values = nodes.map(|theta| self.field.kink(index, &dense.state(theta)));
+            let values = mapped(&nodes, |theta| self.field.kink(index, &dense.state(theta)));
             let guard = Bernstein::interpolate(&values);
             let noise = NOISE * terms.max(guard.magnitude());
             if let Some((theta, until)) = guard.without_noise(noise).first_fall()

@@ -2,6 +2,7 @@
 
 use super::carried::Carried;
 use super::event::Bernstein;
+use crate::scalar::mapped;
 
 /// Number of coefficients above the value at the start.
 pub(super) const TERMS: usize = 7;
@@ -82,7 +83,7 @@ impl<const N: usize> Dense<N> {
     /// The polynomial of one state.
     #[must_use]
     pub fn component(&self, index: usize) -> Bernstein {
-        let projected = self.terms.map(|term| term[index]);
+        let projected = mapped(&self.terms, |term| term[index]);
         Bernstein::from_nested(self.from[index], projected)
     }
 }

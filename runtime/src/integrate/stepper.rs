@@ -7,6 +7,7 @@ use super::dense::Dense;
 use super::dop853::{DENSE, END, MORE, STAGES, Weights};
 use super::explicit::Settings;
 use crate::field::{Field, Work};
+use crate::scalar::mapped;
 
 /// Makes steps of DOP853, one at a time.
 #[derive(Debug, Clone)]
@@ -163,7 +164,9 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             let look = combine(&from, self.length, weights, &slopes);
             slopes[13 + extra] = look.slope(self.field, &mut self.work);
         }
-        let higher = DENSE.map(|weights| combine(&[0.0; N], self.length, weights, &slopes));
+        let higher = mapped(&DENSE, |weights| {
+            combine(&[0.0; N], self.length, weights, &slopes)
+        });
         let ends = (&slopes[0], &slopes[12]);
         Dense::new(from, *self.end.state(), ends, self.length, higher)
     }

@@ -82,7 +82,7 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         let passage = flow::Flow::advance(self, &place(from), time, want);
         let passage = passage.map_err(|error| {
             let values = self.system().values().as_ref();
-            error.of(M::INFO).undefined(M::INFO, values, |state| {
+            error.of(M::INFO).undefined(M::INFO, values, &|state| {
                 let at = flow::Flow::place(self, fixed(state)).ok()?;
                 flow::Flow::velocity(self, &at)
                     .ok()
@@ -96,7 +96,7 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         let velocity = flow::Flow::velocity(self, &place(at));
         let values = self.system().values().as_ref();
         let velocity =
-            velocity.map_err(|error| error.undefined(M::INFO, values, |_| None).named(M::INFO))?;
+            velocity.map_err(|error| error.undefined(M::INFO, values, &|_| None).named(M::INFO))?;
         Ok(velocity.into())
     }
 
@@ -114,12 +114,13 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
     }
 
     fn kick(&self, state: &[f64], contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
-        if !M::INFO.is_rigid(contact) {
-            return Ok(None);
+        if const { Modes::<M, N>::PRESSED } {
+            if M::INFO.is_rigid(contact) {
+                let kick = ExactFlow::kick(self, &fixed(state), contact)?;
+                return Ok(Some(kick.to_vec()));
+            }
         }
-        Ok(Some(
-            ExactFlow::kick(self, &fixed(state), contact)?.to_vec(),
-        ))
+        Ok(None)
     }
 
     // Where w = 0 nothing happens to a contact that no force ever holds.

@@ -38,7 +38,7 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         let passage = flow::Flow::advance(self, &place(from), time, want);
         let passage = passage.map_err(|error| {
             let values = self.field().values().as_ref();
-            error.of(M::INFO).undefined(M::INFO, values, |state| {
+            error.of(M::INFO).undefined(M::INFO, values, &|state| {
                 let at = flow::Place {
                     state: fixed(state),
                     mode: (),
@@ -55,7 +55,7 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         let velocity = flow::Flow::velocity(self, &place(at));
         let values = self.field().values().as_ref();
         let velocity =
-            velocity.map_err(|error| error.undefined(M::INFO, values, |_| None).named(M::INFO))?;
+            velocity.map_err(|error| error.undefined(M::INFO, values, &|_| None).named(M::INFO))?;
         Ok(velocity.into())
     }
 

@@ -47,6 +47,8 @@ pub(super) struct Of<M, const N: usize>(PhantomData<fn() -> M>);
 impl<M: Model<N>, const N: usize> Of<M, N> {
     /// Whether there are contacts to be exact about. What only such a model needs is not compiled for the others.
     const TOUCHES: bool = M::INFO.touches();
+    /// Whether nothing but dry friction touches.
+    const RUBS: bool = Self::TOUCHES && M::INFO.presses.is_empty();
 
     pub(super) const fn new() -> Self {
         Self(PhantomData)
@@ -70,8 +72,6 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         let (model, magnitude) = (model::<M, N>(case), [1.0; N]);
         let tolerance = Tolerance::for_accuracy(case.accuracy);
         let design = case.design();
-        // Only a condition by itself keeps what follows from being compiled where it is false.
-        #[allow(clippy::collapsible_if)]
         if const { Self::TOUCHES } {
             if case.dynamics == Dynamics::Exact {
                 let family = ExactFamily {
@@ -138,7 +138,7 @@ impl<M: Model<N>, const N: usize> Physics for Of<M, N> {
         if let Some(press) = M::INFO.presses.first() {
             return Err(PredictError::Press { press: press.name });
         }
-        if const { Self::TOUCHES } {
+        if const { Self::RUBS } {
             predict(&Rubbed::<M, N>::new(model(case)), orbit, copy)
         } else {
             Err(PredictError::NeverSticks)

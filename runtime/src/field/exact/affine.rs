@@ -3,11 +3,11 @@
 use num_dual::Dual;
 
 use super::constants::Constants;
-use super::mode::Modes;
+use super::mode::{Mode, Modes};
 use super::rule::Branches;
 use super::solve::solve;
 use crate::model::Model;
-use crate::scalar::{Inline, Scalar};
+use crate::scalar::{Inline, Scalar, filled, mapped};
 
 /// What a correction leaves of a number, as a share of that, where it takes out all but rounding errors.
 pub(super) const NOTHING: f64 = 1e-8;
@@ -77,7 +77,7 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
     fn lift(&mut self, constants: &Constants<M, N>, modes: &Modes<M, N>) {
         for row in modes.bound() {
             self.rate.as_mut()[row] = constants.gradient.as_ref()[row].dot(&self.field);
-            self.input.as_mut()[row] = constants.input.as_ref()[row].entries().map(D::from);
+            self.input.as_mut()[row] = mapped(constants.input.as_ref()[row].entries(), D::from);
             for column in modes.bound() {
                 let entry = constants.compliance.as_ref()[row].as_ref()[column];
                 self.compliance.as_mut()[row].as_mut()[column] = D::from(entry);
@@ -107,20 +107,22 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
     /// The forces that keep ẇ = 0 where contacts stick, and gaps closed where presses are at rest; `None` if they are not
     /// unique.
     pub(super) fn sticking_forces(&self, modes: &Modes<M, N>) -> Option<M::PerContact<D>> {
-        let stuck = |i: usize| modes.as_slice()[i].binds();
-        let (rate, force) = (self.rate.as_ref(), self.force.as_ref());
-        let rhs = Inline::from_fn(|i| if stuck(i) { -rate[i] } else { force[i] });
-        solve::<M, D, N>(self.compliance, rhs, stuck)
+        let mut forces = self.force;
+        for contact in modes.bound() {
+            forces.as_mut()[contact] = -self.rate.as_ref()[contact];
+        }
+        self.respond(modes, forces)
     }
 
-    /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S.
+    /// The forces of the contacts that bind and change their speeds at these rates: G_SS⁻¹ w_S; elsewhere as given.
     pub(super) fn respond(
         &self,
         modes: &Modes<M, N>,
-        rates: &M::PerContact<D>,
+        mut rates: M::PerContact<D>,
     ) -> Option<M::PerContact<D>> {
-        let stuck = |i: usize| modes.as_slice()[i].binds();
-        solve::<M, D, N>(self.compliance, *rates, stuck)
+        let (mut rows, bound) = (self.compliance, modes.which(Mode::binds));
+        solve(rows.as_mut(), rates.as_mut(), bound.as_ref())?;
+        Some(rates)
     }
 
     /// The field with the sticking forces in place; `None` if they are not unique.
@@ -131,16 +133,10 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
         modes: &Modes<M, N>,
     ) -> Option<Snapshot<M, D, N>> {
         let force = self.sticking_forces(modes)?;
-        if modes.rests() {
-            // Friction reads reactions: what it was without them says nothing.
-            let mut rule = Branches::<M, D, N>::with(modes.as_slice(), force);
-            let field = M::rhs(params, *state, &mut rule);
-            return Some(Snapshot {
-                field: self.refined(field, params, state, modes)?,
-                speed: rule.speed,
-                force: rule.force,
-                stick: rule.stick,
-            });
+        if const { Modes::<M, N>::PRESSED } {
+            if modes.rests() {
+                return self.pressed(force, params, state, modes);
+            }
         }
         let mut field = self.field;
         for contact in modes.bound() {
@@ -159,6 +155,24 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
 }
 
 impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
+    /// The same where presses are at rest. Friction reads reactions: what it was without them says nothing.
+    fn pressed(
+        &self,
+        force: M::PerContact<D>,
+        params: &M::Params<D>,
+        state: &[D; N],
+        modes: &Modes<M, N>,
+    ) -> Option<Snapshot<M, D, N>> {
+        let mut rule = Branches::<M, D, N>::with(modes.as_slice(), force);
+        let field = M::rhs(params, *state, &mut rule);
+        Some(Snapshot {
+            field: self.refined(field, params, state, modes)?,
+            speed: rule.speed,
+            force: rule.force,
+            stick: rule.stick,
+        })
+    }
+
     /// The field once more without what it does to gaps that stay closed and to contacts that stick: of what is at rest,
     /// exactly nothing is left, and a rounding error would be all that moves.
     fn refined(
@@ -169,7 +183,7 @@ impl<M: Model<N>, D: Scalar, const N: usize> Affine<M, D, N> {
         modes: &Modes<M, N>,
     ) -> Option<[D; N]> {
         let rates = speed_rates::<M, D, N>(params, state, modes, &field);
-        let push = self.respond(modes, &rates)?;
+        let push = self.respond(modes, rates)?;
         let mut refined = field;
         for contact in modes.bound() {
             let (push, input) = (push.as_ref()[contact], &self.input.as_ref()[contact]);
@@ -198,7 +212,8 @@ pub(super) fn input<M: Model<N>, D: Scalar, const N: usize>(
     let unit = |i| Dual::new(D::from(0.0), D::from(f64::from(i == contact)));
     let mut rule = Branches::<M, Dual<D>, N>::with(modes.as_slice(), Inline::from_fn(unit));
     let lifted = Inline::from_fn(|i| still(params.as_ref()[i]));
-    M::rhs(&lifted, state.map(still), &mut rule).map(|f| f.eps)
+    let field = M::rhs(&lifted, mapped(state, still), &mut rule);
+    mapped(&field, |f| f.eps)
 }
 
 /// w_y u for every contact: how fast its speed changes when the state moves along `direction`.
@@ -210,7 +225,7 @@ pub(super) fn speed_rates<M: Model<N>, D: Scalar, const N: usize>(
 ) -> M::PerContact<D> {
     let mut rule = Branches::<M, Dual<D>, N>::free(modes.as_slice());
     let lifted = Inline::from_fn(|i| Dual::new(params.as_ref()[i], D::from(0.0)));
-    let moving = crate::scalar::filled(|i| Dual::new(state[i], direction[i]));
+    let moving = filled(|i| Dual::new(state[i], direction[i]));
     // Only the speeds matter, which no force enters.
     let _ = M::rhs(&lifted, moving, &mut rule);
     Inline::from_fn(|i| rule.speed.as_ref()[i].eps)

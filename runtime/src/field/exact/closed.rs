@@ -8,7 +8,7 @@ use super::rule::Branches;
 use super::solve::solve;
 use super::system::ExactSystem;
 use crate::model::Model;
-use crate::scalar::Inline;
+use crate::scalar::{Inline, filled, mapped};
 
 /// How gaps of presses at rest are closed at one state: along C = J B, the way in which positions go on after an impulse.
 ///
@@ -35,29 +35,35 @@ impl<M: Model<N>, const N: usize> Closed<M, N> {
         let mut matrix: Square<M, f64, N> = Inline::from_fn(|_| Inline::from_fn(|_| 0.0));
         for column in modes.resting() {
             let push = input::<M, f64, N>(&system.plain, state, &still, column);
-            let moving = crate::scalar::filled(|i| Dual64::new(state[i], push[i]));
+            let moving = filled(|i| Dual64::new(state[i], push[i]));
             let mut rule = Branches::<M, Dual64, N>::free(still.as_slice());
-            let way = M::rhs(&system.directional, moving, &mut rule).map(|f| f.eps);
+            let field = M::rhs(&system.directional, moving, &mut rule);
+            let way = mapped(&field, |f| f.eps);
             let gaps = speed_rates::<M, f64, N>(&system.plain, state, &open, &way);
             directions.as_mut()[column] = way;
             for row in modes.resting() {
                 matrix.as_mut()[row].as_mut()[column] = gaps.as_ref()[row];
             }
         }
-        let resting = |i: usize| modes.as_slice()[i] == Mode::Rest;
-        solve::<M, f64, N>(matrix, Inline::from_fn(|_| 0.0), resting)?;
-        Some(Self {
+        let closed = Self {
             modes: *modes,
             directions,
             matrix,
-        })
+        };
+        closed.steps(Inline::from_fn(|_| 0.0)).map(|_| closed)
+    }
+
+    /// How far to go along each direction; `None` if the gaps are not independent.
+    fn steps(&self, mut gaps: M::PerContact<f64>) -> Option<M::PerContact<f64>> {
+        let (mut rows, resting) = (self.matrix, self.modes.which(|mode| mode == Mode::Rest));
+        solve(rows.as_mut(), gaps.as_mut(), resting.as_ref())?;
+        Some(gaps)
     }
 
     /// The change of the state that changes the gaps of presses at rest by these amounts.
     pub(crate) fn correction(&self, gaps: &M::PerContact<f64>) -> [f64; N] {
-        let resting = |i: usize| self.modes.as_slice()[i] == Mode::Rest;
         let mut change = [0.0; N];
-        let Some(steps) = solve::<M, f64, N>(self.matrix, *gaps, resting) else {
+        let Some(steps) = self.steps(*gaps) else {
             return change;
         };
         for press in self.modes.resting() {

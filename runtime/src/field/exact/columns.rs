@@ -4,6 +4,7 @@ use num_dual::Dual64;
 
 use crate::field::Linear;
 use crate::model::Model;
+use crate::scalar::mapped;
 
 /// The states sorted into groups, after Curtis, Powell and Reid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +23,7 @@ impl<const N: usize> Columns<N> {
         let mut columns = Self {
             seeds: [[0.0; N]; N],
             groups: 0,
-            reads: M::SPARSITY.map(|row| row.map(f64::from)),
+            reads: mapped(&M::SPARSITY, |row| mapped(&row, f64::from)),
             kinematic: M::KINEMATIC,
             design,
         };
@@ -59,7 +60,7 @@ impl<const N: usize> Columns<N> {
         };
         for seed in self.seeds.iter().take(self.groups) {
             let field = along(seed);
-            linear.f = field.map(|f| f.re);
+            linear.f = mapped(&field, |f| f.re);
             for (row, f) in linear.jacobian.iter_mut().zip(&field) {
                 for (entry, one) in row.iter_mut().zip(seed) {
                     *entry += one * f.eps;

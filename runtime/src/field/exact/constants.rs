@@ -111,11 +111,12 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     ) -> Option<M::PerContact<D>> {
         let coupled = |i: usize| self.coupled.as_ref()[i];
         if modes.sticking().any(coupled) {
-            let matrix = Inline::from_fn(|i| {
+            let mut rows: Square<M, D, N> = Inline::from_fn(|i| {
                 Inline::from_fn(|j| D::from(self.compliance.as_ref()[i].as_ref()[j]))
             });
-            let set = |i: usize| coupled(i) && modes.as_slice()[i] == Mode::Stick;
-            rates = solve::<M, D, N>(matrix, rates, set)?;
+            let stuck = |i: usize| coupled(i) && modes.as_slice()[i] == Mode::Stick;
+            let set: M::PerContact<bool> = Inline::from_fn(stuck);
+            solve(rows.as_mut(), rates.as_mut(), set.as_ref())?;
         }
         for contact in modes.sticking().filter(|&i| !coupled(i)) {
             let compliance = self.compliance.as_ref()[contact].as_ref()[contact];

@@ -12,7 +12,7 @@ use super::system::ExactSystem;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::PressLaw;
-use crate::scalar::{Inline, Lanes, Scalar};
+use crate::scalar::{Inline, Lanes, Scalar, mapped};
 
 /// Which impulses an impact has: the press that is hit is in the mode of rest, friction that this causes sticks or slides,
 /// and nothing else acts.
@@ -94,11 +94,9 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         let (rate, rebound) = rebound::<M, Dual64, N>(&self.directional, &moving, press);
         let restitution = -rebound.eps / rate.eps;
         let unit = Inline::from_fn(|i| if i == press { 1.0 + restitution } else { 0.0 });
-        let impulse = affine
-            .respond(modes, &unit)
-            .ok_or_else(|| singular(modes))?;
+        let impulse = affine.respond(modes, unit).ok_or_else(|| singular(modes))?;
         let impulse = impulse.as_ref()[press];
-        Ok(push.map(|b| b * impulse))
+        Ok(mapped(&push, |b| b * impulse))
     }
 
     /// How the friction of each contact grows with the reaction of a press: at speed 0, and at the speed that it has.
@@ -148,7 +146,7 @@ fn impact<M: Model<N>, D: Scalar, const N: usize>(
         true => departure - rate,
         false => -affine.speed.as_ref()[i],
     });
-    let impulse = affine.respond(modes, &change)?;
+    let impulse = affine.respond(modes, change)?;
     let mut after = *state;
     for contact in modes.bound() {
         let (push, input) = (impulse.as_ref()[contact], &affine.input.as_ref()[contact]);

@@ -6,13 +6,13 @@ use super::constants::{GENERIC, generic_state};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::PressLaw;
-use crate::scalar::Inline;
+use crate::scalar::{Inline, mapped};
 
 /// A contact whose friction is no affine function of the reaction of a press that does not give way, and that press.
 pub(super) fn bent<M: Model<N>, const N: usize>(
     params: &M::Params<Dual64>,
 ) -> Option<(usize, usize)> {
-    let state = generic_state::<M, N>(GENERIC[0]).map(Dual64::from);
+    let state = mapped(&generic_state::<M, N>(GENERIC[0]), Dual64::from);
     let rigid = |press: &usize| M::INFO.is_rigid(*press);
     let presses = (0..M::INFO.contacts.len() + M::INFO.presses.len()).filter(rigid);
     let slopes = |press: usize, force: f64| {
@@ -53,7 +53,7 @@ impl<M: Model<N>, const N: usize> ContactRule<Dual64> for UnderLoad<M, N> {
             law.slip(Dual64::from(speed.re.abs())),
         ];
         if let Some(place) = self.slopes.as_mut().get_mut(contact) {
-            *place = forces.map(|force| force.eps);
+            *place = mapped(&forces, |force| force.eps);
         }
         still
     }
@@ -78,6 +78,6 @@ pub(super) fn grips<M: Model<N>, const N: usize>(
         force: Dual64::new(1.0, 1.0),
         slopes: Inline::from_fn(|_| [0.0; 3]),
     };
-    let _ = M::rhs(params, state.map(Dual64::from), &mut rule);
+    let _ = M::rhs(params, mapped(state, Dual64::from), &mut rule);
     Inline::from_fn(|i| [rule.slopes.as_ref()[i][1], rule.slopes.as_ref()[i][2]])
 }

@@ -10,8 +10,12 @@ use crate::model::Model;
 impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
     /// The modes with those contacts loose, and those pinned, that presses make so.
     pub(crate) fn pressed(&self, modes: Modes<M, N>, state: &[f64; N]) -> Modes<M, N> {
-        let loosened = self.loosened(modes, self.speeds(state).as_ref());
-        self.pinned(loosened, state)
+        if const { Modes::<M, N>::PRESSED } {
+            let loosened = self.loosened(modes, self.speeds(state).as_ref());
+            self.pinned(loosened, state)
+        } else {
+            modes
+        }
     }
 
     /// The magnitude of the terms of what holds a press closed.

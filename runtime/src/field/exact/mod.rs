@@ -22,9 +22,9 @@ use num_dual::Dual64;
 use super::{Field, Linear, LinearField, memory};
 use crate::integrate::Tolerance;
 use crate::model::Model;
-use crate::scalar::{Inline, Lanes, Scalar};
+use crate::scalar::{Inline, Lanes, Scalar, mapped};
 use affine::NOTHING;
-pub(crate) use affine::{Affine, Snapshot, Square};
+pub(crate) use affine::{Affine, Snapshot};
 pub(crate) use closed::Closed;
 pub use error::ContactError;
 use error::singular;
@@ -112,7 +112,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             }
         } else if self.sticks() {
             let affine = self.system.affine(state, &self.modes);
-            if let Some(push) = affine.respond(&self.modes, speeds) {
+            if let Some(push) = affine.respond(&self.modes, *speeds) {
                 for contact in self.stuck() {
                     let (push, input) = (push.as_ref()[contact], &affine.input.as_ref()[contact]);
                     for (c, b) in change.iter_mut().zip(input) {
@@ -126,9 +126,16 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
 
     /// What takes a state back to where contacts stick and gaps are closed.
     pub(crate) fn drift(&self, state: &[f64; N]) -> [f64; N] {
-        if !self.modes.rests() {
-            return self.correction(state, &self.system.speeds(state));
+        if const { Modes::<M, N>::PRESSED } {
+            if self.modes.rests() {
+                return self.back_to_gaps(state);
+            }
         }
+        self.correction(state, &self.system.speeds(state))
+    }
+
+    /// The same where presses are at rest.
+    fn back_to_gaps(&self, state: &[f64; N]) -> [f64; N] {
         let Some(closed) = Closed::new(self.system, state, &self.modes) else {
             return [0.0; N];
         };
@@ -245,7 +252,7 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
                 let state = crate::scalar::filled(|i| Dual64::new(y[i], seed[i]));
                 self.free(&self.system.directional, state)
             },
-            || self.free(&self.system.turned, y.map(Dual64::from)),
+            || self.free(&self.system.turned, mapped(y, Dual64::from)),
         );
         if let Some(holds) = self.holds() {
             for (gradient, lever) in holds {
@@ -261,8 +268,8 @@ pub(crate) fn linear_of<L: Lanes<N>, const N: usize>(field: &[L; N]) -> Linear<N
     let slopes: [_; N] = crate::scalar::filled(|i| field[i].slopes());
     Linear {
         f: crate::scalar::filled(|i| field[i].re()),
-        jacobian: slopes.map(|(state, _)| state),
-        design: slopes.map(|(_, design)| design),
+        jacobian: mapped(&slopes, |(state, _)| state),
+        design: mapped(&slopes, |(_, design)| design),
     }
 }
 

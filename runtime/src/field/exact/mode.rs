@@ -131,6 +131,9 @@ impl fmt::Display for Mode {
 pub struct Modes<M: Model<N>, const N: usize>(M::PerContact<Mode>);
 
 impl<M: Model<N>, const N: usize> Modes<M, N> {
+    /// Whether there are presses. What only these need is not compiled for other models, where a condition by itself asks.
+    pub(crate) const PRESSED: bool = !M::INFO.presses.is_empty();
+
     /// The mode of each contact as a function of its number.
     #[must_use]
     pub fn from_fn(mode: impl FnMut(usize) -> Mode) -> Self {
@@ -186,6 +189,11 @@ impl<M: Model<N>, const N: usize> Modes<M, N> {
         let first = M::INFO.contacts.len();
         let presses = self.as_slice().iter().enumerate().skip(first);
         presses.filter_map(|(i, mode)| (*mode == Mode::Rest).then_some(i))
+    }
+
+    /// Of which contacts something is true in their modes.
+    pub(crate) fn which(&self, is: fn(Mode) -> bool) -> M::PerContact<bool> {
+        Inline::from_fn(|i| is(self.as_slice()[i]))
     }
 
     /// Whether any press is at rest.

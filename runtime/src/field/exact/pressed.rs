@@ -6,7 +6,7 @@ use super::constants::generic_state;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::{PressLaw, Pressed};
-use crate::scalar::Inline;
+use crate::scalar::{Inline, mapped};
 
 /// Two depths that add nothing to each other's slopes unless these have a root at zero.
 const SHALLOW: [f64; 2] = [1e-100, 1e-20];
@@ -48,7 +48,7 @@ pub(super) fn rough<M: Model<N>, const N: usize>(
 ) -> M::PerContact<bool> {
     let mut rule = Roots::<M, N>(Inline::from_fn(|_| false));
     if !M::INFO.presses.is_empty() {
-        let state = generic_state::<M, N>(0.5).map(Dual64::from);
+        let state = mapped(&generic_state::<M, N>(0.5), Dual64::from);
         let _ = M::rhs(params, state, &mut rule);
     }
     rule.0

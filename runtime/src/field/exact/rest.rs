@@ -6,7 +6,7 @@ use super::constants::{GENERIC, generic_state};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::{PressLaw, pressing};
-use crate::scalar::{Inline, Scalar};
+use crate::scalar::{Inline, Scalar, mapped};
 
 /// Speed within which each sliding force changes by as much as itself: slip(0⁺)/|slip'(0⁺)|.
 pub(super) fn layers<M: Model<N>, const N: usize>(
@@ -14,7 +14,7 @@ pub(super) fn layers<M: Model<N>, const N: usize>(
     state: &[f64; N],
 ) -> M::PerContact<f64> {
     let mut rule = Layers::<M, N>(Inline::from_fn(|_| f64::INFINITY));
-    let _ = M::rhs(params, state.map(Dual64::from), &mut rule);
+    let _ = M::rhs(params, mapped(state, Dual64::from), &mut rule);
     rule.0
 }
 
@@ -31,7 +31,7 @@ fn unloaded<M: Model<N>, const N: usize>(
     press: &dyn Fn(usize) -> Option<f64>,
 ) -> M::PerContact<bool> {
     let at = GENERIC.map(|seed| {
-        let state = generic_state::<M, N>(seed).map(Dual64::from);
+        let state = mapped(&generic_state::<M, N>(seed), Dual64::from);
         limits::<M, Dual64, N>(params, &state, press)
     });
     let none = |force: Dual64| (force.re, force.eps) == (0.0, 0.0);

@@ -3,7 +3,7 @@
 use super::SmoothField;
 use super::rules::Gaps;
 use crate::model::Model;
-use crate::scalar::Inline;
+use crate::scalar::{Inline, mapped};
 
 /// Where the ends of a step show which way a speed goes.
 const NEAR_END: f64 = 0.02;
@@ -41,7 +41,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     ///
     /// A step that does has not felt the friction there.
     #[must_use]
-    pub fn dips(&self, along: impl Fn(f64) -> [f64; N]) -> bool {
+    pub fn dips(&self, along: &dyn Fn(f64) -> [f64; N]) -> bool {
         // A bump holds the motion between 0 and 4; the other layers turn the force where the speed turns.
         let edge = if self.smoothing.kernel.is_bump() {
             4.0
@@ -55,24 +55,24 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             });
             heights
         };
-        let ends = ENDS.map(heights);
+        let ends = mapped(&ENDS, heights);
         (0..M::INFO.contacts.len()).any(|contact| {
-            let ends = ends.each_ref().map(|heights| heights.as_ref()[contact]);
+            let ends = mapped(&ends, |heights| heights.as_ref()[contact]);
             let side = if edge > 0.0 { 1.0 } else { ends[0].signum() };
             let height = |value: f64| side * value - edge;
             let along = |theta: f64| height(heights(theta).as_ref()[contact]);
-            dip(ends.map(height), along).is_some()
+            dip(mapped(&ends, height), along).is_some()
         })
     }
 
     /// Where along [0, 1] a motion enters the layer in which a press sets in, if it leaves it again before the end.
     #[must_use]
-    pub fn touches(&self, along: impl Fn(f64) -> [f64; N]) -> Option<f64> {
+    pub fn touches(&self, along: &dyn Fn(f64) -> [f64; N]) -> Option<f64> {
         let height = |press: usize, theta: f64| self.height(press, &along(theta)) - 1.0;
         let mut presses = 0..M::INFO.presses.len();
         presses.find_map(|press| {
             let along = |theta| height(press, theta);
-            dip(ENDS.map(along), along)
+            dip(mapped(&ENDS, along), along)
         })
     }
 

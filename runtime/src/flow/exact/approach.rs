@@ -4,7 +4,7 @@
 use super::ExactFlow;
 use super::run::Run;
 use super::steps::Steps;
-use crate::field::exact::Mode;
+use crate::field::exact::{Mode, Modes};
 use crate::flow::saltation::Tracked;
 use crate::model::Model;
 
@@ -21,7 +21,10 @@ const GRADED: f64 = 0.5;
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// The longest step worth trying: a little beyond the predicted stop of any sliding contact.
     pub(super) fn approach(&mut self, stepper: &Steps<'_, 'f, M, V, N>) -> f64 {
-        let (system, mut limit) = (&self.flow.system, self.graded(stepper));
+        let (system, mut limit) = (&self.flow.system, f64::INFINITY);
+        if const { Modes::<M, N>::PRESSED } {
+            limit = self.graded(stepper);
+        }
         let (Some(gradients), Some((proposal, slope))) = (system.gradients(), stepper.proposal())
         else {
             return limit;

@@ -24,16 +24,28 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         state: &[f64; N],
         time: f64,
         presses: &Presses<M, N>,
-        rest: impl Fn(Modes<M, N>) -> Rest<'s, M, N>,
+        rest: &dyn Fn(Modes<M, N>) -> Rest<'s, M, N>,
     ) -> Result<Verdict<M, N>, FlowError> {
-        let closed = &presses.closed;
-        if closed.is_empty() {
-            let mut rest = rest(presses.modes);
-            let mut verdict = rest.settle()?;
-            presses.note(&rest, &mut verdict);
-            return Ok(verdict);
+        if const { Modes::<M, N>::PRESSED } {
+            if !presses.closed.is_empty() {
+                return self.bearing(state, time, presses, rest);
+            }
         }
-        let mut failure = None;
+        let mut rest = rest(presses.modes);
+        let mut verdict = rest.settle()?;
+        presses.note(&rest, &mut verdict);
+        Ok(verdict)
+    }
+
+    /// The same where gaps are closed.
+    fn bearing<'s>(
+        &'s self,
+        state: &[f64; N],
+        time: f64,
+        presses: &Presses<M, N>,
+        rest: &dyn Fn(Modes<M, N>) -> Rest<'s, M, N>,
+    ) -> Result<Verdict<M, N>, FlowError> {
+        let (closed, mut failure) = (&presses.closed, None);
         for bearing in combinations(closed.len()) {
             let mut modes = presses.modes;
             for (k, press) in closed.iter().enumerate() {
@@ -102,12 +114,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
 }
 
 /// All subsets of so many as bits, those with more members first.
-fn combinations(count: usize) -> impl Iterator<Item = usize> {
-    let count = count.min(SEARCHED);
-    let of = move |members: usize| {
-        (0..1_usize << count)
-            .rev()
-            .filter(move |bits| bits.count_ones() as usize == members)
-    };
-    (0..=count).rev().flat_map(of)
+fn combinations(count: usize) -> Vec<usize> {
+    let mut all: Vec<usize> = (0..1 << count.min(SEARCHED)).rev().collect();
+    all.sort_by_key(|bits| std::cmp::Reverse(bits.count_ones()));
+    all
 }

@@ -9,7 +9,7 @@ use crate::field::exact::{Mode, Modes};
 use crate::flow::saltation::{Reset, Saltation, Tracked};
 use crate::flow::{Event, EventKind, FlowError, SensitivityUndefined};
 use crate::model::Model;
-use crate::scalar::{Inline, Lanes};
+use crate::scalar::{Inline, Lanes, mapped};
 
 /// How an impact goes on.
 pub(super) struct Rebound<M: Model<N>, const N: usize> {
@@ -111,8 +111,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let linear = system.linear_impact(&state, impulses)?.state;
         let slopes: [([f64; N], f64); N] = crate::scalar::filled(|i| linear[i].slopes());
         let reset = Reset {
-            slopes: slopes.map(|(state, _)| state),
-            design: slopes.map(|(_, design)| design),
+            slopes: mapped(&slopes, |(state, _)| state),
+            design: mapped(&slopes, |(_, design)| design),
         };
         let saltation = Saltation {
             before: system.snapshot(&state, &before)?.field,
@@ -146,7 +146,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
                 Vanishing::Rounded
             })
         };
-        let presses = flow.with_presses(state, self.modes, known);
+        let presses = flow.with_presses(state, self.modes, &known);
         let presses = presses.map_err(|error| self.together(error, press))?;
         let (speeds, scales) = (flow.system.speeds(state), flow.speed_scales(state));
         let speed = |i: usize| speeds.as_ref()[i];
@@ -170,21 +170,11 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
                 let_go: Inline::from_fn(|_| 0.0),
             }
         };
-        flow.borne(state, self.time, &presses, rest)
+        flow.borne(state, self.time, &presses, &rest)
     }
 
     /// What is hit while others are closed that it presses on is hit with them.
     fn together(&self, error: FlowError, press: usize) -> FlowError {
-        match error {
-            FlowError::HitTogether { mut contacts, .. } => {
-                contacts.push(M::INFO.contact_id(press));
-                contacts.sort_unstable();
-                FlowError::HitTogether {
-                    contacts,
-                    time: self.time,
-                }
-            }
-            other => other,
-        }
+        error.hit_with(M::INFO.contact_id(press), self.time)
     }
 }

@@ -20,7 +20,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let state = *self.carried.state();
         self.flow.check_gaps(&state, &self.modes, self.time)?;
         let rounded = |_| Some(Vanishing::Rounded);
-        let presses = self.flow.with_presses(&state, self.modes, rounded)?;
+        let presses = self.flow.with_presses(&state, self.modes, &rounded)?;
         let speeds = self.flow.system.speeds(&state);
         let scales = self.flow.speed_scales(&state);
         let mut resting: M::PerContact<bool> = Inline::from_fn(|_| false);
@@ -59,7 +59,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
                 }),
             }
         };
-        let verdict = self.flow.borne(&state, self.time, &presses, rest)?;
+        let verdict = self.flow.borne(&state, self.time, &presses, &rest)?;
         self.take(&verdict, &Inline::from_fn(|_| 0.0))
     }
 }

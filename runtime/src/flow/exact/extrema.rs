@@ -1,7 +1,7 @@
 //! Local extrema of every state: located like events, not read off stored samples.
 
 use super::steps::Steps;
-use crate::flow::extrema::{FLAT, in_time};
+use crate::flow::extrema::{FLAT, in_order};
 use crate::flow::{Extremum, strobes};
 use crate::integrate::event::Bernstein;
 use crate::integrate::{Carried, Dense};
@@ -87,7 +87,7 @@ impl<const N: usize> Extrema<N> {
                 self.record(index, self.sign[index] > 0.0, time, state);
             }
         }
-        in_time(&mut self.found);
+        in_order(&mut self.found, |extremum| extremum.time);
         self.found
     }
 

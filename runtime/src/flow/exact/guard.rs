@@ -4,7 +4,7 @@ use crate::field::exact::{ContactError, ExactSystem, Mode, Modes, Snapshot};
 use crate::integrate::Dense;
 use crate::integrate::event::Bernstein;
 use crate::model::Model;
-use crate::scalar::{Inline, Scalar};
+use crate::scalar::{Inline, Scalar, mapped};
 
 /// Relative difference between a guard and its interpolant above which the interval is halved.
 const RESOLVED: f64 = 1e-6;
@@ -176,7 +176,7 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             });
         }
         let models: Models<M, N> =
-            Inline::from_fn(|i| values.as_ref()[i].map(|v| Bernstein::interpolate(&v)));
+            Inline::from_fn(|i| mapped(&values.as_ref()[i], |v| Bernstein::interpolate(&v)));
         if halvings > 0 && !self.resolved(&models, from, width)? {
             self.sample(from, 0.5 * width, halvings - 1)?;
             if self.fall.is_none_or(|fall| fall.theta > from + 0.5 * width) {

@@ -139,7 +139,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             None => Mode::Open,
         });
         let rounded = |_| Some(Vanishing::Rounded);
-        let presses = self.with_presses(&state, slides, rounded)?;
+        let presses = self.with_presses(&state, slides, &rounded)?;
         let rest = |slides: Modes<M, N>| {
             let resting: M::PerContact<bool> = Inline::from_fn(|i| {
                 slides.as_slice()[i].rubs()
@@ -162,7 +162,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 let_go: Inline::from_fn(|_| 0.0),
             }
         };
-        let verdict = self.borne(&state, 0.0, &presses, rest)?;
+        let verdict = self.borne(&state, 0.0, &presses, &rest)?;
         Ok(Place {
             state,
             mode: verdict.modes,

@@ -26,14 +26,15 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let drift = field.drift(&state);
         self.carried.state_mut().add(-1.0, &drift);
         if let Some(motion) = self.carried.motion() {
-            if let Some(closed) =
-                Closed::new(system, &state, &self.modes).filter(|_| self.modes.rests())
-            {
-                let gaps = system.linear_speeds(&state);
-                project::<M, N>(motion, |off| closed.correction(off), gaps.as_ref());
+            if const { Modes::<M, N>::PRESSED } {
+                let rests = self.modes.rests().then_some(&self.modes);
+                if let Some(closed) = rests.and_then(|rests| Closed::new(system, &state, rests)) {
+                    let gaps = system.linear_speeds(&state);
+                    project::<M, N>(motion, &|off| closed.correction(off), gaps.as_ref());
+                }
             }
             let lanes = system.linear_rates(&state, &self.modes);
-            project::<M, N>(motion, |off| field.correction(&state, off), lanes.as_ref());
+            project::<M, N>(motion, &|off| field.correction(&state, off), lanes.as_ref());
         }
         Ok(())
     }
@@ -64,7 +65,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
 /// Removes from Φ and p what leaves the surfaces on which contacts stick.
 fn project<M: Model<N>, const N: usize>(
     motion: &mut Motion<N>,
-    correction: impl Fn(&M::PerContact<f64>) -> [f64; N],
+    correction: &dyn Fn(&M::PerContact<f64>) -> [f64; N],
     speeds: &[M::Lanes],
 ) {
     let rates = |along: &[f64; N], design: f64| {
@@ -98,19 +99,16 @@ struct Passing<'a, M: Model<N>, const N: usize> {
 impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
     /// Carries Φ and p to the other side, in any order of simultaneous events if all agree; what that makes of volumes.
     fn carry(&self, motion: &mut Motion<N>) -> Result<Determinant, FlowError> {
-        let order: Vec<Guard> = self
-            .strike
-            .fallen
-            .as_ref()
-            .iter()
-            .copied()
-            .flatten()
-            .collect();
+        let mut order = Vec::new();
+        for guard in self.strike.fallen.as_ref() {
+            order.extend(*guard);
+        }
         let start = *motion;
-        let found = self.chain(motion, order.iter())?;
+        let found = self.chain(motion, &order)?;
         if order.len() > 1 {
             let mut other = start;
-            self.chain(&mut other, order.iter().rev())?;
+            order.reverse();
+            self.chain(&mut other, &order)?;
             if !agree(motion, &other) {
                 return Err(SensitivityUndefined::Simultaneous {
                     contacts: order
@@ -126,11 +124,7 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
     }
 
     /// One saltation for each guard; with the last of them everything is in its new mode.
-    fn chain<'g>(
-        &self,
-        motion: &mut Motion<N>,
-        order: impl ExactSizeIterator<Item = &'g Guard>,
-    ) -> Result<Determinant, FlowError> {
+    fn chain(&self, motion: &mut Motion<N>, order: &[Guard]) -> Result<Determinant, FlowError> {
         let system = &self.flow.system;
         let linear = system.linear(&self.state, &self.before)?;
         let mut modes = self.before;

@@ -68,16 +68,27 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         &self,
         state: &[f64; N],
         modes: Modes<M, N>,
-        vanishing: impl Fn(usize) -> Option<Vanishing>,
+        vanishing: &dyn Fn(usize) -> Option<Vanishing>,
     ) -> Result<Presses<M, N>, FlowError> {
         let mut presses = Presses {
             modes,
             closed: Vec::new(),
             departures: Vec::new(),
         };
-        if M::INFO.presses.is_empty() {
-            return Ok(presses);
+        if const { Modes::<M, N>::PRESSED } {
+            self.judge(&mut presses, state, vanishing)?;
         }
+        Ok(presses)
+    }
+
+    /// Finds the mode of each press.
+    fn judge(
+        &self,
+        presses: &mut Presses<M, N>,
+        state: &[f64; N],
+        vanishing: &dyn Fn(usize) -> Option<Vanishing>,
+    ) -> Result<(), FlowError> {
+        let modes = presses.modes;
         for press in Self::presses() {
             let rests = modes.as_slice()[press] == Mode::Rest;
             let Some(vanishing) = vanishing(press) else {
@@ -102,7 +113,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             }
         }
         presses.modes = self.system.pressed(presses.modes, state);
-        Ok(presses)
+        Ok(())
     }
 
     /// The magnitude of the terms of what holds a press closed: of its force, and of the states in its depth and rate.
@@ -221,7 +232,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         modes: &Modes<M, N>,
         time: f64,
     ) -> Result<(), FlowError> {
-        if M::INFO.presses.is_empty() {
+        if const { !Modes::<M, N>::PRESSED } {
             return Ok(());
         }
         let (gaps, scales) = (self.system.speeds(state), self.speed_scales(state));

@@ -66,40 +66,17 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
 
     fn release_overloaded(&self, verdict: &mut Verdict<M, N>, held: &M::PerContact<f64>) {
         let affine = self.system.affine(&self.state, &verdict.modes);
-        let modes = verdict.modes;
-        let problem = BoxProblem::<M, N> {
-            compliance: &affine.compliance,
-            rate: &affine.rate,
-            limit: &affine.stick,
-            members: &|i| modes.as_slice()[i] == Mode::Stick,
+        let overload = Overload {
+            stuck: verdict.modes.sticking().collect(),
+            compliance: &|i, j| affine.compliance.as_ref()[i].as_ref()[j],
+            rate: affine.rate.as_ref(),
+            limit: affine.stick.as_ref(),
+            held: held.as_ref(),
+            weakens: &|contact| self.weakens(contact),
         };
-        let signs = problem.bound_signs();
-        let limit = |i: usize| affine.stick.as_ref()[i];
-        let use_of = |i: usize| held.as_ref()[i].abs() / limit(i);
-        let bound = || modes.sticking().filter(|&i| signs.as_ref()[i] != 0.0);
-        let first_of = |contacts: &mut dyn Iterator<Item = usize>| {
-            contacts.reduce(|a, b| {
-                if use_of(b) > use_of(a) * (1.0 + TIE) {
-                    b
-                } else {
-                    a
-                }
-            })
-        };
-        if let Some(first) = first_of(&mut bound().filter(|&i| self.weakens(i))) {
-            let tie = |i: usize| i != first && use_of(i) >= use_of(first) * (1.0 - TIE);
-            verdict.notes.as_mut()[first].tied = bound().any(tie);
-            verdict
-                .modes
-                .set(first, Mode::sliding(-signs.as_ref()[first]));
-        } else if bound().next().is_some() {
-            for i in bound() {
-                verdict.modes.set(i, Mode::sliding(-signs.as_ref()[i]));
-            }
-        } else if let Some(first) = first_of(&mut modes.sticking()) {
-            verdict
-                .modes
-                .set(first, Mode::sliding(-held.as_ref()[first]));
+        for freed in overload.freed() {
+            verdict.modes.set(freed.contact, Mode::sliding(freed.way));
+            verdict.notes.as_mut()[freed.contact].tied |= freed.tied;
         }
     }
 
@@ -114,5 +91,90 @@ impl<M: Model<N>, const N: usize> Rest<'_, M, N> {
         let limits = self.system.limits_at_rest(&self.state);
         let (stick, slip) = limits.as_ref()[contact];
         stick - slip > EDGE * stick
+    }
+}
+
+/// Contacts that stick although not all of them can.
+struct Overload<'a> {
+    stuck: Vec<usize>,
+    /// G.
+    compliance: &'a dyn Fn(usize, usize) -> f64,
+    /// Rate of each speed without sticking forces.
+    rate: &'a [f64],
+    limit: &'a [f64],
+    /// The forces that would hold all.
+    held: &'a [f64],
+    /// Whether friction drops where a contact is let go.
+    weakens: &'a dyn Fn(usize) -> bool,
+}
+
+/// A contact that is let go.
+struct Freed {
+    contact: usize,
+    /// Sign of the speed with which it leaves.
+    way: f64,
+    /// Whether another one was as near to its limit.
+    tied: bool,
+}
+
+impl Overload<'_> {
+    /// Of those that are at their limits the nearest one where friction drops, otherwise all at once; the nearest of all if
+    /// none is at its limit.
+    fn freed(&self) -> Vec<Freed> {
+        let free = |contact: usize, way: f64| Freed {
+            contact,
+            way,
+            tied: false,
+        };
+        let use_of = |i: usize| self.held[i].abs() / self.limit[i];
+        let signs = self.problem().bound_signs();
+        let signed = self.stuck.iter().copied().zip(signs);
+        let bound: Vec<(usize, f64)> = signed.filter(|(_, sign)| *sign != 0.0).collect();
+        let mut dropping = bound.iter().map(|(i, _)| *i).filter(|&i| (self.weakens)(i));
+        if let Some(first) = self.nearest(&mut dropping) {
+            let tie = |i: usize| i != first && use_of(i) >= use_of(first) * (1.0 - TIE);
+            let tied = bound.iter().any(|(i, _)| tie(*i));
+            let own = bound.iter().filter(|(i, _)| *i == first);
+            let let_go = own.map(|(i, sign)| Freed {
+                tied,
+                ..free(*i, -sign)
+            });
+            return let_go.collect();
+        }
+        if bound.is_empty() {
+            let nearest = self.nearest(&mut self.stuck.iter().copied());
+            return nearest
+                .map(|i| free(i, -self.held[i]))
+                .into_iter()
+                .collect();
+        }
+        bound.into_iter().map(|(i, sign)| free(i, -sign)).collect()
+    }
+
+    fn problem(&self) -> BoxProblem {
+        let row = |&i: &usize| {
+            self.stuck
+                .iter()
+                .map(|&j| (self.compliance)(i, j))
+                .collect()
+        };
+        let of = |all: &[f64]| self.stuck.iter().map(|&i| all[i]).collect();
+        BoxProblem {
+            compliance: self.stuck.iter().map(row).collect(),
+            rate: of(self.rate),
+            limit: of(self.limit),
+        }
+    }
+
+    /// The first that is nearest to its limit.
+    fn nearest(&self, contacts: &mut dyn Iterator<Item = usize>) -> Option<usize> {
+        let use_of = |i: usize| self.held[i].abs() / self.limit[i];
+        contacts.reduce(|a, b| {
+            if use_of(b) > use_of(a) * (1.0 + TIE) {
+                b
+            } else {
+                a
+            }
+        })
     }
 }

@@ -209,7 +209,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let fall = self.watch(stepper, &dense, &mut nearest)?;
         let mut strike = None;
         let whole = stepper.length();
-        let left = leaves::<M, N>(self.flow.system.values(), |theta| dense.state(theta));
+        let left = leaves::<M, N>(self.flow.system.values(), &|theta| dense.state(theta));
         if let Some(fall) = fall {
             let length = self.locate(stepper, &fall);
             stepper.shorten(length)?;

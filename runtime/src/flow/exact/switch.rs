@@ -91,8 +91,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
 
     /// Passes to the modes after an event.
     pub(super) fn switch(&mut self, strike: &Strike<M, N>) -> Result<(), FlowError> {
-        if let Some(press) = self.hit(strike)? {
-            return self.bounce(press, strike);
+        if const { Modes::<M, N>::PRESSED } {
+            if let Some(press) = self.hit(strike)? {
+                return self.bounce(press, strike);
+            }
         }
         let fallen = strike.fallen.as_ref();
         let presses = self.switched_presses(strike)?;
@@ -113,7 +115,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 None => fallen[i].map_or(0.0, |guard| -guard.side),
             }),
         };
-        let verdict = self.flow.borne(&state, self.time, &presses, rest)?;
+        let verdict = self.flow.borne(&state, self.time, &presses, &rest)?;
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
         self.take(&verdict, &strike.rates)?;
@@ -146,7 +148,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             })
         };
         let state = self.carried.state();
-        self.flow.with_presses(state, self.modes, vanishing)
+        self.flow.with_presses(state, self.modes, &vanishing)
     }
 
     /// Takes the modes that were decided after guards fell at these rates, and notes what changed.

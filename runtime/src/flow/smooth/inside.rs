@@ -5,6 +5,7 @@ use crate::flow::extrema::Inside;
 use crate::integrate::event::Bernstein;
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Accepted, Carried, Dense, Radau};
+use crate::scalar::mapped;
 
 /// An explicit step.
 pub(super) struct Explicit<'a, 's, F, V, const N: usize> {
@@ -59,7 +60,7 @@ impl<F: Field<N>, const N: usize, const S: usize> Inside<N> for Implicit<'_, '_,
     }
 
     fn path(&self, index: usize) -> Bernstein {
-        Bernstein::interpolate(&self.nodes.map(|state| state[index]))
+        Bernstein::interpolate(&mapped(&self.nodes, |state| state[index]))
     }
 
     fn probe(&mut self, theta: f64) -> Option<([f64; N], Linear<N>)> {

@@ -19,9 +19,9 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     pub(super) fn keep_laws(
         &self,
         (time, length): (f64, f64),
-        at: impl Fn(f64) -> [f64; N],
+        at: &dyn Fn(f64) -> [f64; N],
     ) -> Result<(), FlowError> {
-        let left = leaves::<M, N>(self.field.values(), &at);
+        let left = leaves::<M, N>(self.field.values(), at);
         left.map_or(Ok(()), |(theta, found)| {
             Err(FlowError::beyond(&found, time + theta * length, &at(theta)))
         })

@@ -111,7 +111,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                 record.explicit_step(field, step);
                 let span = (record.since + step.time(), step.length());
                 let kept = M::INFO.moving.then(|| step.dense());
-                let kept = kept.map_or(felt, |dense| self.keep_laws(span, |t| dense.state(t)));
+                let kept = kept.map_or(felt, |dense| self.keep_laws(span, &|t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
                 self.watch(record, switched, (kept, &mut verdict))
             })
@@ -123,7 +123,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                 record.explicit_step(field, step);
                 let span = (record.since + step.time(), step.length());
                 let kept = M::INFO.moving.then(|| step.dense());
-                let kept = kept.map_or(felt, |dense| self.keep_laws(span, |t| dense.state(t)));
+                let kept = kept.map_or(felt, |dense| self.keep_laws(span, &|t| dense.state(t)));
                 switched = record.switch(field, step.fallen());
                 self.watch(record, switched, (kept, &mut verdict))
             })
@@ -201,7 +201,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
                     record.implicit_step(&mut radau, &step, offset + since);
                     switched = record.switch(field, radau.fallen());
                     let span = (offset + since + step.time, step.step);
-                    let kept = self.keep_laws(span, |theta| step.inside(theta));
+                    let kept = self.keep_laws(span, &|theta| step.inside(theta));
                     kept.and_then(|()| self.check_direction(record))
                 }
                 Err(error) => Err(error.into()),

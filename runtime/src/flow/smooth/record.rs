@@ -9,6 +9,7 @@ use crate::flow::{
 };
 use crate::integrate::explicit::Stepper;
 use crate::integrate::{Accepted, Carried, IntegrationError, Look, Motion, Radau};
+use crate::scalar::mapped;
 
 /// Points of a step that a drawing gets.
 const DRAWN: usize = 6;
@@ -77,7 +78,7 @@ impl<const N: usize> Record<N> {
         }
         let dense = step.dense();
         if self.want.extrema {
-            let looks = [0.0, 0.25, 0.5, 0.75, 1.0].map(|theta| Look {
+            let looks = mapped(&[0.0, 0.25, 0.5, 0.75, 1.0], |theta| Look {
                 theta,
                 linear: field.linearise(&dense.state(theta)),
                 state: dense.state(theta),
@@ -89,7 +90,7 @@ impl<const N: usize> Record<N> {
                 dense,
                 time,
             };
-            self.extrema.step(looks.into_iter(), &mut inside);
+            self.extrema.step(&mut looks.into_iter(), &mut inside);
             self.extrema
                 .strobes(self.phase, (&ends.0, &ends.1), &mut inside);
         }
@@ -118,9 +119,9 @@ impl<const N: usize> Record<N> {
         }
         let (time, length) = (offset + step.time, step.step);
         if self.want.extrema {
-            let looks = radau.looks(step);
+            let mut looks = radau.looks(step);
             let mut inside = Implicit::new(radau, step, time);
-            self.extrema.step(looks, &mut inside);
+            self.extrema.step(&mut looks, &mut inside);
             self.extrema
                 .strobes(self.phase, (&step.start, &step.end), &mut inside);
         }

@@ -11,8 +11,8 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
     /// Whether a step has gone through a layer and back without feeling it: friction would add energy.
     pub(super) fn jumps<const S: usize>(&self, step: &Accepted<N, S>) -> bool {
         let along = |theta| step.inside(theta);
-        (!M::INFO.contacts.is_empty() && self.field.dips(along))
-            || (!M::INFO.presses.is_empty() && self.field.touches(along).is_some())
+        (!M::INFO.contacts.is_empty() && self.field.dips(&along))
+            || (!M::INFO.presses.is_empty() && self.field.touches(&along).is_some())
     }
 
     /// Ends an explicit step where a press sets in that it has not felt, because it lets go before the end.
@@ -24,7 +24,7 @@ impl<M: Model<N>, const N: usize> SmoothFlow<M, N> {
             return Ok(());
         }
         let dense = step.dense();
-        if let Some(theta) = self.field.touches(|theta| dense.state(theta)) {
+        if let Some(theta) = self.field.touches(&|theta| dense.state(theta)) {
             step.shorten(theta * step.length())?;
             step.stop_at_corner()?;
         }

@@ -6,6 +6,7 @@ use super::series::Series;
 use crate::field::{Point, Work};
 use crate::integrate::dense::TERMS;
 use crate::integrate::{Carried, Dense, IntegrationError};
+use crate::scalar::mapped;
 
 /// Makes steps along a linear field: as long as its dense output is true, or shorter.
 #[derive(Debug, Clone)]
@@ -155,7 +156,7 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
 
     /// The magnitude of the terms of each state along the step.
     pub(crate) fn terms(&self) -> [f64; N] {
-        let mut terms = self.start.0.map(f64::abs);
+        let mut terms = mapped(&self.start.0, f64::abs);
         terms.add(self.length, &self.flow.field.terms(&self.start));
         terms
     }

@@ -2,6 +2,7 @@
 
 use super::{GROW, NEWTON_ITERATIONS, Radau, SAFETY, SHRINK};
 use crate::field::{Field, Linear};
+use crate::scalar::mapped;
 
 impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
     /// Gustafsson's predictive controller, as in Hairer & Wanner II, section IV.8.
@@ -30,7 +31,9 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
                     crate::scalar::filled(|j| value[j] - end[j])
                 })
             }
-            None => crate::scalar::filled(|i| self.start.f.map(|slope| step * nodes[i] * slope)),
+            None => {
+                crate::scalar::filled(|i| mapped(&self.start.f, |slope| step * nodes[i] * slope))
+            }
         }
     }
 }

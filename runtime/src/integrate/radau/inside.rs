@@ -5,6 +5,7 @@ use super::super::look::Look;
 use super::stages::Trial;
 use super::{Accepted, Radau, add};
 use crate::field::{Field, Linear};
+use crate::scalar::mapped;
 
 impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
     /// The step map from the same start over the fraction `theta` of a solved step.
@@ -14,7 +15,7 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
         collocation: &Collocation<N, S>,
         theta: f64,
     ) -> Option<Trial<N, S>> {
-        let guess = self.tableau.nodes.map(|node| collocation.at(theta * node));
+        let guess = mapped(&self.tableau.nodes, |node| collocation.at(theta * node));
         self.solve(theta * trial.step, guess)
     }
 

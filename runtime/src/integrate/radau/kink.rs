@@ -5,6 +5,7 @@ use super::super::event::Bernstein;
 use super::stages::Trial;
 use super::{Radau, add};
 use crate::field::Field;
+use crate::scalar::mapped;
 
 /// A kink function this small means that the kink is reached; this large, that it was missed.
 const KINK_REACHED: f64 = 1e-7;
@@ -76,7 +77,7 @@ impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
         collocation: &Collocation<N, S>,
     ) -> Option<(f64, f64)> {
         let along = |theta: f64| self.field.kink(index, &add(start, &collocation.at(theta)));
-        let guard = Bernstein::interpolate(&Bernstein::nodes().map(along));
+        let guard = Bernstein::interpolate(&mapped(&Bernstein::nodes(), along));
         let size = guard.magnitude();
         let (theta, _) = guard.without_noise(NOISE * size).first_fall()?;
         Some((theta, size))

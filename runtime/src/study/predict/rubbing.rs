@@ -81,10 +81,10 @@ impl<M: Model<N>, const N: usize> Rubbing for Rubbed<M, N> {
         let (at, system) = (place(at), &self.system);
         let moving = system.moving(&at.state, &at.mode)?;
         let affine = system.affine(&at.state, &at.mode);
-        let unit = Inline::from_fn(|j| f64::from(contact == j));
-        let held = |j: usize| at.mode.as_slice()[j] == Mode::Stick;
-        let response = solve::<M, f64, N>(affine.compliance, unit, held);
-        let response = response.map_or(f64::NAN, |u| u.as_ref()[contact]);
+        let mut unit: M::PerContact<f64> = Inline::from_fn(|j| f64::from(contact == j));
+        let (mut rows, held) = (affine.compliance, at.mode.which(|mode| mode == Mode::Stick));
+        let solved = solve(rows.as_mut(), unit.as_mut(), held.as_ref());
+        let response = solved.map_or(f64::NAN, |()| unit.as_ref()[contact]);
         Ok(Load {
             compliance: 1.0 / response,
             rate: moving.force.as_ref()[contact].eps.abs(),

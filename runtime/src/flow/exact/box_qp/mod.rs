@@ -1,8 +1,6 @@
 //! Friction forces at rest as a box-constrained problem: which contacts hold, and which are at their limit.
 
-use crate::field::exact::{Square, solve};
-use crate::model::Model;
-use crate::scalar::Inline;
+use crate::field::exact::solve;
 
 /// Contacts up to which all combinations are tried.
 const ENUMERATED: usize = 6;
@@ -10,43 +8,44 @@ const SWEEPS: usize = 20_000;
 /// Relative distance from the limit at which an iterated force is at it.
 const AT_LIMIT: f64 = 1e-9;
 
-/// ẇ = rate + G λ for `members`, |λᵢ| ≤ limitᵢ.
-pub(super) struct BoxProblem<'a, M: Model<N>, const N: usize> {
-    pub(super) compliance: &'a Square<M, f64, N>,
-    pub(super) rate: &'a M::PerContact<f64>,
-    pub(super) limit: &'a M::PerContact<f64>,
-    pub(super) members: &'a dyn Fn(usize) -> bool,
+/// ẇ = rate + G λ, |λᵢ| ≤ limitᵢ.
+pub(super) struct BoxProblem {
+    /// G, row by row.
+    pub(super) compliance: Vec<Vec<f64>>,
+    pub(super) rate: Vec<f64>,
+    pub(super) limit: Vec<f64>,
 }
 
-impl<M: Model<N>, const N: usize> BoxProblem<'_, M, N> {
+impl BoxProblem {
     /// Sign of each force that is at its limit, 0 for the others: unique if every principal minor of G is positive.
-    pub(super) fn bound_signs(&self) -> M::PerContact<f64> {
-        if self.numbers().count() <= ENUMERATED {
+    pub(super) fn bound_signs(&self) -> Vec<f64> {
+        if self.rate.len() <= ENUMERATED {
             self.enumerate()
         } else {
             self.iterate()
         }
     }
 
-    fn numbers(&self) -> impl Iterator<Item = usize> {
-        (0..self.rate.as_ref().len()).filter(|&i| (self.members)(i))
-    }
-
-    fn entry(&self, i: usize, j: usize) -> f64 {
-        self.compliance.as_ref()[i].as_ref()[j]
+    /// What forces make of the rate of a contact.
+    fn pushed(&self, contact: usize, force: impl Fn(usize) -> f64) -> f64 {
+        let row = self.compliance[contact].iter().enumerate();
+        let pushed: f64 = row.map(|(j, entry)| entry * force(j)).sum();
+        self.rate[contact] + pushed
     }
 
     /// The combination of held, +limit and −limit that breaks its conditions least.
-    fn enumerate(&self) -> M::PerContact<f64> {
-        let mut best: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
+    fn enumerate(&self) -> Vec<f64> {
+        let contacts = self.rate.len();
+        let mut best = vec![0.0; contacts];
         let mut least = f64::INFINITY;
-        for code in 0..3_u32.pow(self.numbers().count() as u32) {
-            let mut signs: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
+        for code in 0..3_u32.pow(contacts as u32) {
             let mut rest = code;
-            for i in self.numbers() {
-                signs.as_mut()[i] = [0.0, 1.0, -1.0][(rest % 3) as usize];
+            let sign = |_| {
+                let sign = [0.0, 1.0, -1.0][(rest % 3) as usize];
                 rest /= 3;
-            }
+                sign
+            };
+            let signs: Vec<f64> = (0..contacts).map(sign).collect();
             let violation = self.violation(&signs);
             if violation < least {
                 (best, least) = (signs, violation);
@@ -56,64 +55,52 @@ impl<M: Model<N>, const N: usize> BoxProblem<'_, M, N> {
     }
 
     /// By how much held forces exceed their limits, or contacts at their limits do not give way to them.
-    fn violation(&self, signs: &M::PerContact<f64>) -> f64 {
-        let sign = |i: usize| signs.as_ref()[i];
-        let limit = |i: usize| self.limit.as_ref()[i];
-        let free = |i: usize| (self.members)(i) && sign(i) == 0.0;
-        let rhs: M::PerContact<f64> = Inline::from_fn(|i| {
-            let bound = self.numbers().filter(|&j| sign(j) != 0.0);
-            let pushed: f64 = bound.map(|j| self.entry(i, j) * sign(j) * limit(j)).sum();
-            -(self.rate.as_ref()[i] + pushed)
-        });
-        let Some(held) = solve::<M, f64, N>(*self.compliance, rhs, free) else {
+    fn violation(&self, signs: &[f64]) -> f64 {
+        let bound = |i: usize| signs[i] * self.limit[i];
+        let contacts = 0..signs.len();
+        let mut force: Vec<f64> = contacts.clone().map(|i| -self.pushed(i, bound)).collect();
+        let free: Vec<bool> = signs.iter().map(|sign| *sign == 0.0).collect();
+        let mut rows = self.compliance.clone();
+        if solve(&mut rows, &mut force, &free).is_none() {
             return f64::INFINITY;
-        };
-        let force = |i: usize| {
-            if free(i) {
-                held.as_ref()[i]
-            } else {
-                sign(i) * limit(i)
-            }
-        };
+        }
+        for i in contacts.clone().filter(|&i| !free[i]) {
+            force[i] = bound(i);
+        }
         let mut worst: f64 = 0.0;
-        for i in self.numbers() {
-            let pushed: f64 = self.numbers().map(|j| self.entry(i, j) * force(j)).sum();
-            let excess = if free(i) {
-                self.entry(i, i) * (force(i).abs() - limit(i))
+        for i in contacts {
+            let own = self.compliance[i][i];
+            let excess = if free[i] {
+                own * (force[i].abs() - self.limit[i])
             } else {
-                sign(i) * (self.rate.as_ref()[i] + pushed)
+                signs[i] * self.pushed(i, |j| force[j])
             };
-            worst = worst.max(excess / self.entry(i, i));
+            worst = worst.max(excess / own);
         }
         worst
     }
 
     /// Projected Gauss-Seidel.
-    fn iterate(&self) -> M::PerContact<f64> {
-        let mut force: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
+    fn iterate(&self) -> Vec<f64> {
+        let mut force = vec![0.0; self.rate.len()];
         for _ in 0..SWEEPS {
             let mut change: f64 = 0.0;
-            for i in self.numbers() {
-                let limit = self.limit.as_ref()[i];
-                let pushed: f64 = self
-                    .numbers()
-                    .map(|j| self.entry(i, j) * force.as_ref()[j])
-                    .sum();
-                let step = -(self.rate.as_ref()[i] + pushed) / self.entry(i, i);
-                let next = (force.as_ref()[i] + step).max(-limit).min(limit);
-                change =
-                    change.max((next - force.as_ref()[i]).abs() / limit.max(f64::MIN_POSITIVE));
-                force.as_mut()[i] = next;
+            for i in 0..force.len() {
+                let limit = self.limit[i];
+                let step = -self.pushed(i, |j| force[j]) / self.compliance[i][i];
+                let next = (force[i] + step).max(-limit).min(limit);
+                change = change.max((next - force[i]).abs() / limit.max(f64::MIN_POSITIVE));
+                force[i] = next;
             }
             if change < 1e-3 * AT_LIMIT {
                 break;
             }
         }
-        Inline::from_fn(|i| {
-            let (f, limit) = (force.as_ref()[i], self.limit.as_ref()[i]);
-            let bound = (self.members)(i) && f.abs() >= limit * (1.0 - AT_LIMIT);
+        let sign = |(f, limit): (&f64, &f64)| {
+            let bound = f.abs() >= limit * (1.0 - AT_LIMIT);
             if bound { f.signum() } else { 0.0 }
-        })
+        };
+        force.iter().zip(&self.limit).map(sign).collect()
     }
 }
 
