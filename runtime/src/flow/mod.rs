@@ -10,14 +10,16 @@ mod family;
 pub mod passage;
 mod reach;
 pub(crate) mod saltation;
+mod sensitivity;
 mod smooth;
 mod told;
 
 pub use determinant::Determinant;
 pub(crate) use drive::{countable, longest, standing, strobes};
-pub use error::{FlowError, SensitivityUndefined};
+pub use error::FlowError;
 pub use event::EventKind;
 pub use family::{ExactFamily, SmoothFamily};
+pub use sensitivity::SensitivityUndefined;
 pub use smooth::SmoothFlow;
 
 use serde::{Deserialize, Serialize};

@@ -15,6 +15,7 @@ mod idle;
 mod observe;
 mod passing;
 mod press;
+mod reaction;
 mod reading;
 mod release;
 mod run;
