@@ -106,9 +106,9 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
         let start = *motion;
         let found = self.chain(motion, &order)?;
         if order.len() > 1 {
-            let mut other = start;
-            order.reverse();
-            self.chain(&mut other, &order)?;
+            let (mut other, mut back) = (start, order.clone());
+            back.reverse();
+            self.chain(&mut other, &back)?;
             if !agree(motion, &other) {
                 return Err(SensitivityUndefined::Simultaneous {
                     contacts: order
