@@ -2,11 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Complex;
 use stickslip::continuation::Kind;
 use stickslip::field::Design;
 use stickslip::flow::{EventKind, Flow, Want};
 use stickslip::model::Model;
-use stickslip::study::{Along, BranchRecord, Case, Dynamics, OrbitRecord, System};
+use stickslip::study::{Along, BranchRecord, Case, Dynamics, OrbitRecord, Switch, System};
 
 use crate::models::{Hammer, flow};
 
@@ -116,6 +117,11 @@ fn branch(hammer: &Hammer, start: [f64; 3], (from, to): (f64, f64)) -> BranchRec
         from,
         to,
     });
+    case.switch = Switch {
+        flips: true,
+        branch_points: false,
+        depth: 1,
+    };
     let branch = System::of::<Hammer, 3>().branch(&case);
     branch.unwrap()
 }
@@ -149,11 +155,6 @@ fn agrees(hammer: &Hammer, branch: &BranchRecord) -> usize {
         let multipliers = &point.floquet.multipliers;
         let trace = (multipliers[0] + multipliers[1]).re;
         let size = 1.0 + trace.abs();
-        let det = (multipliers[0] * multipliers[1]).re;
-        assert!(
-            (det / hit.determinant() - 1.0).abs() < 1e-9,
-            "{det} at {load}"
-        );
         // The saltation grows the error of the orbit by (1 + e)/|v|.
         let grown = 2.0 * (1.0 + E) / speed.abs();
         assert!(
@@ -163,6 +164,21 @@ fn agrees(hammer: &Hammer, branch: &BranchRecord) -> usize {
         hits += 1;
     }
     hits
+}
+
+/// det M = e²ⁿ exp(−cT) with n impacts on every orbit of a branch and of those that leave it; how many there are.
+fn volumes(branch: &BranchRecord) -> usize {
+    for point in &branch.points {
+        let hits = point
+            .word
+            .as_deref()
+            .map_or(0, |word| word.matches("impact(R)").count());
+        let det: Complex<f64> = point.floquet.multipliers.iter().product();
+        let log = 2.0 * hits as f64 * E.ln() - C * point.period;
+        let off = (det.re / log.exp() - 1.0).abs();
+        assert!(off < 1e-9, "{off:e} at {:?}: {:?}", point.r, point.word);
+    }
+    branch.points.len() + branch.branches.iter().map(volumes).sum::<usize>()
 }
 
 #[test]
@@ -179,6 +195,7 @@ fn impacts_begin_in_a_saddle_that_turns_back_and_folds() {
     assert!((branch.special[1].r - 0.09997075362831327).abs() < 1e-9);
     assert!((Hit::at(1.0).load(Hit::at(1.0).turns(1.0)) - 0.09997075362831327).abs() < 1e-14);
     assert!(agrees(&hammer, &branch) > 5);
+    assert!(volumes(&branch) >= branch.points.len());
 }
 
 #[test]
@@ -200,6 +217,8 @@ fn away_from_resonance_impacts_begin_beyond_the_grazing_and_settle_in_a_flip() {
         branch.special[1].r
     );
     assert!(agrees(&hammer, &branch) > 5);
+    // The doubled orbits are hit twice, and have their volume, too.
+    assert!(volumes(&branch) > branch.points.len() + 5);
 }
 
 /// Both orbits between the fold and the grazing: one is stable, the other a saddle near to where its multiplier is infinite.

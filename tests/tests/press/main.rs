@@ -2,6 +2,7 @@
 
 mod audit;
 mod bilinear;
+mod by_hand;
 mod copies;
 mod corner;
 mod derivatives;
@@ -9,6 +10,7 @@ mod follower;
 mod graze;
 mod hopf;
 mod impact;
+mod jumps;
 mod models;
 mod penalty;
 mod pinned;
