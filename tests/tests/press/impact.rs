@@ -12,7 +12,8 @@ use stickslip::study::{Along, BranchRecord, Case, Dynamics, OrbitRecord, System}
 
 use crate::models::{Bouncing, Hammer, Rattle, Valve, flow};
 
-fn case<M: Model<N>, const N: usize>(model: &M, start: &[f64]) -> Case {
+/// A model from this start, sharply.
+pub(crate) fn case<M: Model<N>, const N: usize>(model: &M, start: &[f64]) -> Case {
     let mut case = Case::declared(M::INFO, Dynamics::Exact);
     case.parameters = model.values().as_ref().to_vec();
     case.start = Some(start.to_vec());
@@ -20,7 +21,8 @@ fn case<M: Model<N>, const N: usize>(model: &M, start: &[f64]) -> Case {
     case
 }
 
-fn branch<M: Model<N>, const N: usize>(
+/// Its branch along a parameter.
+pub(crate) fn branch<M: Model<N>, const N: usize>(
     case: &Case,
     parameter: usize,
     (from, to): (f64, f64),
@@ -138,28 +140,6 @@ fn a_ball_keeps_time_with_its_table_in_a_window() {
             .expect("a fold");
         assert!((fold.r - born).abs() < 1e-9, "{} {born}", fold.r);
     }
-}
-
-#[test]
-fn a_valve_flutters_into_its_seat() {
-    let mut rest = Case::declared(Valve::INFO, Dynamics::Exact);
-    rest.along = Some(Along {
-        design: Design::Parameter(Valve::q.index),
-        from: 9.0,
-        to: 8.0,
-    });
-    let system = System::of::<Valve, 3>();
-    let steady = system.equilibria_along(&rest).unwrap();
-    let hopf = &steady.special[0];
-    assert!((hopf.r - 8.491117635183326).abs() < 1e-9);
-    assert!((TAU / hopf.period.unwrap() - 3.0907088479743408).abs() < 1e-9);
-    let valve = Valve {
-        q: 8.3,
-        ..Default::default()
-    };
-    let cycle = case(&valve, &[2.0, 0.0, 12.0]);
-    let branch = branch::<Valve, 3>(&cycle, Valve::q.index, (8.3, 7.0));
-    assert_eq!(branch.special[0].kind, Kind::Grazing);
 }
 
 /// A disc comes down on its seat and turns within 1e-6 of it, above it or below: it is hit or not, and goes on.
