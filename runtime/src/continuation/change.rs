@@ -14,6 +14,8 @@ const WIDE: f64 = 1e-6;
 const TRIALS: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
 /// Share of the step that such a bracket may be: where r turns, it does not change much either.
 const APART: f64 = 1e-3;
+/// Points of a path that are tried beside a border that something lies next to.
+const BESIDE: usize = 40;
 
 /// The points on both sides of a change of regime, each nearer to it than the one before.
 pub(super) struct Change<P> {
@@ -36,6 +38,45 @@ impl<P: Watched> Change<P> {
         let [before, after] = self.nearest();
         let narrow = width([before, after]) <= WIDE && after.share - before.share <= APART;
         self.border.is_some() || self.meeting.is_some() || narrow
+    }
+
+    /// Points of the path so near to the border, on both sides of it, that nothing `passes` between them and it: where it lies
+    /// on the path is known only about, and what happens next to it would be sought where it is not. `None` if nothing
+    /// passes as it is, or if there are none.
+    pub(super) fn beside<Q>(
+        &mut self,
+        path: &mut Q,
+        passes: impl Fn([&P; 2]) -> bool,
+    ) -> Option<[Spot<P>; 2]>
+    where
+        Q: Path<Point = P>,
+    {
+        let border = self.border.as_ref()?;
+        let [come, left] = &border.points;
+        let next = |low: &P, high: &P| passes([low, come]) || !border.last && passes([left, high]);
+        let nearest = |side: &[Spot<P>]| side.iter().nth_back(1).cloned();
+        let (mut low, mut high) = (nearest(&self.before)?, nearest(&self.after)?);
+        let (mut share, mut tried) = (border.share, 0);
+        while next(&low.point, &high.point) {
+            let inside = share > low.share && share < high.share;
+            let point = path.at(share).ok().filter(|_| inside && tried < BESIDE)?;
+            if point.same_regime(&low.point) {
+                low = Spot { share, point };
+            } else if point.same_regime(&high.point) {
+                high = Spot { share, point };
+            } else {
+                return None;
+            }
+            share = 0.5 * (low.share + high.share);
+            tried += 1;
+        }
+        if tried == 0 {
+            return None;
+        }
+        for side in [&mut self.before, &mut self.after] {
+            side.last_mut()?.share = share;
+        }
+        Some([low, high])
     }
 }
 

@@ -150,10 +150,15 @@ impl<Q: Path> Hunt<'_, '_, Q> {
 
     /// A step on which the regime changes: up to the change, the change, and what lies beyond.
     fn change(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
-        let found = change(self.path, [from, to], self.accuracy);
+        let mut found = change(self.path, [from, to], self.accuracy);
+        let monitors = self.monitors;
+        let beside = found.beside(self.path, |ends| passes(monitors, ends));
         let [before, after] = found.nearest();
-        if before.share > from.share {
-            self.step(from, before, halvings);
+        let [low, high] = beside
+            .as_ref()
+            .map_or([before, after], |near| near.each_ref());
+        if low.share > from.share {
+            self.step(from, low, halvings);
         }
         if let Some(border) = &found.border {
             self.located.push(Located {
@@ -184,8 +189,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             let reason = "the events change, and no orbit was found between";
             self.give_up(before, after, reason);
         }
-        if after.share < to.share {
-            self.step(after, to, halvings);
+        if high.share < to.share {
+            self.step(high, to, halvings);
         }
     }
 
@@ -234,6 +239,12 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             reason: reason.to_owned(),
         });
     }
+}
+
+/// Whether something happens between two points of one regime, as far as they tell.
+fn passes<P: Watched>(monitors: &[Monitor<'_, P>], ends: [&P; 2]) -> bool {
+    let crosses = monitors.iter().any(|monitor| monitor.crosses(ends));
+    crosses || ends[0].unstable() != ends[1].unstable()
 }
 
 /// Whether a value hardly changes, as far as it has one.
