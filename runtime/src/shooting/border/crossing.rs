@@ -6,8 +6,9 @@ use super::around::borders;
 use super::candidate::Border as Candidate;
 use super::hit::Met;
 use super::located::{Edge, edge};
+use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{
-    Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem,
+    Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem, changes,
 };
 use crate::field::Work;
 use crate::flow::{EventKind, FlowError, Want};
@@ -138,7 +139,9 @@ fn onwards(
         }
         nearest = (distance, Beyond::Onwards(Box::new(started)));
         // Where it is hit, one multiplier is unbounded at the border.
-        let skips = || passes(found, last, &first) || skips(found, branch, last, &first);
+        let leaves = direction[direction.len() - 1];
+        let passes = || passes(found, last, (&first, leaves));
+        let skips = || passes() || skips(found, branch, last, &first);
         if hit.is_some() || !skips() {
             break;
         }
@@ -146,15 +149,22 @@ fn onwards(
     nearest.1
 }
 
-/// Whether a bifurcation may lie between the border and the first orbit beyond it, as far as multipliers tell: nobody would
-/// look for it there.
-fn passes(found: &Edge, last: &Orbit, first: &Orbit) -> bool {
+/// Whether a bifurcation may lie between the border and the first orbit beyond it, as far as multipliers tell, or the way in
+/// which r goes on: nobody would look for it there. A fold and a flip may leave as many directions unstable as before.
+fn passes(found: &Edge, last: &Orbit, (first, leaves): (&Orbit, f64)) -> bool {
     if found.border.drops {
         return false;
     }
-    let beyond = found.seen_from(last, !found.border.happens, 1.0);
-    let certain = [&beyond, first].map(|orbit| orbit.floquet.growths.marginal() == 0);
-    certain != [true; 2] || beyond.floquet.unstable != first.floquet.unstable
+    let beyond = found.seen_from(last, !found.border.happens, leaves);
+    let both = [&beyond, first];
+    let certain = both.map(|orbit| orbit.floquet.growths.marginal() == 0);
+    let [at, next] = both.map(|orbit| {
+        let multipliers = &orbit.floquet.multipliers;
+        [orbit.heading.slope, fold(multipliers), flip(multipliers)]
+    });
+    certain != [true; 2]
+        || beyond.floquet.unstable != first.floquet.unstable
+        || at.into_iter().zip(next).any(|(at, next)| changes(at, next))
 }
 
 /// Whether another border may lie between this one and the first orbit beyond it: what is short on one side of this one is
