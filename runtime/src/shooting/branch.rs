@@ -8,11 +8,12 @@ use super::bound::unbounded;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::rest::comes_to_rest;
+use super::same::SAME_ORBIT;
 use super::search::Search;
 use super::shot::Shot;
 use super::shrunk::shrunk;
 use super::slip::lets_go;
-use crate::bifurcation::{Kind, PeriodicPoint, explain, monitors};
+use crate::bifurcation::{Kind, explain, monitors};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading,
     Settings, Started, ZeroProblem,
@@ -24,8 +25,6 @@ use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
 const SHARPER: f64 = 0.02;
-/// Two orbits at one r are one if they differ by this share of their extents at most.
-pub(crate) const SAME_ORBIT: f64 = 1e-5;
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
 
@@ -122,9 +121,9 @@ impl Reader for Orbits {
         monitors(self.order)
     }
 
-    /// A shorter orbit, gone around twice: the step went past where the branch meets the one from which it doubles.
+    /// A shorter orbit, gone around several times: the step went past where the branch meets that of the shorter one.
     fn strays(&self, orbit: &Orbit) -> bool {
-        orbit.asymmetry() <= SAME_ORBIT
+        orbit.repeats(SAME_ORBIT)
     }
 
     /// Tells a branch point from one at which a symmetry is lost.

@@ -3,6 +3,11 @@
 use super::orbit::Orbit;
 use crate::motion::apart;
 
+/// Two orbits at one r are one if they differ by this share of their extents at most.
+pub(crate) const SAME_ORBIT: f64 = 1e-5;
+/// Odd numbers of laps in which an orbit may go around a shorter one.
+const ODD: [usize; 3] = [3, 5, 7];
+
 impl Orbit {
     /// Whether both run through the same points of the default section, in the same order, to this
     /// tolerance relative to the extents: at the same r, they are one orbit then, whatever point of it
@@ -25,11 +30,27 @@ impl Orbit {
 
     /// How much the second half differs from the first: see [`crate::bifurcation::Watched::asymmetry`].
     pub(super) fn halves(&self) -> f64 {
+        self.laps(2)
+    }
+
+    /// Whether it goes around a shorter orbit several times, to this tolerance relative to the extents.
+    pub(super) fn repeats(&self, tolerance: f64) -> bool {
+        self.halves() <= tolerance || self.repeats_oddly(tolerance)
+    }
+
+    /// Whether it does so an odd number of times: no flip leads there.
+    pub(super) fn repeats_oddly(&self, tolerance: f64) -> bool {
+        ODD.into_iter().any(|times| self.laps(times) <= tolerance)
+    }
+
+    /// How much one of so many laps differs from the next; infinite if its points cannot be parted like that.
+    fn laps(&self, times: usize) -> f64 {
         let count = self.section.len();
-        if count == 0 || !count.is_multiple_of(2) {
+        if count == 0 || !count.is_multiple_of(times) {
             return f64::INFINITY;
         }
-        let pairs = self.section.iter().zip(&self.section[count / 2..]);
+        let next = self.section.iter().cycle().skip(count / times);
+        let pairs = self.section.iter().zip(next);
         pairs.map(|(p, q)| self.distance(p, q)).fold(0.0, f64::max)
     }
 

@@ -134,7 +134,7 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             value(r)
         ),
         Ending::FallsBack(r) => format!(
-            "at {} it falls back on the branch from which it doubles, however short the step",
+            "at {} it falls back on the branch of a shorter orbit, however short the step",
             value(r)
         ),
         Ending::Closed(r) => format!(

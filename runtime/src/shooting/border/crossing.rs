@@ -58,7 +58,7 @@ pub(in crate::shooting) fn cross(
     let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
     let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());
     located.error = found.error;
-    let beyond = if found.jumps() {
+    let beyond = if found.ends() {
         Beyond::Nothing
     } else {
         onwards(&found, branch, last, work)
@@ -288,6 +288,6 @@ pub(in crate::shooting) fn between(
         points: [side(ends[0], -1.0)?, side(ends[1], 1.0)?],
         share: a / (a + b),
         error: found.error,
-        last: found.jumps(),
+        last: found.ends(),
     })
 }

@@ -14,6 +14,7 @@ use crate::integrate::Tolerance;
 use crate::motion::{Family, sticking};
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::problem::OrbitProblem;
+use crate::shooting::same::SAME_ORBIT;
 use crate::shooting::shot::Shot;
 
 /// Borders that are tried, the nearest first.
@@ -181,6 +182,12 @@ fn read(
 }
 
 impl Edge {
+    /// Whether no orbit continues the branch beyond it: the motion jumps, or all laps become one there, an odd number of
+    /// times.
+    pub(super) fn ends(&self) -> bool {
+        self.jumps() || self.orbit.repeats_oddly(SAME_ORBIT)
+    }
+
     /// Whether the motion jumps beyond it: where force drops, what would be brief is not, but for a stick on the way out.
     pub(super) fn jumps(&self) -> bool {
         self.border.drops && self.kind != Kind::CrossingSliding
