@@ -32,6 +32,14 @@ pub struct Floquet {
     pub growths: Growths,
 }
 
+impl Floquet {
+    /// min |1 − μ|, at most 1: the share of a disturbance along the section that is gone after one period.
+    pub(crate) fn pull(&self) -> f64 {
+        let shares = self.multipliers.iter().map(|one| (one - 1.0).norm());
+        shares.fold(1.0, f64::min).max(f64::EPSILON)
+    }
+}
+
 /// Judges an orbit from its monodromy matrix `monodromy`, the velocity `velocity` at its start,
 /// det Φ where it is known apart from Φ (`determinant`), the number of multipliers that are zero
 /// because contacts stick, and the relative accuracy of Φ. `factors` of Φ, where given, tell apart what

@@ -7,15 +7,60 @@ use super::branch::{Branch, Refusal, TINY};
 use super::corrector::{Corrected, Failure, correct};
 use super::link::Link;
 use super::point::{Base, Point, unit};
-use super::range::Settings;
+use super::range::Stop;
 use super::step::{angles, growth};
 
+/// Failures at one point after which it is tried in other unknowns.
+const PATIENCE: usize = 3;
+/// Ever shorter steps in a row that turn too far, after which it is a corner.
+const CORNER: usize = 5;
+/// The step around it, over the smallest one: it hardly shows any more what lies before the corner.
+const AROUND: f64 = 100.0;
+
+/// A solution, the step that led to it, and why there is none beyond.
+type Stepped<P> = (
+    Corrected<<P as ZeroProblem>::Extra>,
+    f64,
+    Option<Stop<<P as ZeroProblem>::Error>>,
+);
+
 impl<P: ZeroProblem + Clone> Branch<P> {
-    /// One prediction and correction with the present step.
-    pub(super) fn attempt(&mut self, base: &Base) -> Result<Point<P::Extra>, Refusal<P::Error>> {
-        let Settings { accuracy, .. } = self.settings;
-        let n = base.z.len();
-        let scale = self.problem.scale();
+    /// One prediction and correction with the present step; at a `corner` the branch may turn at once.
+    pub(super) fn attempt(
+        &mut self,
+        base: &Base,
+        corner: bool,
+    ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
+        let (accuracy, scale) = (self.settings.accuracy, self.problem.scale());
+        let (corrected, length, stop) = self.step_from(base)?;
+        let direction = base.tangent.clone();
+        let straight = match corner {
+            true => self.tangent(&corrected, &direction)?,
+            false => direction.clone(),
+        };
+        let bend = self.guard(base, &straight, &corrected, &scale)?;
+        let factor = growth(&corrected.corrections, bend);
+        let problem = self.problem.clone();
+        let r_scale = self.r_scale;
+        let before = (problem.clone(), base.clone(), r_scale, length);
+        let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
+        let arrives = self.tangent(&corrected, &direction)?;
+        let accepted = self.accept(corrected, arrives.clone());
+        // What the problem fixed for the new point does not fit the old one.
+        let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
+        let tangents = [direction, arrives];
+        self.link = Some(Link::new(problem, ends, tangents, r_scale, accuracy));
+        self.before = Some(before);
+        self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
+        self.step = (self.step * factor).min(self.settings.largest_step);
+        self.stop = stop;
+        Ok(point)
+    }
+
+    /// The solution a step along the tangent, or at the end of the range if that is nearer; the step, and what it ends.
+    fn step_from(&mut self, base: &Base) -> Result<Stepped<P>, Failure<P::Error>> {
+        let accuracy = self.settings.accuracy;
+        let (n, scale) = (base.z.len(), self.problem.scale());
         let mut length = self.step;
         let slope = base.tangent[n] * self.r_scale;
         let mut normal = base.tangent.clone();
@@ -37,24 +82,53 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             corrected = correct(&mut self.problem, z, r, &unit(n), self.r_scale, accuracy)?;
             end = Some(passed);
         }
-        let bend = self.guard(base, &corrected, &scale)?;
-        let factor = growth(&corrected.corrections, bend);
-        let direction = base.tangent.clone();
-        let problem = self.problem.clone();
-        let r_scale = self.r_scale;
-        let before = (problem.clone(), base.clone(), r_scale, length);
-        let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
-        let arrives = self.tangent(&corrected, &direction)?;
-        let accepted = self.accept(corrected, arrives.clone());
-        // What the problem fixed for the new point does not fit the old one.
-        let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
-        let tangents = [direction, arrives];
-        self.link = Some(Link::new(problem, ends, tangents, r_scale, accuracy));
-        self.before = Some(before);
-        self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
-        self.step = (self.step * factor).min(self.settings.largest_step);
-        self.stop = end.map(|(_, stop)| stop);
-        Ok(point)
+        Ok((corrected, length, end.map(|(_, stop)| stop)))
+    }
+
+    /// The next point, by ever shorter steps; `None` where none is short enough.
+    pub(super) fn shorter_steps(&mut self) -> Option<Point<P::Extra>> {
+        let mut base = self.point.clone()?;
+        let (step, mut failures, mut turns) = (self.step, 0, 0);
+        loop {
+            let (ends, stop) = match self.attempt(&base, false) {
+                Ok(point) => {
+                    self.turned &= self.tiny > 0;
+                    return Some(point);
+                }
+                Err(Refusal::Refused(error)) => (P::ends(&error), Stop::Refused(error)),
+                Err(Refusal::Retry(Failure::Evaluation(why))) if !P::ends(&why) => {
+                    (false, Stop::Refused(why))
+                }
+                Err(Refusal::Retry(failure)) => (false, Stop::StepTooSmall(failure)),
+            };
+            failures += 1;
+            let turned = matches!(stop, Stop::StepTooSmall(Failure::Angle { .. }));
+            turns = if turned { turns + 1 } else { 0 };
+            if !ends
+                && failures % PATIENCE == 0
+                && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
+            {
+                base = moved;
+                self.step = step;
+            }
+            self.step *= 0.4;
+            if ends || self.step < self.settings.smallest_step {
+                self.corner = (turns >= CORNER).then(|| (base, stop.clone()));
+                self.stop = Some(stop);
+                return None;
+            }
+        }
+    }
+
+    /// The point just beyond a corner, from which the branch goes on straight; `None` if there is none.
+    pub(super) fn around(&mut self, base: &Base, stop: Stop<P::Error>) -> Option<Point<P::Extra>> {
+        self.step = AROUND * self.settings.smallest_step;
+        let found = self.attempt(base, true).ok();
+        match found {
+            Some(_) => (self.turned, self.step) = (true, TINY),
+            None => self.stop = Some(stop),
+        }
+        found
     }
 
     /// The same point in other unknowns, if the problem knows any: from there a step may succeed.
@@ -82,6 +156,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     fn guard(
         &self,
         base: &Base,
+        tangent: &DVector<f64>,
         corrected: &Corrected<P::Extra>,
         scale: &DVector<f64>,
     ) -> Result<f64, Failure<P::Error>> {
@@ -91,7 +166,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             .rows_mut(0, n)
             .copy_from(&(&corrected.z - &base.z).component_div(scale));
         chord[n] = (corrected.r - base.r) / self.r_scale;
-        let (beta_1, beta_2) = angles(&base.tangent, &chord);
+        let (beta_1, beta_2) = angles(tangent, &chord);
         let turned = chord.rows(0, n).norm() > 1e-3 * chord.norm() && beta_2 > self.settings.beta_2;
         if beta_1 > self.settings.beta_1 || turned {
             return Err(Failure::Angle {

@@ -48,6 +48,11 @@ pub trait Watched: Clone {
         true
     }
 
+    /// The same as far as the errors of both tell.
+    fn seems_in_regime_of(&self, other: &Self) -> bool {
+        self.same_regime(other)
+    }
+
     /// The time between the two events that happen in the other order in the regime of `other`, if that is all by which
     /// they differ; zero, if they happen at once here and one after the other there.
     fn exchanged(&self, _other: &Self) -> Option<f64> {

@@ -1,7 +1,5 @@
 //! From a guess to a converged periodic orbit with an estimate of its error.
 
-use nalgebra::Complex;
-
 use super::anchor::{anchored, once_around, problem};
 use super::error::OrbitError;
 use super::guess::Guess;
@@ -12,7 +10,6 @@ use super::pin::through;
 use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
-use crate::bifurcation::Floquet;
 use crate::continuation::{Corrected, Failure, ZeroProblem, correct_at};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
@@ -165,7 +162,7 @@ pub(super) fn from(
     };
     let mut orbit = Orbit::read(family, solution, error, work);
     // What hardly attracts keeps the error of each period: two runs may agree by chance.
-    let least = CHANCE * tolerance.explicit().relative / pull(&orbit.floquet);
+    let least = CHANCE * tolerance.explicit().relative / orbit.floquet.pull();
     // Extrema are those of the last motion, one correction away from the orbit.
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * orbit.error_estimate.max(least).max(last);
@@ -188,16 +185,6 @@ fn pinned(
     };
     pinned.pins = pins(family, r, &pinned);
     (!pinned.pins.is_empty()).then_some(pinned)
-}
-
-/// min |1 − μ|, at most 1: the share of a disturbance along the section that is gone after one period.
-fn pull(floquet: &Floquet) -> f64 {
-    let one = Complex::new(1.0, 0.0);
-    let shares = floquet
-        .multipliers
-        .iter()
-        .map(|multiplier| (one - multiplier).norm());
-    shares.fold(1.0, f64::min).max(f64::EPSILON)
 }
 
 type Converged = (Found, OrbitProblem);

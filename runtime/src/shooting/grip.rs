@@ -107,6 +107,9 @@ pub(super) fn passes(
 ) -> Crossing<OrbitProblem, Orbit> {
     let mut located = Located::at(Kind::VanishingSegment, r, last.clone());
     (located.point.r, located.error) = (r, error + NOISE * accuracy * r.abs());
+    let there = beyond.0.problem.family.at(r).ok();
+    let period = there.and_then(|flow| once(flow.as_ref(), &last.place, last.period));
+    located.point.period = period.unwrap_or(last.period);
     Crossing {
         located,
         beyond: Beyond::Onwards(Box::new(beyond)),

@@ -6,6 +6,11 @@ use crate::continuation::Watched;
 use crate::field::Work;
 use crate::motion::{Modes, Segment};
 
+/// A stretch this many times shorter than the errors of an orbit tell may as well be none; the most that is left out, of a
+/// period.
+const BRIEF: f64 = 10.0;
+const BRIEFEST: f64 = 1e-6;
+
 impl Watched for Orbit {
     fn r(&self) -> f64 {
         self.r
@@ -38,6 +43,10 @@ impl Watched for Orbit {
     /// Whether both orbits run through the same modes in the same cyclic order.
     fn same_regime(&self, other: &Self) -> bool {
         self.has_word_of(other, 1)
+    }
+
+    fn seems_in_regime_of(&self, other: &Self) -> bool {
+        self.same_regime(other) || turns_into(&self.lasting(), &other.lasting(), 1)
     }
 
     fn exchanged(&self, other: &Self) -> Option<f64> {
@@ -106,15 +115,30 @@ impl Orbit {
     /// Whether its event word is that of `other`, gone around so many times.
     pub(super) fn has_word_of(&self, other: &Self, times: usize) -> bool {
         let (a, b) = (stretches(self), stretches(other));
-        // A motion without events is one stretch however long it is.
-        let length = if b.len() > 1 || b.iter().any(|one| one.impact.is_some()) {
-            times * b.len()
-        } else {
-            b.len()
-        };
-        let turned = |by: usize| (0..a.len()).all(|i| a[i].is_like(&b[(i + by) % b.len()]));
-        a.len() == length && (0..b.len().max(1)).any(turned)
+        turns_into(&a, &b, times)
     }
+
+    /// The stretches once around that last longer than the error of their ends: those of contacts that move alike are left in
+    /// an order that rounding chooses.
+    fn lasting(&self) -> Vec<Stretch<'_>> {
+        let error = BRIEF * self.error_estimate / self.floquet.pull();
+        let brief = error.min(BRIEFEST) * self.period;
+        let mut stretches = stretches(self);
+        stretches.retain(|one| one.impact.is_some() || one.duration > brief);
+        stretches
+    }
+}
+
+/// Whether `a` is `b` gone around so many times, from wherever it begins.
+fn turns_into(a: &[Stretch<'_>], b: &[Stretch<'_>], times: usize) -> bool {
+    // A motion without events is one stretch however long it is.
+    let length = if b.len() > 1 || b.iter().any(|one| one.impact.is_some()) {
+        times * b.len()
+    } else {
+        b.len()
+    };
+    let turned = |by: usize| (0..a.len()).all(|i| a[i].is_like(&b[(i + by) % b.len()]));
+    a.len() == length && (0..b.len().max(1)).any(turned)
 }
 
 /// A stretch of an orbit between two events.

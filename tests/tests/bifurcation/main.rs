@@ -1,5 +1,6 @@
 //! Branches, what happens on them, and where else motions end.
 
+mod alike;
 mod atlas;
 mod borders;
 mod branch;

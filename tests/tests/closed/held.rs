@@ -1,5 +1,7 @@
 //! Where friction begins and ceases to hold a mass all along an orbit, in closed form.
 
+use std::f64::consts::TAU;
+
 use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, Stability, System};
@@ -170,6 +172,8 @@ fn a_mass_comes_to_rest_beyond_a_resonance() {
     let case = Case::of(&Pulled::default()).following(Pulled::beta, 1.2..0.8);
     let branch = System::of::<Pulled, _>().branch(&case).unwrap();
     comes_to_rest(&branch, rest);
+    let special = branch.special.last().unwrap();
+    assert!((special.period * special.r / TAU - 1.0).abs() < 1e-12);
     let last = branch.points.last().unwrap();
     assert_eq!(last.floquet.stability, Stability::Stable);
     let swing = 0.5 * (last.max[0] - last.min[0]);

@@ -24,6 +24,9 @@ pub struct Branch<P: ZeroProblem> {
     pub(super) count: usize,
     /// Steps in a row that were tiny.
     pub(super) tiny: usize,
+    /// Where it turns however short the step is, and whether it has just done so.
+    pub(super) corner: Option<(Base, Stop<P::Error>)>,
+    pub(super) turned: bool,
     pub(super) stop: Option<Stop<P::Error>>,
 }
 
@@ -38,8 +41,6 @@ const CREEPING: usize = 300;
 
 /// Unknowns of one solution, begun at another place of it, are corrected by no more than this.
 const SAME: f64 = 1e-3;
-/// Failures at one point after which it is tried in other unknowns.
-const PATIENCE: usize = 3;
 
 /// Why a step was not made.
 pub(super) enum Refusal<E> {
@@ -96,6 +97,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             link: None,
             before: None,
             tiny: 0,
+            corner: None,
+            turned: false,
             step: settings.first_step,
             stop: (settings.to == settings.from).then_some(Stop::ReachedEnd),
             count: 0,
@@ -156,7 +159,16 @@ impl<P: ZeroProblem + Clone> Branch<P> {
 
     /// Tries once more where no step was small enough.
     pub(super) fn resume(&mut self) {
-        (self.step, self.stop) = (self.settings.first_step, None);
+        (self.step, self.stop, self.corner) = (self.settings.first_step, None, None);
+    }
+
+    /// Whether it may go on around a corner, where it stopped.
+    pub(super) fn turn(&mut self) -> bool {
+        let turns = self.corner.is_some() && !self.turned;
+        if turns {
+            self.stop = None;
+        }
+        turns
     }
 
     /// Goes on from a corrected point with its tangent.
@@ -262,30 +274,9 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
             self.stop = Some(Stop::Creeping(TINY));
             return None;
         }
-        let mut base = self.point.clone()?;
-        let (step, mut failures) = (self.step, 0);
-        loop {
-            let (ends, stop) = match self.attempt(&base) {
-                Ok(point) => return Some(point),
-                Err(Refusal::Refused(error)) => (P::ends(&error), Stop::Refused(error)),
-                Err(Refusal::Retry(Failure::Evaluation(why))) if !P::ends(&why) => {
-                    (false, Stop::Refused(why))
-                }
-                Err(Refusal::Retry(failure)) => (false, Stop::StepTooSmall(failure)),
-            };
-            failures += 1;
-            if !ends
-                && failures % PATIENCE == 0
-                && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
-            {
-                base = moved;
-                self.step = step;
-            }
-            self.step *= 0.4;
-            if ends || self.step < self.settings.smallest_step {
-                self.stop = Some(stop);
-                return None;
-            }
+        match self.corner.take() {
+            Some((base, stop)) => self.around(&base, stop),
+            None => self.shorter_steps(),
         }
     }
 }

@@ -81,7 +81,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     }
 
     fn step(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
-        if !from.point.same_regime(&to.point) {
+        if !from.point.seems_in_regime_of(&to.point) {
             return self.change(from, to, halvings);
         }
         match self.events([from, to]) {
@@ -112,7 +112,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             let [a, b] = ends.map(&monitor.test);
             !changes(a, b) && dips([a, (monitor.test)(&middle), b])
         };
-        !middle.same_regime(ends[0]) || self.monitors.iter().any(dips)
+        !middle.seems_in_regime_of(ends[0]) || self.monitors.iter().any(dips)
     }
 
     fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
@@ -205,7 +205,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             }
             let left = Cell::new(false);
             let test = |point: &Q::Point| {
-                left.set(left.get() || !point.same_regime(points[0]));
+                left.set(left.get() || !point.seems_in_regime_of(points[0]));
                 (monitor.test)(point)
             };
             let mut at = zero(self.path, ends, test, self.accuracy)?;
