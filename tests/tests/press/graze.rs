@@ -228,9 +228,9 @@ fn two_orbits_are_hit_between_fold_and_grazing() {
         load: 0.09999,
         ..Default::default()
     };
-    for (speed, multiplier) in [
+    for (speed, saddle) in [
         (-0.005957441202954261, None),
-        (-0.0006210078273581231, Some(12.124025306)),
+        (-0.0006210078273581231, Some([12.124025306, 0.028161635239])),
     ] {
         let mut case = Case::declared(Hammer::INFO, Dynamics::Exact);
         case.parameters = hammer.values().as_ref().to_vec();
@@ -246,9 +246,12 @@ fn two_orbits_are_hit_between_fold_and_grazing() {
         let found = departure(&hammer, &orbit, hammer.load);
         assert!((found - speed).abs() < 1e-10, "{found} {speed}");
         let trace: f64 = orbit.floquet.multipliers.iter().map(|m| m.re).sum();
-        assert!((trace - Hit::at(1.0).trace(speed)).abs() < 1e-7, "{trace}");
-        if let Some(multiplier) = multiplier {
-            assert!((orbit.floquet.multipliers[0].re - multiplier).abs() < 1e-7);
+        // An impact so slow passes on rounding errors of its speed 2·10⁴ times.
+        assert!((trace - Hit::at(1.0).trace(speed)).abs() < 2e-8, "{trace}");
+        if let Some(saddle) = saddle {
+            for (found, expected) in orbit.floquet.multipliers.iter().zip(saddle) {
+                assert!((found.re - expected).abs() < 2e-8, "{found} {expected}");
+            }
             assert_eq!(orbit.floquet.unstable, 1);
         } else {
             assert_eq!(orbit.floquet.unstable, 0);
