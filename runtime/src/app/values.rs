@@ -45,6 +45,11 @@ pub(super) struct Assignment {
 impl Assignment {
     pub(super) fn read(option: &str, word: &str) -> Result<Self, Failure> {
         let (name, value) = both_sides(option, word)?;
+        if value.contains('=') {
+            return refuse!(
+                "`{option} {word}` assigns more than once: write `{option}` before each"
+            );
+        }
         Ok(Self {
             word: word.to_owned(),
             name: name.to_owned(),
@@ -147,4 +152,19 @@ pub(super) fn one_of<T: Copy, const COUNT: usize>(
     word: &str,
 ) -> Result<T, Failure> {
     Ok(all[place(what, word, &all.map(name))?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_assignment_has_its_option() {
+        let told = Assignment::read("--set", "a=1,b=2").map_err(|failure| failure.to_string());
+        assert!(told.is_err_and(|words| words.contains("`--set` before each")));
+        assert_eq!(
+            Assignment::read("--set", "a=1").map(|one| one.value),
+            Ok(1.0)
+        );
+    }
 }

@@ -140,11 +140,11 @@ impl<R: Reader> Walk<'_, R> {
             return self.pass(crossing);
         }
         let reason = self.followed.reader.explain(&self.points);
-        if reason.is_none() && self.followed.branch.turn() {
-            return None;
-        }
         let sharper = R::SHARPER < 1.0 && matches!(stop, Stop::StepTooSmall(_));
         if reason.is_none() && sharper && self.followed.sharpen() {
+            return None;
+        }
+        if reason.is_none() && self.followed.branch.turn() {
             return None;
         }
         Some(reason.map_or(Ending::Stopped(stop), |reason| self.end(reason)))

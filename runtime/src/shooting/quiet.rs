@@ -2,6 +2,9 @@
 
 /// Share of what a state has moved below which it moves no more.
 const NOTHING: f64 = 1e-7;
+/// A state moves that changes by more than this share of what it ever did, and by more than noise.
+const MOVES: f64 = 1e-3;
+const NOISE: f64 = 1e-9;
 /// Spans without motion, each twice as long as the one before.
 const SPANS: u32 = 8;
 /// What creeps goes twice as far in twice the time, and errors of the integrator do not: so often is what they grow by.
@@ -47,6 +50,13 @@ impl Quiet {
         }
         self.moved[1] = moved;
         self.spans += 1;
+    }
+
+    /// Which states move by these extents that count for something beside where they are and what they ever did.
+    pub(super) fn moving(&self, state: &[f64], extents: &[f64]) -> Vec<usize> {
+        let size = |j: usize| state[j].abs().max(self.reach[j]);
+        let moves = |j: &usize| extents[*j] > (MOVES * size(*j)).max(NOISE);
+        (0..extents.len()).filter(moves).collect()
     }
 
     /// Whether it has been quiet for so long that it will be so for ever.

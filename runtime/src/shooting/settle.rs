@@ -52,7 +52,8 @@ pub fn settle<T>(
     let steps = STEPS.min(ADVANCED / flow.order().max(1) as u64);
     while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < steps {
         let crossings = watch.follow(flow, chunk)?;
-        let rests = watch.at_rest() || (crossings < ENOUGH && watch.quiet.lasts());
+        let faded = watch.has_faded() && !watch.moves_elsewhere(flow);
+        let rests = faded || (crossings < ENOUGH && watch.quiet.lasts());
         if flow.phase().is_none() && rests {
             return Ok(Settled::Equilibrium(watch.place.state.clone()));
         }
@@ -172,11 +173,19 @@ impl Watch {
         )
     }
 
-    fn at_rest(&self) -> bool {
+    /// Whether the first state hardly swings any more.
+    fn has_faded(&self) -> bool {
         let size = self.place.state[0].abs().max(self.first_extent);
         self.swings
             .last()
             .is_some_and(|&swing| swing <= VANISHED * size)
+    }
+
+    /// Whether others move though the first state does not: it need not feel them.
+    fn moves_elsewhere(&self, flow: &dyn Flow) -> bool {
+        let moving = self.quiet.moving(&self.place.state, &self.extent);
+        let shifts = || Shifts::of(flow, &self.magnitude());
+        !moving.is_empty() && !moving.iter().all(|&j| shifts().may_run(j))
     }
 
     /// Whether the state hardly moves over the time watched.

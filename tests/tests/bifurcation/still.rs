@@ -6,7 +6,7 @@ use stickslip::field::Design;
 use stickslip::model;
 use stickslip::model::Model;
 use stickslip::study::{Along, Case, Dynamics, System};
-use stickslip_models::friction::Coulomb;
+use stickslip_models::friction::{Coulomb, Weakening};
 
 model! {
     /// A valve that sticks between a tank and a controller with integral action.
@@ -76,4 +76,28 @@ fn without_its_friction_it_has_the_equilibria_of_the_rest() {
     assert_eq!(hopf.kind, Kind::Hopf);
     assert!(hopf.r.abs() < 1e-9, "{}", hopf.r);
     assert_eq!(branch.points.last().and_then(|point| point.r), Some(0.3));
+}
+
+model! {
+    /// A damped mass that swings to rest beside one that sticks and slips on a belt for ever; neither feels the other.
+    struct Apart {
+        state x: 1 = 1.0;
+        state v: 1 = 0.0;
+        state y: 1 = 0.0;
+        state w: 1 = 0.0;
+        param belt: 1 = 0.2;
+        friction F: 1 = Weakening { limit: 1.0, decay: 3.0 } opposing w - belt;
+        der(x) = v;
+        der(v) = -x - v;
+        der(y) = w;
+        der(w) = F - y;
+    }
+}
+
+/// It was told as rest, since the first state had come to it.
+#[test]
+fn what_moves_beside_a_state_at_rest_is_no_equilibrium() {
+    let found = System::of::<Apart, _>().orbit(&Case::of(&Apart::default()));
+    let told = found.map_or_else(|error| error.to_string(), |orbit| orbit.period.to_string());
+    assert!(!told.contains("equilibrium"), "{told}");
 }
