@@ -100,7 +100,7 @@ pub(super) fn change<Q: Path>(
             found.meeting = Some((spot, error));
             break;
         }
-        if width(ends) <= SETTLED * accuracy {
+        if width(ends) <= SETTLED * accuracy && !exchange::turns(ends) {
             break;
         }
         let due = iteration % EVERY == 0 && iteration <= SOUGHT;

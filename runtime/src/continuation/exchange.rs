@@ -1,5 +1,6 @@
 //! Where on a path two events exchange their order.
 
+use super::monitor::changes;
 use super::path::{Path, Spot, Watched};
 use super::root::{DOUBT, SETTLED};
 
@@ -59,9 +60,15 @@ impl Exchange {
     }
 }
 
+/// Whether r turns between both ends: how near they are in it says nothing then.
+pub(super) fn turns<P: Watched>(ends: [&Spot<P>; 2]) -> bool {
+    let [from, to] = ends.map(|spot| spot.point.slope());
+    changes(from, to)
+}
+
 /// Where both events happen at once, as far as r can tell at `accuracy`: at an end.
 pub(super) fn met<P: Watched>(ends: [&Spot<P>; 2], accuracy: f64) -> Option<Spot<P>> {
-    let times = times(ends)?;
+    let times = times(ends).filter(|_| !turns(ends))?;
     let nearer = ends[usize::from(times[1] < times[0])];
     let r = nearer.point.r();
     let off = times[0].min(times[1]) * rate(ends, times);
