@@ -104,6 +104,8 @@ pub struct Unexplained {
 
 /// The share of a step that goes along the design variable below which it has no sign.
 const SLOPE: f64 = 1e-3;
+/// Angle by which a branch may turn beyond a point at which it is not smooth, rad: as much as on any step.
+const BEND: f64 = 0.35;
 
 impl<P: Watched> Findings<P> {
     /// Whether the branch, beyond a point at which it is not smooth, has been taken up the wrong way round.
@@ -117,12 +119,25 @@ impl<P: Watched> Findings<P> {
         })
     }
 
-    /// Whether the design variable turns on a smooth step though nothing was found there: the step went past what its
-    /// unknowns can tell, and they come round to the solutions before it.
+    /// Whether the branch turns so much between the last point at which it is not smooth and this one that what lies between
+    /// them may be another part of it, as far as its slopes tell.
+    pub(super) fn bends(&self, to: &P) -> bool {
+        let corner = self.located.iter().rfind(|found| !found.left.is_nan());
+        corner.is_some_and(|corner| {
+            let [left, arrives] =
+                [corner.left, to.slope()].map(|slope| slope.clamp(-1.0, 1.0).acos());
+            (left - arrives).abs() > BEND
+        })
+    }
+
+    /// Whether the design variable turns though nothing was found at which it does: the step went past what its unknowns
+    /// can tell, and they come round to the solutions before it.
     pub(super) fn turns_unseen(&self, ends: [&P; 2]) -> bool {
         let [from, to] = ends.map(Watched::slope);
         let turns = from * to < 0.0 && from.abs().max(to.abs()) > SLOPE;
-        turns && self.located.is_empty() && ends[0].same_regime(ends[1])
+        // Where two events change their order, r goes on as before.
+        let goes_on = |one: &Located<P>| one.kind == Kind::VanishingSegment && one.left.is_nan();
+        turns && self.located.iter().all(goes_on) && ends[0].same_regime(ends[1])
     }
 }
 

@@ -177,13 +177,11 @@ impl<R: Reader> Walk<'_, R> {
         };
         let findings = detect(&mut path, &self.followed.reader.monitors(), ends, accuracy);
         let turns = R::TURNS_AT_FOLDS && findings.turns_unseen(ends);
-        if !findings.unexplained.is_empty() || findings.runs_back(point) || turns {
+        let link = self.followed.branch.link();
+        let short = link.is_some_and(|link| link.length() <= SHORT);
+        let bends = !short && findings.bends(point);
+        if !findings.unexplained.is_empty() || findings.runs_back(point) || turns || bends {
             // Beyond a border, what was found need not be the same motion any more.
-            let short = self
-                .followed
-                .branch
-                .link()
-                .is_some_and(|link| link.length() <= SHORT);
             if short && let Some(crossing) = self.crossing() {
                 self.keep(findings, &crossing.located);
                 return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
@@ -260,8 +258,16 @@ impl<R: Reader> Walk<'_, R> {
             Verdict::Again
         } else {
             let reason = self.followed.reader.explain(&self.points);
-            let falls = Ending::FallsBack(point.r());
-            Verdict::End(reason.map_or(falls, |reason| self.end(reason)))
+            let ending = match (reason, point.r()) {
+                (Some(reason), _) => self.end(reason),
+                (None, r) => match self.crossing() {
+                    Some(crossing) => {
+                        return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
+                    }
+                    None => Ending::FallsBack(r),
+                },
+            };
+            Verdict::End(ending)
         }
     }
 

@@ -150,6 +150,34 @@ fn both_halves_become_one_at_any_accuracy() {
     }
 }
 
+/// Where the orbit of a drive is about to stick, one leaves it that goes around three times. Followed back, that ends there: it
+/// neither becomes the shorter orbit three times over nor runs back along itself.
+#[test]
+fn an_orbit_that_triples_ends_where_its_laps_become_one() {
+    let given = [
+        (ForcedBelt::m, 1.015_592_596_388_482_2),
+        (ForcedBelt::k, 0.616_387_115_457_787_7),
+        (ForcedBelt::v_dr, 0.970_845_588_447_159_4),
+        (ForcedBelt::omega, 1.120_440_021_709_005),
+        (ForcedBelt::F_s, 0.567_908_628_087_658_7),
+        (ForcedBelt::delta, 0.521_090_650_234_192_1),
+    ];
+    for accuracy in [1e-9, 3.9e-9] {
+        let range = (0.434_679_490_763_142_6, 0.945_842_140_698_558_1);
+        let found = branch(&given, ForcedBelt::load, range, |case| {
+            case.accuracy = accuracy
+        });
+        let points = found.points.iter();
+        let loads: Vec<f64> = points.filter_map(|point| point.r).collect();
+        assert!(loads.is_sorted(), "{loads:?}");
+        let last = found.points.last().expect("points");
+        assert!((last.period * given[3].1 / TAU - 3.0).abs() < 1e-9);
+        assert!((0.588_3..0.588_331).contains(&loads[loads.len() - 1]));
+        let names: Vec<&str> = named(&found).iter().map(|one| one.0).collect();
+        assert_eq!(names, ["SS1"]);
+    }
+}
+
 /// "No orbit continues it" was said of the graze at the one accuracy, and not at the others.
 #[test]
 #[ignore = "long"]
