@@ -50,6 +50,27 @@ fn meeting<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> 
     })
 }
 
+/// The same where the next orbit was the one that is gone around twice, so that two points suffice: on a border halves differ
+/// by as much as r is away from it, in a flip by the root of that, and what both say is what is known.
+pub fn falls<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> {
+    let seen = |point: &P| (point.asymmetry(), point.r());
+    let last = points.last()?;
+    let near = seen(last);
+    let mut earlier = points.iter().rev().map(seen);
+    let far = earlier.find(|(size, _)| *size >= APART.sqrt() * near.0)?;
+    let zero = |power: i32| {
+        let (x, y) = (far.0.powi(power), near.0.powi(power));
+        (x * near.1 - y * far.1) / (x - y)
+    };
+    let (at, other) = (zero(2), zero(1));
+    (near.0 <= CLOSING && at.is_finite() && other.is_finite()).then(|| {
+        let mut met = Located::at(Kind::Flip, at, last.clone());
+        met.error = DOUBT * (at - other).abs() + WEIGHT * accuracy * at.abs();
+        met.last = true;
+        met
+    })
+}
+
 /// Where r stands still while the period goes on changing.
 fn turning<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> {
     if points.len() < POINTS {

@@ -13,7 +13,7 @@ mod stability;
 pub mod test_function;
 
 pub use crate::continuation::Kind;
-pub use ending::explain;
+pub use ending::{explain, falls};
 pub use floquet::{Floquet, floquet};
 pub use growth::{Growth, Growths};
 pub use monitors::monitors;

@@ -71,6 +71,11 @@ pub trait Reader: Clone {
         None
     }
 
+    /// The special point that these points lead to, the next one being that of a shorter orbit.
+    fn falls(&self, _points: &[Self::Point]) -> Option<Located<Self::Point>> {
+        None
+    }
+
     /// The point to which a branch comes after these, the next one being refused for this reason; `None` if it is none.
     fn refused(
         &self,

@@ -258,16 +258,14 @@ impl<R: Reader> Walk<'_, R> {
             Verdict::Again
         } else {
             let reason = self.followed.reader.explain(&self.points);
-            let ending = match (reason, point.r()) {
-                (Some(reason), _) => self.end(reason),
-                (None, r) => match self.crossing() {
-                    Some(crossing) => {
-                        return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
-                    }
-                    None => Ending::FallsBack(r),
-                },
-            };
-            Verdict::End(ending)
+            if reason.is_none()
+                && let Some(crossing) = self.crossing()
+            {
+                return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
+            }
+            let reason = reason.or_else(|| self.followed.reader.falls(&self.points));
+            let ending = reason.map(|reason| self.end(reason));
+            Verdict::End(ending.unwrap_or(Ending::FallsBack(point.r())))
         }
     }
 

@@ -13,7 +13,7 @@ use super::search::Search;
 use super::shot::Shot;
 use super::shrunk::shrunk;
 use super::slip::lets_go;
-use crate::bifurcation::{Kind, explain, monitors};
+use crate::bifurcation::{Kind, explain, falls, monitors};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading,
     Settings, Started, ZeroProblem,
@@ -162,6 +162,10 @@ impl Reader for Orbits {
 
     fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {
         explain(orbits, self.accuracy)
+    }
+
+    fn falls(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {
+        falls(orbits, self.accuracy)
     }
 
     fn refused(
