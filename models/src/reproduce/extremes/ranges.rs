@@ -203,8 +203,7 @@ pub fn ranges() -> Vec<Range> {
         parameter(DrillString::zeta, "*ζ*", drill_string)
             .zero(Digits(8))
             .at(-8..=-2, Digits(8))
-            .at(-1..=1, Refused("equilibrium"))
-            .at(2..=2, Refused("flow")),
+            .at(-1..=2, Refused("equilibrium")),
         parameter(BeltPair::v_dr, "*V*_{dr}", none).at(-2..=3, Digits(6)),
         range(
             BeltPair::alpha,
@@ -212,7 +211,7 @@ pub fn ranges() -> Vec<Range> {
             "*α*",
             belt_pair_together,
         )
-        .zero(Refused("not isolated"))
+        .zero(Digits(8))
         .at(-6..=-6, Digits(5))
         .at(-5..=6, Digits(7)),
         parameter(BeltPair::beta, "*β*", none).at(-6..=0, Digits(7)),
