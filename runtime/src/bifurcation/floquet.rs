@@ -33,6 +33,12 @@ pub struct Floquet {
 }
 
 impl Floquet {
+    /// max |μ|: what a disturbance grows to in one period.
+    pub(crate) fn growth(&self) -> f64 {
+        let sizes = self.multipliers.iter().map(|one| one.norm());
+        sizes.fold(0.0, f64::max)
+    }
+
     /// min |1 − μ|, at most 1: the share of a disturbance along the section that is gone after one period.
     pub(crate) fn pull(&self) -> f64 {
         let shares = self.multipliers.iter().map(|one| (one - 1.0).norm());

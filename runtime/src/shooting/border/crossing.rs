@@ -265,10 +265,12 @@ pub(in crate::shooting) fn between(
     accuracy: f64,
 ) -> Option<Border<Orbit>> {
     let whole = ends[0].away(ends[1]);
+    // Ends that are one but for their errors, which grow along the orbit, need not lie on both sides of it.
+    let grown = ends.map(|end| end.floquet.growth()).into_iter();
+    let errors = (accuracy * grown.fold(NOISE, f64::max)).min(CLOSE);
     let inside = |found: &Edge| {
         let [a, b] = ends.map(|end| found.orbit.away(end));
-        // Ends that are one but for their errors need not lie on both sides of it.
-        a.max(b) <= (BETWEEN * whole).max(NOISE * accuracy) && ahead(ends, found.orbit.r, accuracy)
+        a.max(b) <= (BETWEEN * whole).max(errors) && ahead(ends, found.orbit.r, accuracy)
     };
     let (family, scale) = (problem.family.clone(), problem.scale());
     let found = [0, 1].into_iter().find_map(|i| {
