@@ -3,7 +3,7 @@
 use super::Kind;
 use super::periodic::PeriodicPoint;
 use crate::continuation::Located;
-use crate::math::at_zero;
+use crate::math::{at_zero, line};
 
 /// Points that are looked at.
 const POINTS: usize = 8;
@@ -59,8 +59,8 @@ pub fn falls<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>
     let mut earlier = points.iter().rev().map(seen);
     let far = earlier.find(|(size, _)| *size >= APART.sqrt() * near.0)?;
     let zero = |power: i32| {
-        let (x, y) = (far.0.powi(power), near.0.powi(power));
-        (x * near.1 - y * far.1) / (x - y)
+        let [far, near] = [far, near].map(|(size, r)| (size.powi(power), r));
+        line(far, near)
     };
     let (at, other) = (zero(2), zero(1));
     (near.0 <= CLOSING && at.is_finite() && other.is_finite()).then(|| {

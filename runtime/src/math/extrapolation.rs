@@ -9,9 +9,13 @@ pub(crate) struct Extrapolated {
     pub(crate) lines: [f64; 2],
 }
 
+/// The value at zero of the line through two points (x, value); not finite where they are one.
+pub(crate) fn line((x, p): (f64, f64), (y, q): (f64, f64)) -> f64 {
+    (x * q - y * p) / (x - y)
+}
+
 /// Neville's scheme for points (x, value), the nearest to zero last; not finite where two of them are one.
 pub(crate) fn at_zero([far, middle, near]: [(f64, f64); 3]) -> Extrapolated {
-    let line = |(x, p): (f64, f64), (y, q): (f64, f64)| (x * q - y * p) / (x - y);
     let lines = [line(middle, near), line(far, middle)];
     Extrapolated {
         value: line((far.0, lines[1]), (near.0, lines[0])),

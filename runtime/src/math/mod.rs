@@ -7,7 +7,7 @@ pub mod interval;
 pub mod slope;
 mod spread;
 
-pub(crate) use extrapolation::at_zero;
+pub(crate) use extrapolation::{at_zero, line};
 pub(crate) use spread::Spread;
 
 use crate::scalar::Scalar;

@@ -54,8 +54,7 @@ fn approaches(flow: &dyn Flow, guess: &Guess, orbit: &Orbit) -> Result<bool, Flo
     if before > NEAR || before <= ON && !undecided {
         return Ok(before <= ON);
     }
-    let multipliers = orbit.floquet.multipliers.iter();
-    let largest = multipliers.fold(0.0_f64, |most, multiplier| most.max(multiplier.norm()));
+    let largest = orbit.floquet.growth();
     let laps = (FALL.ln() / largest.ln()).ceil();
     let laps = match laps {
         // Multipliers that decide nothing say nothing of how soon either.

@@ -31,10 +31,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 return self.bearing(state, time, presses, rest);
             }
         }
-        let mut rest = rest(presses.modes);
-        let mut verdict = rest.settle()?;
-        presses.note(&rest, &mut verdict);
-        Ok(verdict)
+        presses.settle(rest(presses.modes))
     }
 
     /// The same where gaps are closed.
@@ -52,9 +49,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
                 let bears = k >= SEARCHED || bearing >> k & 1 == 1;
                 modes.set(*press, if bears { Mode::Rest } else { Mode::Open });
             }
-            let mut rest = rest(self.system.pressed(modes, state));
-            let settled = rest.settle().and_then(|mut verdict| {
-                presses.note(&rest, &mut verdict);
+            let rest = rest(self.system.pressed(modes, state));
+            let settled = presses.settle(rest).and_then(|mut verdict| {
                 let holds = self.bears(state, closed, &mut verdict)?;
                 Ok(holds.then_some(verdict))
             });

@@ -42,14 +42,19 @@ pub(super) struct Presses<M: Model<N>, const N: usize> {
 }
 
 impl<M: Model<N>, const N: usize> Presses<M, N> {
-    /// Takes over which guards of presses vanish.
-    pub(super) fn note(&self, rest: &Rest<'_, M, N>, verdict: &mut Verdict<M, N>) {
+    /// Decides about contacts at rest, and takes over which guards of presses vanish.
+    ///
+    /// # Errors
+    /// Those of [`Rest::settle`].
+    pub(super) fn settle(&self, mut rest: Rest<'_, M, N>) -> Result<Verdict<M, N>, FlowError> {
+        let mut verdict = rest.settle()?;
         for (press, departure) in &self.departures {
             let drops = departure.order == TANGENTIAL && rest.drops(*press);
             let order = departure.order - usize::from(drops);
             let note = &mut verdict.notes.as_mut()[*press];
             (note.side, note.departure) = (departure.side, order);
         }
+        Ok(verdict)
     }
 }
 

@@ -107,8 +107,7 @@ impl Ground<'_> {
 
     /// Whether a motion that comes by an orbit stays there: an unstable one keeps only what begins on it.
     fn holds(&self, orbit: &Orbit, start: &[f64]) -> Result<bool, FlowError> {
-        let multipliers = orbit.floquet.multipliers.iter();
-        if multipliers.fold(0.0, |most: f64, one| most.max(one.norm())) <= LEAVES {
+        if orbit.floquet.growth() <= LEAVES {
             return Ok(true);
         }
         let from = self.flow.place(start)?;
