@@ -120,13 +120,9 @@ impl Bernstein {
 
     /// The root between ends of different sign, `first` being the sign at 0.
     fn single_root(&self, first: f64) -> f64 {
-        let guess = {
-            let (a, b) = (
-                self.coefficients[0].abs(),
-                self.coefficients[self.degree].abs(),
-            );
-            if a + b > 0.0 { a / (a + b) } else { 0.5 }
-        };
+        // An end that is a root itself is not the one between.
+        let [a, b] = [0, self.degree].map(|end| self.coefficients[end].abs());
+        let guess = if a > 0.0 && b > 0.0 { a / (a + b) } else { 0.5 };
         polish(0.0, 1.0, guess, |theta| {
             let (value, slope) = self.value_and_slope(theta);
             (first * value, first * slope)

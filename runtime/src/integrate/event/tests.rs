@@ -104,6 +104,10 @@ fn roots_at_both_ends_and_at_the_seam() {
     assert_eq!(p.first_fall(), None);
     let p = Bernstein::new(&[0.0, 1.0, -1.0, 0.0]);
     assert_eq!(p.first_fall(), Some((0.5, 1.0)));
+    // The root at an end is not the one between.
+    let p = Bernstein::new(&[0.0, 0.3, -0.4]);
+    let (fall, _) = p.first_fall().unwrap();
+    assert!((fall - 0.6).abs() < 1e-12, "{fall}");
     let p = with_roots(&[0.1, 0.5, 0.9], |_| 1.0);
     let found: Vec<f64> = p.sign_changes().iter().map(|c| c.theta).collect();
     assert_eq!(found.len(), 3, "{found:?}");

@@ -4,12 +4,13 @@ use nalgebra::DVector;
 
 use super::around::borders;
 use super::candidate::Border;
+use super::once::once;
 use super::problem::BorderProblem;
 use super::sides::Sides;
 use crate::bifurcation::{Kind, floquet};
 use crate::continuation::{Failure, SETTLED, ZeroProblem, correct_at};
 use crate::field::Work;
-use crate::flow::{FlowError, Want};
+use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, sticking};
 use crate::shooting::orbit::{Orbit, Solution};
@@ -144,12 +145,7 @@ fn read(
     let slopes = at.jacobian.rows(order, 2).into_owned();
     let sides = Sides::of(problem, flow.as_ref(), (state, period), &slopes).ok()?;
     let border = problem.border.clone();
-    let on = border.going(state);
-    let passage = match &border.mirror {
-        Some(mirror) => mirror.around(&*flow, (&sides.start, &on), (border.calm, period)),
-        None => flow.advance(&sides.start, period, Want::EXTREMA),
-    };
-    let mut passage = passage.ok()?;
+    let mut passage = once(&*flow, &border, (&sides.start, state), period).ok()?;
     passage.derivatives = Some(sides.map(border.happens));
     let residual = at.residual.norm();
     let shot = Shot {

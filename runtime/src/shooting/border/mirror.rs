@@ -3,8 +3,7 @@
 //! Both events begin or cease at once. The motion is followed to its image only, and mirrored: x ↦ S φ(x, T/2), S being the
 //! symmetry. An orbit is a fixed point of that, and its return map is that map twice.
 
-use crate::flow::{FlowError, Want};
-use crate::motion::{Derivatives, Event, Flow, Modes, Passage, Place};
+use crate::motion::{Derivatives, Flow, Modes, Place};
 use crate::shooting::symmetry::Symmetry;
 
 /// The mirror image of a border.
@@ -32,46 +31,11 @@ impl Mirror {
         (place, turned)
     }
 
-    /// The motion once around of an orbit on its border: from a calm start to the image, from there to the border, and back.
-    ///
-    /// # Errors
-    /// The motion cannot be followed.
-    pub(super) fn around(
-        &self,
-        flow: &dyn Flow,
-        (start, border): (&Place, &Place),
-        (calm, period): (f64, f64),
-    ) -> Result<Passage, FlowError> {
-        let image = Place {
+    /// The place of the image of a border.
+    pub(super) fn image(&self, flow: &dyn Flow, border: &Place) -> Place {
+        Place {
             state: flow.wrapped(self.symmetry.of(&border.state)),
             modes: self.modes[1].clone(),
-        };
-        let mut all = flow.advance(start, (0.5 - calm) * period, Want::EXTREMA)?;
-        for (place, share) in [(&image, 0.5), (border, calm)] {
-            let next = flow.advance(place, share * period, Want::EXTREMA)?;
-            join(&mut all, next);
         }
-        Ok(all)
     }
-}
-
-/// What follows a motion becomes part of it.
-fn join(all: &mut Passage, next: Passage) {
-    let before = all.time;
-    all.extrema.extend(next.extrema.into_iter().map(|mut one| {
-        one.time += before;
-        one
-    }));
-    all.events.extend(next.events.into_iter().map(|one| Event {
-        time: before + one.time,
-        ..one
-    }));
-    for j in 0..all.calm.low.len() {
-        all.calm.low[j] = all.calm.low[j].min(next.calm.low[j]);
-        all.calm.high[j] = all.calm.high[j].max(next.calm.high[j]);
-    }
-    all.segments.extend(next.segments);
-    all.time += next.time;
-    all.work += next.work;
-    all.end = next.end;
 }

@@ -13,6 +13,7 @@ mod hit;
 mod image;
 mod located;
 mod mirror;
+mod once;
 mod problem;
 mod sheet;
 mod sides;

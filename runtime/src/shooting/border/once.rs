@@ -1,0 +1,51 @@
+//! The motion once around of an orbit on its border, in pieces that end there.
+//!
+//! Whether the event of the border happens on it is a matter of rounding errors: each piece begins beyond it.
+
+use super::candidate::Border;
+use crate::flow::{FlowError, Want};
+use crate::motion::{Event, Flow, Passage, Place};
+
+/// From a calm start to the image of the border, if there is one, from there to the border, and back.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub(super) fn once(
+    flow: &dyn Flow,
+    border: &Border,
+    (start, state): (&Place, &[f64]),
+    period: f64,
+) -> Result<Passage, FlowError> {
+    let (on, calm, turn) = (border.going(state), border.calm, border.turn());
+    let image = border.mirror.as_ref().map(|mirror| mirror.image(flow, &on));
+    let mut all = flow.advance(start, (turn - calm) * period, Want::EXTREMA)?;
+    let pieces = image.map(|image| (image, turn)).into_iter();
+    for (place, share) in pieces.chain([(on, calm)]) {
+        join(
+            &mut all,
+            flow.advance(&place, share * period, Want::EXTREMA)?,
+        );
+    }
+    Ok(all)
+}
+
+/// What follows a motion becomes part of it.
+fn join(all: &mut Passage, next: Passage) {
+    let before = all.time;
+    all.extrema.extend(next.extrema.into_iter().map(|mut one| {
+        one.time += before;
+        one
+    }));
+    all.events.extend(next.events.into_iter().map(|one| Event {
+        time: before + one.time,
+        ..one
+    }));
+    for j in 0..all.calm.low.len() {
+        all.calm.low[j] = all.calm.low[j].min(next.calm.low[j]);
+        all.calm.high[j] = all.calm.high[j].max(next.calm.high[j]);
+    }
+    all.segments.extend(next.segments);
+    all.time += next.time;
+    all.work += next.work;
+    all.end = next.end;
+}
