@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+use crate::scalar::mapped;
+
 /// Highest degree: that of the dense output.
 pub(super) const DEGREE: usize = 7;
 
@@ -169,6 +171,16 @@ impl Bernstein {
             p.degree = degree - 1;
         }
         p
+    }
+
+    /// The polynomial p + by.
+    #[must_use]
+    pub fn raised(&self, by: f64) -> Self {
+        let coefficients = mapped(&self.coefficients, |c| c + by);
+        Self {
+            coefficients,
+            degree: self.degree,
+        }
     }
 
     /// The polynomial −p.

@@ -75,6 +75,8 @@ pub(super) struct Watch<'a, M: Model<N>, const N: usize> {
     pub(super) system: &'a ExactSystem<M, N>,
     pub(super) modes: &'a Modes<M, N>,
     pub(super) dense: &'a Dense<N>,
+    /// How far that is off, relative to the magnitude of the motion.
+    pub(super) blur: f64,
     /// wᵢ at the beginning of the step.
     pub(super) speeds: &'a M::PerContact<f64>,
     /// Magnitude of the terms of wᵢ.
@@ -83,6 +85,8 @@ pub(super) struct Watch<'a, M: Model<N>, const N: usize> {
     pub(super) departure: &'a M::PerContact<Departure>,
     /// The first fall.
     pub(super) fall: Option<Sighting>,
+    /// Whether a guard comes so near to zero that it may fall, or not, or elsewhere.
+    pub(super) doubtful: bool,
     /// Local minima that stay positive, if they are wanted.
     pub(super) nearest: Option<&'a mut Vec<Sighting>>,
 }
@@ -94,6 +98,19 @@ pub(super) struct Departure {
     pub(super) side: f64,
     /// Number of vanishing coefficients.
     pub(super) order: usize,
+}
+
+/// Largest error of the dense output θ³ (1 − θ)³ (θ − a)(θ − b) after division by 1, θ, θ² and θ³, over that before.
+const DEFLATED: [f64; 4] = [1.0, 5.0, 35.0, 770.0];
+
+/// Whether a polynomial that is off by as much falls as it is told to: a little lower, it would fall at all, or once more
+/// before, or it does not go down so far.
+fn is_doubtful(polynomial: &Bernstein, error: f64) -> bool {
+    let Some((_, lower_until)) = polynomial.raised(-error).first_fall() else {
+        return false;
+    };
+    let fall = polynomial.first_fall();
+    fall.is_none_or(|(theta, until)| lower_until < theta || polynomial.value(until) > -error)
 }
 
 impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
@@ -114,8 +131,9 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
                             .dense
                             .along(self.speeds.as_ref()[i], |term| gradients[i].dot(term));
                         let oriented = if sign > 0.0 { along } else { along.negated() };
-                        let noise = NOISE * self.scales.as_ref()[i].max(oriented.magnitude());
-                        self.judge(guard, &oriented.without_noise(noise), 0.0, 1.0);
+                        let terms = self.scales.as_ref()[i].max(oriented.magnitude());
+                        let heard = oriented.without_noise(NOISE * terms);
+                        self.judge(guard, &heard, terms, (0.0, 1.0));
                     }
                     _ => sampled = true,
                 }
@@ -128,15 +146,24 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
         }
     }
 
-    /// Watches one guard on a piece of the step.
-    fn judge(&mut self, guard: Guard, polynomial: &Bernstein, from: f64, width: f64) {
+    /// Watches one guard, whose terms are of this magnitude, on a piece of the step.
+    fn judge(
+        &mut self,
+        guard: Guard,
+        polynomial: &Bernstein,
+        terms: f64,
+        (from, width): (f64, f64),
+    ) {
         let departure = self.departure.as_ref()[guard.contact];
         let begins = from == 0.0 && departure.side == guard.side;
         let order = if begins { departure.order } else { 0 };
-        if order == 0 && self.nearest.is_none() && polynomial.lower_bound() >= 0.0 {
+        let error = self.blur * terms;
+        if order == 0 && self.nearest.is_none() && polynomial.lower_bound() >= error {
             return;
         }
         let rest = polynomial.deflated(order);
+        self.doubtful |=
+            error > NOISE * terms && is_doubtful(&rest, error * DEFLATED[order.min(3)]);
         if let Some((theta, until)) = rest.first_fall() {
             let theta = from + width * theta;
             if self.fall.is_none_or(|fall| theta < fall.theta) {
@@ -190,14 +217,14 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             }
             let pair = &models.as_ref()[contact];
             for (place, guard) in Guard::of(contact, *mode).enumerate() {
-                let noise = SAMPLED_NOISE * self.terms(pair, place, guard);
-                let heard = pair[place].without_noise(noise);
+                let terms = self.terms(pair, place, guard);
+                let heard = pair[place].without_noise(SAMPLED_NOISE * terms);
                 // What never comes near to letting go has no minimum but that of its rounding errors.
                 let still = guard.side != 0.0
                     && mode.is_of_press()
                     && heard.derivative().magnitude() <= RESOLVED * heard.lower_bound();
                 if !still && !self.is_affine(guard) {
-                    self.judge(guard, &heard, from, width);
+                    self.judge(guard, &heard, terms, (from, width));
                 }
             }
         }

@@ -12,6 +12,7 @@ mod extrema;
 mod glide;
 mod guard;
 mod idle;
+mod look;
 mod observe;
 mod passing;
 mod press;
@@ -37,6 +38,7 @@ use run::Run;
 pub use settle::Arrival;
 use settle::Rest;
 use stretch::Stretches;
+pub(crate) use stretch::in_closed_form;
 
 /// Rounding error of a relative speed in units of its terms, below which it is none.
 const NO_SPEED: f64 = 4.0 * f64::EPSILON;
@@ -88,16 +90,14 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             system,
             settings,
             arrival: Arrival::default(),
-            stretches: None,
+            stretches: Stretches::of_model(),
         })
     }
 
-    /// The same flow in closed form between events, where the model is proven to be linear there: a motion without the
-    /// errors of an integrator, at about a third of its cost. It is not chosen by itself: of parameters at their extremes it
-    /// loses a few that the integrator holds.
+    /// The same flow, integrated where its model is linear between events, too: the independent check of closed forms.
     #[must_use]
-    pub fn in_closed_form(mut self) -> Self {
-        self.stretches = Stretches::of_model();
+    pub fn integrated(mut self) -> Self {
+        self.stretches = None;
         self
     }
 

@@ -49,9 +49,11 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         nodes(self.want, (from, length), &mut self.nodes, |theta| {
             stepper.step_map(theta * length)
         });
-        for k in 1..=SAMPLES {
-            let theta = f64::from(k) / f64::from(SAMPLES);
-            self.sample(self.time + theta * dense.length(), dense.state(theta));
+        if self.want.path {
+            for k in 1..=SAMPLES {
+                let theta = f64::from(k) / f64::from(SAMPLES);
+                self.sample(from + theta * length, stepper.between(theta, dense));
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::ExactFlow;
 use super::extrema::Extrema;
-use super::guard::{Departure, Sighting, Watch};
+use super::guard::Departure;
 use super::steps::Steps;
 use super::switch::Strike;
 use crate::field::Work;
@@ -13,8 +13,8 @@ use crate::flow::{
     Calm, Derivatives, Determinant, Event, Factor, FlowError, Node, Passage, Place, Sample,
     Segment, Want,
 };
-use crate::integrate::event::polish;
-use crate::integrate::{Carried, Dense, IntegrationError, Motion};
+use crate::integrate::linear::Blur;
+use crate::integrate::{Carried, IntegrationError, Motion};
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -157,7 +157,12 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let span = self.span - self.time;
         let known = flow.stretches.as_ref();
         let enough = (span, settings.steps);
-        let linear = known.and_then(|known| known.along(&field, settings.tolerance, enough));
+        let blur = match self.want.extrema || M::INFO.moving {
+            true => Blur::Fine,
+            false => Blur::Coarse,
+        };
+        let sharp = (settings.tolerance, blur);
+        let linear = known.and_then(|known| known.along(&field, sharp, enough));
         let rest = (self.time, span);
         let mut stepper = Steps::begin(&field, linear.as_deref(), settings, self.carried, rest)?;
         let mut strike = None;
@@ -188,25 +193,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         stepper: &mut Steps<'_, 'f, M, V, N>,
         field: &ExactField<'f, M, N>,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
-        let limit = self.approach(stepper).min(self.span - self.time);
-        stepper
-            .attempt(limit)
-            .map_err(|error| self.explain(error))?;
-        stepper.stop_at_corner()?;
-        let mut dense = stepper.dense();
-        // Between finite ends the way may overflow, and no event would be seen on it.
-        if dense
-            .state(0.5)
-            .iter()
-            .any(|component| !component.is_finite())
-        {
-            return Err(self.explain(IntegrationError::NotFinite {
-                time: self.time,
-                state: self.carried.state().to_vec().into(),
-            }));
-        }
-        let mut nearest = Vec::new();
-        let fall = self.watch(stepper, &dense, &mut nearest)?;
+        let (mut dense, fall, nearest) = self.look(stepper)?;
         let mut strike = None;
         let whole = stepper.length();
         let left = leaves::<M, N>(self.flow.system.values(), &|theta| dense.state(theta));
@@ -253,43 +240,5 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             self.calm.offer(self.time, length, place);
         }
         Ok(strike)
-    }
-
-    fn watch(
-        &self,
-        stepper: &Steps<'_, 'f, M, V, N>,
-        dense: &Dense<N>,
-        nearest: &mut Vec<Sighting>,
-    ) -> Result<Option<Sighting>, FlowError> {
-        let system = &self.flow.system;
-        let speeds = system.speeds(stepper.from().state());
-        let scales = stepper.terms_of_speeds(system, &speeds);
-        let mut watch = Watch {
-            system,
-            modes: &self.modes,
-            dense,
-            scales: scales.as_ref().unwrap_or(&self.scales),
-            speeds: &speeds,
-            departure: &self.departure,
-            fall: None,
-            nearest: self.want.extrema.then_some(nearest),
-        };
-        watch.run()?;
-        Ok(watch.fall)
-    }
-
-    /// The length of the step at whose end the guard vanishes, by Newton's method on the step map.
-    fn locate(&self, stepper: &mut Steps<'_, 'f, M, V, N>, fall: &Sighting) -> f64 {
-        let length = stepper.length();
-        polish(0.0, fall.until * length, fall.theta * length, |tau| {
-            let state = stepper.step_map(tau);
-            self.flow
-                .system
-                .moving(&state, &self.modes)
-                .map_or((f64::NAN, f64::NAN), |at| {
-                    let guard = fall.guard.value(&self.modes, &at);
-                    (guard.re, guard.eps)
-                })
-        })
     }
 }

@@ -13,10 +13,30 @@ use jump::Jump;
 use series::degree;
 pub(crate) use stepper::LinearStepper;
 
-/// Tolerances that the dense output need not, and may not, differ from.
-const DENSE: [f64; 2] = [1e-10, 1e-8];
+/// Part of the motion that the dense output may be off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Blur {
+    /// As little as the tolerance asks for: extrema are looked for on it.
+    Fine,
+    /// More: only guards are looked at, anew along a shorter step where they come as near to falling.
+    Coarse,
+}
+
+/// Tolerances that a fine dense output need not, and may not, differ from.
+const FINE: [f64; 2] = [1e-10, 1e-8];
+/// How far a coarse one is off.
+const COARSE: f64 = 1e-6;
 /// Largest error of the dense output of (ρh)⁸/8!: 27/256 b⁴ with b = a (1 − a), a where it meets the series.
 const FACTOR: f64 = 3.0e-4 / 40_320.0;
+
+impl Blur {
+    fn error(self, tolerance: Tolerance) -> f64 {
+        match self {
+            Self::Fine => tolerance.relative.clamp(FINE[0], FINE[1]),
+            Self::Coarse => COARSE,
+        }
+    }
+}
 
 /// The flow of a linear field.
 #[derive(Debug, Clone)]
@@ -24,6 +44,8 @@ pub(crate) struct LinearFlow<const N: usize> {
     field: LinearField<N>,
     /// The longest step: so long that the dense output is within the tolerance.
     longest: f64,
+    /// How far that is off along the longest step, relative to the magnitude of the motion.
+    error: f64,
     /// Number of terms of its series.
     degree: usize,
     /// The step of this length, where there is one.
@@ -31,11 +53,10 @@ pub(crate) struct LinearFlow<const N: usize> {
 }
 
 impl<const N: usize> LinearFlow<N> {
-    /// The flow of a field, its dense output to about this tolerance; `None` if it is faster than numbers tell.
-    pub(crate) fn new(field: LinearField<N>, tolerance: Tolerance) -> Option<Self> {
+    /// The flow of a field; `None` if it is faster than numbers tell.
+    pub(crate) fn new(field: LinearField<N>, tolerance: Tolerance, blur: Blur) -> Option<Self> {
         let fastest = field.fastest();
-        let [least, most] = DENSE;
-        let error = tolerance.relative.clamp(least, most);
+        let error = blur.error(tolerance);
         let reach = (error / FACTOR).sqrt().sqrt().sqrt();
         let longest = reach / fastest;
         // A comparison that fails for NaN too.
@@ -49,6 +70,7 @@ impl<const N: usize> LinearFlow<N> {
         Some(Self {
             field,
             longest,
+            error,
             degree,
             whole,
         })
@@ -58,6 +80,11 @@ impl<const N: usize> LinearFlow<N> {
     fn whole(&self, length: f64) -> Option<&Jump<N>> {
         let whole = self.whole.as_deref();
         whole.filter(|jump| jump.length() == length)
+    }
+
+    /// How far the dense output of a step of this length is off, relative to the magnitude of the motion.
+    fn error(&self, length: f64) -> f64 {
+        self.error * (length / self.longest).powi(8)
     }
 
     /// The longest step.

@@ -154,6 +154,11 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
         }
     }
 
+    /// How far the dense output of the last attempt is off, relative to the magnitude of the motion.
+    pub(crate) fn error(&self) -> f64 {
+        self.flow.error(self.dense.length())
+    }
+
     /// The magnitude of the terms of each state along the step.
     pub(crate) fn terms(&self) -> [f64; N] {
         let mut terms = mapped(&self.start.0, f64::abs);
