@@ -4,6 +4,9 @@ use super::orbit::Orbit;
 
 /// Orbits that have grown this many times may grow without bound.
 const GROWN: f64 = 1e4;
+/// The same where the branch began so near to it, as a share of r, that they were large from the start.
+const GROWN_NEAR: f64 = 10.0;
+const NEAR: f64 = 1e-5;
 /// How many times smaller the orbits are that those at the end are compared with.
 const APART: f64 = 2.0;
 /// Share of the way to it to which two extrapolations of where it is agree.
@@ -16,7 +19,8 @@ pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
     let [from, to] = [first, last].map(Orbit::magnitude);
     let growth = |j: &usize| to[*j] / from[*j];
     let most = (0..to.len()).max_by(|i, j| growth(i).total_cmp(&growth(j)))?;
-    if growth(&most) <= GROWN {
+    let grown = growth(&most);
+    if grown <= GROWN_NEAR {
         return None;
     }
     let mut seen = orbits
@@ -30,5 +34,7 @@ pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
     let pole =
         |(r, size): (f64, f64), (s, other): (f64, f64)| (r * size - s * other) / (size - other);
     let [far, near] = [pole(b, a), pole(c, b)];
-    ((near - far).abs() <= AGREE * (near - c.0).abs()).then_some(near)
+    let away = (near - c.0).abs();
+    let large = grown > GROWN || away <= NEAR * near.abs();
+    (large && (near - far).abs() <= AGREE * away).then_some(near)
 }
