@@ -219,8 +219,9 @@ fn newton(
     let found = correct_at(&mut problem, z.clone(), r, effort.accuracy);
     let found = found.or_else(|failure| {
         let shot = problem.evaluate(&z, r).map_err(Failure::Evaluation)?.extra;
+        let present = problem.division(&z, &shot);
         let division = problem
-            .divided(&z, r, &shot, false)
+            .divided(&present, r, &shot, false)
             .map_err(Failure::Evaluation)?;
         let z = problem.divide(&division.ok_or(failure)?);
         correct_at(&mut problem, z, r, effort.accuracy)

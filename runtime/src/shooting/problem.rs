@@ -130,14 +130,20 @@ impl OrbitProblem {
         Self::unknowns(&division.starts, self.period)
     }
 
-    /// The segments that an orbit needs, if it needs others. Where its branch crawls, how errors grow on the way is looked
-    /// at, too.
+    /// How an orbit is divided at present.
+    pub(super) fn division(&self, z: &DVector<f64>, shot: &Shot) -> Division {
+        let whole = || Division::whole(self.start(z, 0));
+        shot.division(z).unwrap_or_else(whole)
+    }
+
+    /// The segments that an orbit needs which is divided like this, if it needs others. Where its branch crawls, how errors
+    /// grow on the way is looked at, too.
     ///
     /// # Errors
     /// The motion cannot be followed.
     pub(super) fn divided(
         &self,
-        z: &DVector<f64>,
+        division: &Division,
         r: f64,
         shot: &Shot,
         crawls: bool,
@@ -152,12 +158,10 @@ impl OrbitProblem {
             period: shot.period,
             magnitude: &self.magnitude,
         };
-        let whole = || Division::whole(self.start(z, 0));
-        let division = shot.division(z).unwrap_or_else(whole);
         let refined = division.refined(&measure, &shot.passages)?;
         match refined {
             None if crawls && division.is_whole() => {
-                Division::on_the_way(&measure, self.start(z, 0))
+                Division::on_the_way(&measure, division.starts[0].clone())
             }
             refined => Ok(refined),
         }
@@ -201,15 +205,15 @@ impl ZeroProblem for OrbitProblem {
         let crawls = self.crawl.reaches(z, &scale);
         self.others = shot.turns();
         let start = self.start(z, 0);
-        let division = match self.calmer(r, shot)? {
-            Some(place) => {
-                if self.shift.is_some() {
-                    self.pins = through(&self.pins, &place.state);
-                }
-                Some(Division::whole(place))
-            }
-            None => self.divided(z, r, shot, crawls)?,
-        };
+        let calmer = self.calmer(r, shot)?;
+        if let Some(place) = &calmer
+            && self.shift.is_some()
+        {
+            self.pins = through(&self.pins, &place.state);
+        }
+        let moved = calmer.map(Division::whole);
+        let present = moved.clone().unwrap_or_else(|| self.division(z, shot));
+        let division = self.divided(&present, r, shot, crawls)?.or(moved);
         self.float(
             division
                 .as_ref()
