@@ -2,13 +2,15 @@
 
 use nalgebra::DVector;
 
-use super::corrector::{Failure, correct};
+use super::corrector::{Failure, bordered, correct};
 use super::point::Point;
 use super::predictor::tangent;
-use super::{Corrected, ZeroProblem};
+use super::{Corrected, Linearisation, ZeroProblem};
 
 /// Distance from the chord, relative to its length, beyond which a point lies on another branch.
 const OFF: f64 = 0.5;
+/// Distance from the branch, relative to the length of the step, up to which a point beside it tells about that on it.
+const BESIDE: f64 = 0.01;
 /// Corrections below this are rounding errors.
 const FINEST: f64 = 1e-14;
 
@@ -97,10 +99,14 @@ impl<P: ZeroProblem> Link<P> {
         Ok(found)
     }
 
-    /// About the point at this share of the way: that of the cubic through both ends along both tangents, not corrected.
+    /// About the point at this share of the way: that of the cubic through both ends along both tangents, corrected only if
+    /// it is far from the branch.
     pub(super) fn glance(&mut self, share: f64) -> Option<Point<P::Extra>> {
         let [(z, r), (dz, dr)] = self.on_cubic(share)?;
         let at = self.problem.evaluate(&z, r).ok()?;
+        if self.off(&at)? > BESIDE * self.length {
+            return self.across((z, r), &self.chord.clone()).ok();
+        }
         let tangent = scaled(&self.problem.scale(), self.r_scale, &dz, dr);
         Some(Point {
             residual: at.residual.norm(),
@@ -111,6 +117,13 @@ impl<P: ZeroProblem> Link<P> {
             z,
             r,
         })
+    }
+
+    /// How far a point is from the branch, to first order, across the chord.
+    fn off(&self, at: &Linearisation<P::Extra>) -> Option<f64> {
+        let matrix = bordered(at, &self.problem.scale(), self.r_scale, &self.chord);
+        let correction = matrix.lu().solve(&(-&at.residual).push(0.0))?;
+        Some(correction.norm())
     }
 
     /// The point of the branch at which r has gone this share of its way, 0 < share < 1; where r turns between the ends,
