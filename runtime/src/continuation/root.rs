@@ -6,9 +6,12 @@ use super::path::{Path, Spot, Watched};
 const ITERATIONS: usize = 120;
 /// Secants after which a bracket that is no half of what it was is halved; once that was so, after each.
 const PATIENCE: usize = 3;
-/// Part of the accuracy asked for at which a point has converged, and that an error cannot be less than: two runs may
-/// agree by chance.
+/// Part of the accuracy asked for at which a point has converged, and that the error of one that was found as such cannot
+/// be less than: two runs may agree by chance.
 pub(crate) const SETTLED: f64 = 0.01;
+/// Part of the accuracy, being some times the tolerance of a motion between two points, that the error of a zero cannot be
+/// less than.
+const CHANCE: f64 = 0.08;
 /// Width of a bracket, as a share of the path, at which a point that cannot be found ends the search.
 const NARROW: f64 = 1e-4;
 /// Distance from a zero, as a share of the path, from which on slopes there are not all rounding.
@@ -97,7 +100,7 @@ impl<P: Watched> Zero<P> {
             let apart = (test(&again) - test(at)).abs() + rounding(at);
             let off = apart / slope * along;
             let moved = (again.r() - at.r()).abs() + off.abs();
-            DOUBT * moved + SETTLED * accuracy * at.r().abs()
+            DOUBT * moved + CHANCE * accuracy * at.r().abs()
         });
         let measured = measured.filter(|error| error.is_finite());
         measured.unwrap_or(DOUBT * (self.apart + accuracy * at.r().abs()))
