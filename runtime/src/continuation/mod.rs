@@ -3,6 +3,7 @@
 //! Knows a zero problem and nothing of orbits.
 
 mod attempt;
+mod between;
 mod branch;
 mod change;
 mod corner;

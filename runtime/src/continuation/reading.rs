@@ -4,20 +4,14 @@ use nalgebra::DVector;
 
 use super::ZeroProblem;
 use super::branch::{Branch, Started};
-use super::corrector::Failure;
 use super::crossing::Crossing;
 use super::ending::Ending;
-use super::link::Link;
 use super::located::Located;
 use super::monitor::Monitor;
-use super::path::{Border, Path, Watched};
+use super::path::{Border, Watched};
 use super::point::Point;
 use super::range::Stop;
 use crate::field::Work;
-
-/// Shares of the sharpness of what lies between two points to which it is found once more, where its error is measured: a
-/// sharper one, and a blunter one where rounding leaves none.
-const AGAIN: [f64; 2] = [0.1, 10.0];
 
 /// What the points of a branch are read as, what is looked for among them, and where it ends.
 pub trait Reader: Clone {
@@ -58,8 +52,14 @@ pub trait Reader: Clone {
         false
     }
 
-    /// Whether a point is none of the branch any more, so that the step to it is taken back.
-    fn strays(&self, _point: &Self::Point) -> bool {
+    /// Whether a point after these is none of the branch any more, or one of what it was before, so that the step to it is
+    /// taken back.
+    fn strays(
+        &self,
+        _problem: &Self::Problem,
+        _points: &[Self::Point],
+        _point: &Self::Point,
+    ) -> bool {
         false
     }
 
@@ -218,18 +218,6 @@ impl<R: Reader> Reading<R> {
         self.counted = total;
         self.reader.read(&self.branch.problem, point, work)
     }
-
-    /// What lies between the last two points, these; `None` at the first.
-    pub(super) fn path(&self, ends: [&R::Point; 2]) -> Option<Between<R>> {
-        let mut link = self.branch.link()?.clone();
-        self.reader.sharpen(&mut link.problem, R::SHARPER);
-        Some(Between {
-            counted: R::work(&link.problem),
-            straight: self.reader.straight(ends),
-            reader: self.reader.clone(),
-            link,
-        })
-    }
 }
 
 impl<R: Reader> Iterator for Reading<R> {
@@ -241,58 +229,5 @@ impl<R: Reader> Iterator for Reading<R> {
         }
         let point = self.branch.next()?;
         Some(self.read(&point))
-    }
-}
-
-/// What lies between two neighbouring points.
-pub(super) struct Between<R: Reader> {
-    reader: R,
-    link: Link<R::Problem>,
-    straight: bool,
-    counted: Work,
-}
-
-impl<R: Reader> Between<R> {
-    /// Work of all points found on it.
-    pub(super) fn work(&self) -> Work {
-        R::work(&self.link.problem).since(&self.counted)
-    }
-}
-
-impl<R: Reader> Path for Between<R> {
-    type Point = R::Point;
-    type Error = Failure<ErrorOf<R>>;
-
-    fn at(&mut self, share: f64) -> Result<R::Point, Self::Error> {
-        let level = self.straight.then(|| self.link.level(share).ok());
-        let point = match level.flatten() {
-            Some(point) => point,
-            None => self.link.between(share)?,
-        };
-        let (problem, chord) = (&self.link.problem, self.link.chord());
-        Ok(self.reader.between(problem, &point, chord))
-    }
-
-    fn glance(&mut self, share: f64) -> Option<R::Point> {
-        let point = self.link.glance(share)?;
-        let (problem, chord) = (&self.link.problem, self.link.chord());
-        Some(self.reader.between(problem, &point, chord))
-    }
-
-    fn again(&mut self, share: f64) -> Option<R::Point> {
-        let point = AGAIN.into_iter().find_map(|again| {
-            self.link.sharpen(again * R::SHARPER);
-            self.reader
-                .sharpen(&mut self.link.problem, again * R::SHARPER);
-            self.at(share).ok()
-        });
-        self.link.sharpen(1.0);
-        self.reader.sharpen(&mut self.link.problem, R::SHARPER);
-        point
-    }
-
-    fn border(&mut self, ends: [&R::Point; 2]) -> Option<Border<R::Point>> {
-        let r_scale = self.link.r_scale();
-        self.reader.border(&mut self.link.problem, ends, r_scale)
     }
 }

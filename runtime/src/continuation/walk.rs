@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::between::Between;
 use super::branch::Started;
 use super::detect::detect;
 use super::ending::Ending;
@@ -9,7 +10,7 @@ use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::path::Watched;
 use super::range::{Settings, Stop};
-use super::reading::{Between, CrossingOf, ErrorOf, Reader, Reading};
+use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
 use super::root::reach;
 use crate::field::Work;
 
@@ -168,11 +169,12 @@ impl<R: Reader> Walk<'_, R> {
             return Verdict::GoOn;
         };
         point.inherit(before);
-        if self.followed.reader.strays(point) {
+        let Reading { reader, branch, .. } = &*self.followed;
+        if reader.strays(&branch.problem, &self.points, point) {
             return self.astray(point);
         }
         let (ends, accuracy) = ([before, &*point], self.followed.accuracy);
-        let Some(mut path) = self.followed.path(ends) else {
+        let Some(mut path) = Between::of(self.followed, ends) else {
             return Verdict::GoOn;
         };
         let findings = detect(&mut path, &self.followed.reader.monitors(), ends, accuracy);

@@ -13,6 +13,7 @@ use super::search::Search;
 use super::shot::Shot;
 use super::shrunk::shrunk;
 use super::slip::lets_go;
+use super::stray::walks_back;
 use crate::bifurcation::{Kind, explain, falls, monitors};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading,
@@ -121,9 +122,11 @@ impl Reader for Orbits {
         monitors(self.order)
     }
 
-    /// A shorter orbit, gone around several times: the step went past where the branch meets that of the shorter one.
-    fn strays(&self, orbit: &Orbit) -> bool {
-        orbit.repeats(SAME_ORBIT)
+    /// A shorter orbit, gone around several times: the step went past where the branch meets that of the shorter one. Or one
+    /// of those that it came by before it turned.
+    fn strays(&self, problem: &OrbitProblem, orbits: &[Orbit], orbit: &Orbit) -> bool {
+        let back = || walks_back(&problem.family, orbits, orbit, self.accuracy);
+        orbit.repeats(SAME_ORBIT) || back()
     }
 
     /// Tells a branch point from one at which a symmetry is lost.

@@ -34,6 +34,7 @@ mod shot;
 mod shrunk;
 mod slip;
 mod stay;
+mod stray;
 mod swing;
 mod switch;
 mod symmetry;

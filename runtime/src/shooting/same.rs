@@ -5,6 +5,8 @@ use crate::motion::apart;
 
 /// Two orbits at one r are one if they differ by this share of their extents at most.
 pub(crate) const SAME_ORBIT: f64 = 1e-5;
+/// An orbit lies between two others if it is no farther from either than this many times their own distance.
+const BETWEEN: f64 = 1.1;
 /// Odd numbers of laps in which an orbit may go around a shorter one.
 const ODD: [usize; 3] = [3, 5, 7];
 
@@ -67,6 +69,13 @@ impl Orbit {
     pub(super) fn away(&self, other: &Self) -> f64 {
         let r = (other.r - self.r).abs() / self.r.abs().max(f64::MIN_POSITIVE);
         self.apart(other).max(r)
+    }
+
+    /// Whether it lies between two neighbours on its branch, as far as these errors tell.
+    pub(super) fn is_between(&self, ends: [&Self; 2], errors: f64) -> bool {
+        let whole = ends[0].away(ends[1]);
+        let [a, b] = ends.map(|end| self.away(end));
+        a.max(b) <= (BETWEEN * whole).max(errors)
     }
 
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {

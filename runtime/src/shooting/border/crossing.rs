@@ -18,19 +18,20 @@ use crate::shooting::guess::Guess;
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::phase::normal;
 use crate::shooting::problem::OrbitProblem;
+use crate::shooting::stray::walks_back;
 
 /// Distances from the border, in scaled coordinates, at which the branch is taken up again.
-const DISTANCES: [f64; 6] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5];
+const DISTANCES: [f64; 7] = [3e-3, 1e-3, 1e-2, 1e-4, 3e-2, 1e-5, 1e-6];
 /// Shares of the depth behind a wall that belongs to the speed of an impact, at which orbits that are hit are sought as well.
 const DEPTHS: [f64; 5] = [1.0, 3.0, 10.0, 0.3, 30.0];
-/// A first orbit this many times farther away lies on another branch.
+/// A first orbit this many times farther away lies on another branch, unless those nearer to it come to the border as they
+/// come nearer, up to this factor.
 const FAR: f64 = 5.0;
+const COMES: f64 = 2.0;
 /// Errors in r of orbits that have come to a border, over their accuracy.
 const NOISE: f64 = 100.0;
 /// Change of the extents and of the period up to which a border is met, however r turns before it.
 const CLOSE: f64 = 1e-3;
-/// A border lies between two orbits if it is no farther from either than this many times their own distance.
-const BETWEEN: f64 = 1.1;
 /// Change of the extents and of the period, relative to themselves, over which a border is one that a branch comes to.
 const REACH: f64 = 0.2;
 
@@ -49,11 +50,13 @@ pub(in crate::shooting) fn cross(
         let way = found.orbit.r - last.r;
         // So near to it an orbit may lie beyond for its errors.
         let level = way.abs() <= NOISE * accuracy * last.r.abs();
+        let one = last.away(&found.orbit) <= NOISE * accuracy.max(last.error_estimate);
         let apart = last.apart(&found.orbit);
         // As the branch leads to it, so it leads on from the last orbit.
         let ahead = slope.is_some_and(|slope| slope * way > 0.0) && last.heading.slope * way > 0.0;
         let met = apart <= CLOSE && comes_near(orbits, &found.orbit);
-        met || apart <= REACH && (level || ahead)
+        let comes = met || one || apart <= REACH && (level || ahead);
+        comes && !walks_back(family, orbits, &found.orbit, accuracy)
     };
     let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
     let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());
@@ -124,6 +127,7 @@ fn onwards(
         all.map(|offset| (distance, offset)).collect()
     };
     let mut nearest = (f64::INFINITY, Beyond::Undecided);
+    let mut seen: Vec<[f64; 2]> = Vec::new();
     for (distance, offset) in DISTANCES.into_iter().flat_map(guesses) {
         if distance > nearest.0 {
             continue;
@@ -133,7 +137,11 @@ fn onwards(
         };
         work = started.0.problem.work;
         let first = first(&started, last.error_estimate);
-        let near = found.orbit.apart(&first) <= FAR * distance;
+        let apart = found.orbit.apart(&first);
+        let comes =
+            |one: &[f64; 2]| one[0] > distance && apart <= COMES * one[1] * distance / one[0];
+        let near = apart <= FAR * distance || apart <= CLOSE && seen.iter().any(comes);
+        seen.push([distance, apart]);
         if !near || first.has_word_of(last, 1) {
             continue;
         }
@@ -264,14 +272,11 @@ pub(in crate::shooting) fn between(
     r_scale: f64,
     accuracy: f64,
 ) -> Option<Border<Orbit>> {
-    let whole = ends[0].away(ends[1]);
     // Ends that are one but for their errors, which grow along the orbit, need not lie on both sides of it.
     let grown = ends.map(|end| end.floquet.growth()).into_iter();
     let errors = (accuracy * grown.fold(NOISE, f64::max)).min(CLOSE);
-    let inside = |found: &Edge| {
-        let [a, b] = ends.map(|end| found.orbit.away(end));
-        a.max(b) <= (BETWEEN * whole).max(errors) && ahead(ends, found.orbit.r, accuracy)
-    };
+    let inside =
+        |found: &Edge| found.orbit.is_between(ends, errors) && ahead(ends, found.orbit.r, accuracy);
     let (family, scale) = (problem.family.clone(), problem.scale());
     let found = [0, 1].into_iter().find_map(|i| {
         let [near, other] = [ends[i], ends[1 - i]];
