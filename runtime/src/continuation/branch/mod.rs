@@ -157,9 +157,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         true
     }
 
-    /// Tries once more where no step was small enough.
+    /// Tries once more where no step was small enough, with one as long as the last that was.
     pub(super) fn resume(&mut self) {
-        (self.step, self.stop, self.corner) = (self.settings.first_step, None, None);
+        let last = self.before.as_ref().map(|(_, _, _, length)| *length);
+        self.step = last.unwrap_or(self.settings.first_step);
+        (self.stop, self.corner) = (None, None);
     }
 
     /// Whether it may go on around a corner, where it stopped.
