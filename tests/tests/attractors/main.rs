@@ -2,6 +2,7 @@
 //! the work is shared.
 
 mod ends;
+mod further;
 mod isolas;
 mod models;
 mod shares;

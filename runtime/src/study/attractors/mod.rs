@@ -12,6 +12,7 @@ mod closely;
 mod edge;
 mod followed;
 mod following;
+mod further;
 mod ground;
 mod memo;
 mod passes;
