@@ -22,8 +22,9 @@ const SOON: f64 = 4.0;
 const NEAR: f64 = 1e-5;
 /// A motion leaves an orbit that has a larger multiplier.
 const LEAVES: f64 = 1.01;
-/// Returns this close, in usual sizes, may be those of an orbit.
-const CLOSE: f64 = 1e-3;
+/// Returns this close, in usual sizes, may be those of an orbit. Chaos comes back now and then, too: the rarer, the closer, and
+/// it takes a hundred times longer to see that it stays on no orbit than to follow an orbit until it comes back like that.
+const CLOSE: f64 = 1e-5;
 
 /// What a first look sees.
 enum Look {

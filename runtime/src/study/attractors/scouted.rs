@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use super::basin::Basin;
+use super::cloud::{Cloud, Kept};
 use super::ground::Ground;
 use super::memo::Memo;
 use super::pursuit::{Pursuit, minima};
@@ -32,6 +33,7 @@ pub(super) struct Scouted<'a> {
     pub(super) attractors: Vec<Attractor>,
     traps: Vec<Trap>,
     rests: Vec<Rest>,
+    clouds: Vec<Cloud>,
     memo: Memo,
     /// Shifts of states that change nothing.
     shifts: Vec<Vec<f64>>,
@@ -45,6 +47,7 @@ impl<'a> Scouted<'a> {
             attractors: Vec::new(),
             traps: Vec::new(),
             rests: Vec::new(),
+            clouds: Vec::new(),
             memo: Memo::default(),
             shifts: Vec::new(),
         };
@@ -54,7 +57,11 @@ impl<'a> Scouted<'a> {
             let mut passages = Vec::new();
             let of = match scouted.future(&start, &mut passages) {
                 Some(of) => of,
-                None => scouted.take(scouted.ground.closely(&start)),
+                None => {
+                    let of = scouted.take(scouted.ground.closely(&start));
+                    scouted.visit(of, &start);
+                    of
+                }
             };
             scouted.memo.learn(&passages, of, &scouted.ground.usual);
         }
@@ -108,6 +115,17 @@ impl<'a> Scouted<'a> {
         self.watch(of, &new);
         self.attractors.push(new);
         of
+    }
+
+    /// Notes where the motion from a start goes, if it is a chaotic one that is not known so yet.
+    fn visit(&mut self, of: usize, start: &[f64]) {
+        let chaos = self.attractors[of].class == Class::Chaos;
+        if chaos
+            && self.clouds.iter().all(|cloud| cloud.of != of)
+            && let Ok(Some(cloud)) = Cloud::of(&self.ground, of, start)
+        {
+            self.clouds.push(cloud);
+        }
     }
 
     fn shift(&mut self, shift: Vec<f64>) {
@@ -216,16 +234,19 @@ impl<'a> Scouted<'a> {
         let mut pursuit = Pursuit::new(ground.flow.as_ref(), start)?;
         let mut holds: Vec<Option<Hold>> = vec![None; self.traps.len()];
         let section = ground.flow.phase().unwrap_or(0);
+        let mut kept_to = Kept::new(&self.clouds);
         let mut latest: VecDeque<Vec<f64>> = VecDeque::new();
         for _ in 0..PASSAGES {
             let begun = pursuit.time;
             let passage = pursuit.on()?;
-            let before = latest.len();
+            let mut crossed = false;
+            let mut roams = None;
             for minimum in minima(&passage, section) {
+                crossed = true;
                 latest.push_front(minimum.state.clone());
+                latest.truncate(BACK);
+                roams = roams.or(kept_to.watch(&self.clouds, latest.iter(), &ground.usual));
             }
-            let crossed = latest.len() > before;
-            latest.truncate(BACK);
             let future = self
                 .memo
                 .future(&passage, &ground.usual)
@@ -238,6 +259,7 @@ impl<'a> Scouted<'a> {
                         .of,
                 )
             });
+            let future = future.or(roams);
             let rests = future.is_none() && ground.rests(&passage, pursuit.time - begun)?;
             if kept.len() < KEPT {
                 kept.push(passage);

@@ -40,6 +40,15 @@ pub(super) fn irregular(
     Ok(None)
 }
 
+/// The points at which the motion from a start meets its section once it has settled; `None` if it does so too seldom.
+pub(super) fn visited(
+    ground: &Ground<'_>,
+    start: &[f64],
+) -> Result<Option<Vec<Vec<f64>>>, FlowError> {
+    let watched = Watched::from(ground, start, TAKEN[0])?;
+    Ok(watched.map(|watched| watched.points))
+}
+
 struct Watched {
     points: Vec<Vec<f64>>,
     low: Vec<f64>,
