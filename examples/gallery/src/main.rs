@@ -9,9 +9,11 @@ mod burridge_knopoff;
 mod clutch;
 mod den_hartog;
 mod feeny_moon;
+mod friction_beam;
 mod froude;
 mod impact_oscillator;
 mod isolator;
+mod jointed_chain;
 mod lifting_squeal;
 mod long_drill_string;
 mod mass_on_belt;
@@ -27,6 +29,8 @@ mod woodpecker;
 #[cfg(test)]
 mod asked;
 #[cfg(test)]
+mod balance;
+#[cfg(test)]
 mod reference;
 
 use blade::Blade;
@@ -37,9 +41,11 @@ use burridge_knopoff::BurridgeKnopoff;
 use clutch::Clutch;
 use den_hartog::DenHartog;
 use feeny_moon::FeenyMoon;
+use friction_beam::FrictionBeam;
 use froude::FroudePendulum;
 use impact_oscillator::ImpactOscillator;
 use isolator::Isolator;
+use jointed_chain::JointedChain;
 use lifting_squeal::LiftingSqueal;
 use long_drill_string::LongDrillString;
 use mass_on_belt::MassOnBelt;
@@ -75,4 +81,6 @@ stickslip::app!(
     Woodpecker,
     BouncingBit,
     LiftingSqueal,
+    JointedChain,
+    FrictionBeam,
 );

@@ -255,7 +255,7 @@ impl<const N: usize> Motion<N> {
 }
 
 /// Gauss's elimination of a table with its right-hand side as the last column.
-fn solved(mut table: Vec<Vec<f64>>) -> Vec<f64> {
+pub fn solved(mut table: Vec<Vec<f64>>) -> Vec<f64> {
     let n = table.len();
     for i in 0..n {
         let pivot = (i..n).max_by(|&a, &b| table[a][i].abs().total_cmp(&table[b][i].abs()));

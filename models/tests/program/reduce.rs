@@ -62,6 +62,60 @@ fn frequencies_of_a_finite_element_model_are_those_of_calculix() {
     }
 }
 
+/// CalculiX prints seven digits of the displacements of three nodes; the sign of a mode is nobody's.
+#[test]
+fn shapes_of_a_finite_element_model_are_those_of_calculix() {
+    let (stiffness, mass) = (blade("blade.sti"), blade("blade.mas"));
+    let nodes = [14, 25, 28].map(|node| ["x", "y", "z"].map(|way| format!("{node}:{way}")));
+    let places = nodes.as_flattened().iter().enumerate();
+    let points = places.map(|(i, place)| format!("--at p{i}={place}"));
+    let points = points.collect::<Vec<_>>().join(" ");
+    let line = format!("reduce {stiffness} {mass} {points} --units m-kg-s --modes 10");
+    let structure = made(&line, &folder("shapes").join("blade.structure"));
+    let numbers = |line: &str, from: usize| -> Vec<f64> {
+        let words = line.split(' ').skip(from);
+        words.map(|word| word.parse().unwrap()).collect()
+    };
+    let modes = structure.lines().filter(|line| line.starts_with("mode "));
+    let known = fs::read_to_string(blade("shapes.dat")).unwrap();
+    let known: Vec<Vec<f64>> = known.lines().skip(1).map(|line| numbers(line, 2)).collect();
+    assert_eq!(known.len(), 30);
+    for (mine, theirs) in modes.map(|line| numbers(line, 3)).zip(known.chunks(3)) {
+        let theirs = theirs.concat();
+        let product: f64 = mine.iter().zip(&theirs).map(|(a, b)| a * b).sum();
+        let largest = theirs.iter().fold(0.0_f64, |most, one| most.max(one.abs()));
+        for (mine, theirs) in mine.iter().zip(&theirs) {
+            let off = (mine * product.signum() - theirs).abs();
+            assert!(off < 1e-6 * largest, "{mine} is not {theirs}");
+        }
+    }
+}
+
+/// The gallery's beam, which rubs: its matrices and what was made of them, to what rounding leaves.
+#[test]
+fn the_beam_of_the_gallery_is_what_its_matrices_give() {
+    let gallery = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/gallery/structures");
+    let file = |name: &str| gallery.join(name).display().to_string();
+    let matrices = ["stiffness.mtx", "mass.mtx", "damping.mtx"].map(file);
+    let line = format!(
+        "reduce {} --at contact=5 --at tip=15 --modes 5 --units mm-t-s",
+        matrices.join(" ")
+    );
+    let found = made(&line, &folder("beam").join("beam.structure"));
+    let kept = fs::read_to_string(gallery.join("beam.structure")).unwrap();
+    assert_eq!(found.lines().count(), kept.lines().count());
+    let pairs = found.split_whitespace().zip(kept.split_whitespace());
+    for (found, kept) in pairs {
+        match (found.parse::<f64>(), kept.parse::<f64>()) {
+            (Ok(found), Ok(kept)) => {
+                let off = (found - kept).abs();
+                assert!(off <= 1e-6 * kept.abs(), "{found} is not {kept}");
+            }
+            _ => assert_eq!(found, kept),
+        }
+    }
+}
+
 /// The matrix of a CalculiX file in the other formats: each number as CalculiX wrote it.
 fn converted(file: &str, dofs: &str) -> (String, String) {
     let entries: Vec<[&str; 3]> = (file.lines())
