@@ -1,17 +1,17 @@
 //! `--harmonics`: amplitudes and phases of orbits.
 
 use clap::Args;
-use serde_json::Value;
+use serde_json::{Map, Value, json};
 
 use super::document::{Document, named};
 use super::failure::{Failure, refuse};
 use super::spreadsheet::Columns;
-use super::text::{digits, label, number, unit};
+use super::text::{digits, label, line, number, table, unit};
 use super::values::Reading;
 use super::words::count;
 use crate::harmonics::Harmonic;
 use crate::model::ModelInfo;
-use crate::study::OrbitRecord;
+use crate::study::{Case, OrbitRecord, StudyError, System};
 
 /// Harmonics beyond this are no numbers of a motion any more.
 const HIGHEST: usize = 1000;
@@ -22,6 +22,12 @@ pub(super) struct Harmonics {
     #[arg(long, value_name = "H,..", value_parser = Reading(Orders::read))]
     harmonics: Option<Orders>,
 }
+
+/// Accuracies to which harmonics are counted.
+const ACCURACIES: [f64; 3] = [1e-2, 1e-3, 1e-4];
+
+/// How many harmonics the series of each state takes for each of the accuracies, or why that is not known.
+pub(super) type Series = Result<Vec<Vec<Option<usize>>>, StudyError>;
 
 /// Multiples of a frequency.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,6 +54,19 @@ impl Harmonics {
         let usual = || info.drive.map_or_else(Vec::new, |_| vec![1]);
         let given = self.harmonics.as_ref();
         given.map_or_else(usual, |orders| orders.0.clone())
+    }
+}
+
+impl Harmonics {
+    /// How many there are to speak of in an orbit, if harmonics are asked for.
+    pub(super) fn series(
+        &self,
+        system: &System,
+        case: &Case,
+        orbit: &OrbitRecord,
+    ) -> Option<Series> {
+        let asked = self.harmonics.is_some();
+        asked.then(|| system.series(case, orbit, &ACCURACIES))
     }
 }
 
@@ -155,6 +174,36 @@ pub(super) fn lines(info: &ModelInfo, orbit: &OrbitRecord) -> String {
         }
     }
     lines
+}
+
+/// How many suffice, as text.
+pub(super) fn counted(info: &ModelInfo, series: &Series) -> String {
+    let counts = match series {
+        Ok(counts) => counts,
+        Err(error) => return format!("\n  harmonics are not counted: {error}\n"),
+    };
+    let head = ACCURACIES.map(|accuracy| number(accuracy, 1));
+    let mut lines = line(["harmonics for".to_owned()].into_iter().chain(head));
+    for j in swinging(info) {
+        let name = info.states[j].name.to_owned();
+        let count = |count: &Option<usize>| count.map_or("more".to_owned(), |one| one.to_string());
+        lines += &line([name].into_iter().chain(counts[j].iter().map(count)));
+    }
+    format!("\n{}", table(&lines))
+}
+
+/// How many suffice, as JSON.
+pub(super) fn counts(info: &ModelInfo, series: &Series) -> Value {
+    let counts = match series {
+        Ok(counts) => counts,
+        Err(error) => return error.to_string().into(),
+    };
+    let one = |(i, accuracy): (usize, &f64)| {
+        let of = |j: usize| (info.states[j].name.to_owned(), counts[j][i].into());
+        let harmonics: Map<String, Value> = swinging(info).map(of).collect();
+        json!({ "accuracy": accuracy, "harmonics": harmonics })
+    };
+    ACCURACIES.iter().enumerate().map(one).collect()
 }
 
 /// Amplitude and phase of a state in the digits that they deserve; an amplitude within its error has no phase.

@@ -116,6 +116,49 @@ fn dry_friction_enters_each_harmonic_as_a_square_wave() {
     }
 }
 
+/// By how much a series that ends with a harmonic misses the response at worst, or its rate: of what is left each harmonic
+/// is that of the square wave, over the dynamic stiffness.
+fn miss(last: usize, [beta, level]: [f64; 2], rate: bool) -> f64 {
+    let left = |angle: f64| -> f64 {
+        let orders = (last + 1..if rate { 100_000 } else { 1000 }).filter(|h| h % 2 == 1);
+        let part = |h: f64| {
+            let part = 4.0 * level / (std::f64::consts::PI * h * (1.0 - (h * beta).powi(2)));
+            let (sin, cos) = (h * angle).sin_cos();
+            part * if rate { h * beta * cos } else { sin }
+        };
+        orders.map(|h| part(h as f64)).sum()
+    };
+    // The worst is where friction turns, of the rate at once.
+    let count = if rate { 1 } else { 2000 };
+    let angles = (0..count).map(|i| TAU * f64::from(i) / 16_000.0);
+    angles.map(left).fold(0.0, |most, one| most.max(one.abs()))
+}
+
+#[test]
+fn as_many_harmonics_are_counted_as_it_takes() {
+    let model = System::of::<DenHartog, _>();
+    let accuracies = [1e-2, 1e-3, 1e-4];
+    for (beta, level) in [(0.6, 0.2), (0.8, 0.5), (1.4, 0.3)] {
+        let mut case = Case::declared(model.info(), Dynamics::Exact);
+        case.parameters = vec![beta, level];
+        let orbit = model.orbit(&case).expect("the response");
+        let counts = model.series(&case, &orbit, &accuracies).expect("counts");
+        assert_eq!(counts[2], [Some(0); 3], "a phase has no harmonics");
+        for j in [0, 1] {
+            let half = 0.5 * (orbit.max[j] - orbit.min[j]);
+            let miss = |last| miss(last, [beta, level], j == 1) / half;
+            for (count, accuracy) in counts[j].iter().zip(accuracies) {
+                match *count {
+                    // The first one is that of the load, too.
+                    Some(1) => assert!(miss(1) <= accuracy),
+                    Some(last) => assert!(miss(last) <= accuracy && miss(last - 1) > accuracy),
+                    None => assert!(miss(300) > accuracy),
+                }
+            }
+        }
+    }
+}
+
 /// Dynamic stiffness of the blade at a harmonic: of both masses, and between them.
 fn stiffness(frequency: f64, damper: f64) -> [Complex<f64>; 3] {
     let s = Complex::new(0.0, frequency);

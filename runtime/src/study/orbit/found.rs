@@ -5,7 +5,7 @@ use super::record::{Beside, CertifiedOrbit, OrbitRecord};
 use super::sought::Sought;
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::harmonics::{Around, Harmonic, harmonics};
+use crate::harmonics::{Around, Harmonic, harmonics, series};
 use crate::integrate::Tolerance;
 use crate::motion::word;
 use crate::shooting::{Guess, Orbit, certify};
@@ -44,6 +44,26 @@ impl System {
             certificate: certify(&sought.family, orbit.r, &found, case.accuracy),
             orbit: sought.record(&orbit),
         })
+    }
+
+    /// How many harmonics the Fourier series of each state of an orbit of this case takes, for each of these accuracies
+    /// ([`series`]).
+    ///
+    /// # Errors
+    /// The orbit cannot be followed once around.
+    pub fn series(
+        &self,
+        case: &Case,
+        orbit: &OrbitRecord,
+        accuracies: &[f64],
+    ) -> Result<Vec<Vec<Option<usize>>>, StudyError> {
+        let flow = self.at(case)?;
+        let around = Around {
+            place: &flow.place(&orbit.state)?,
+            period: orbit.period,
+            shift: orbit.shift.as_deref().unwrap_or_default(),
+        };
+        Ok(series(flow.as_ref(), around, accuracies)?)
     }
 }
 

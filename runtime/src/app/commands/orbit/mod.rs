@@ -11,7 +11,7 @@ use super::simulate;
 use crate::app::answer::Answer;
 use crate::app::arguments::{Period, Subject};
 use crate::app::failure::Failure;
-use crate::app::harmonics::Harmonics;
+use crate::app::harmonics::{self, Harmonics};
 use crate::app::offer::App;
 use crate::app::output::Output;
 use crate::app::progress::Progress;
@@ -61,19 +61,24 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let shown = arguments.show.quantities(info)?;
     let failed = |error| asked.failed(error);
     let progress = Progress::endless(output, SEARCH);
-    let entry = entry.telling(progress.news(SEARCH));
-    let (orbit, certificate) = find(&entry, case, arguments.certify).map_err(failed)?;
+    let entry = &entry.telling(progress.news(SEARCH));
+    let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
     let from = Case {
         start: Some(orbit.state.clone()),
         ..case.clone()
     };
     let motion = drawn(&asked, &from, orbit.period)?;
     let reason = reason(arguments, &asked);
+    let series = arguments.harmonics.series(entry, case, &orbit);
     let mut answer = Answer::new(
         "orbit",
         || record::describe(info, case, &orbit),
         || document(info, &orbit).put("method", &reason),
     );
+    if let Some(series) = &series {
+        answer = answer.words(|| harmonics::counted(info, series));
+        answer = answer.part("series", || harmonics::counts(info, series));
+    }
     if let Some(found) = &certificate {
         answer = answer.words(|| certificate::describe(info, found));
     }
