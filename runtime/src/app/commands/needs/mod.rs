@@ -1,6 +1,7 @@
 //! `needs`: the least of a model that answers.
 
 mod document;
+mod picture;
 mod text;
 
 use std::ops::ControlFlow;
@@ -65,11 +66,14 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     };
     let record = asked.got(asked.entry.needs_watched(&case, &watch))?;
     drop(progress);
-    let answer = Answer::new(
+    let mut answer = Answer::new(
         "needs",
         || text::describe(info, &case, &record),
         || document::document(info, &record),
     );
+    if !record.modes.is_empty() {
+        answer = answer.figure("needs", || picture::picture(info, &record));
+    }
     output.deliver(&answer)?;
     if record.interrupted {
         return Err(output.interrupted("not all was looked at"));
