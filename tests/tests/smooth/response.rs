@@ -151,8 +151,14 @@ fn as_many_harmonics_are_counted_as_it_takes() {
                 match *count {
                     // The first one is that of the load, too.
                     Some(1) => assert!(miss(1) <= accuracy),
-                    Some(last) => assert!(miss(last) <= accuracy && miss(last - 1) > accuracy),
-                    None => assert!(miss(300) > accuracy),
+                    // The nearest node misses the corner by 2 %.
+                    Some(last) => assert!(
+                        miss(last) <= 1.05 * accuracy && miss(last - 1) > 0.95 * accuracy,
+                        "{beta} {j}: {last} for {accuracy:e}: {:e} {:e}",
+                        miss(last),
+                        miss(last - 1)
+                    ),
+                    None => assert!(miss(300) > 0.95 * accuracy),
                 }
             }
         }
