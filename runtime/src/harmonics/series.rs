@@ -10,7 +10,8 @@ use crate::motion::{Flow, Node};
 const SUMMED: [usize; 2] = [30, 300];
 
 /// For each state and each of these accuracies, the fewest harmonics with which, and with any more than which, the Fourier
-/// series of a motion misses that state nowhere, at the nodes of its quadrature, by more than that share of half its extent; `None` where 300 do not suffice.
+/// series of a motion misses that state nowhere, at the nodes of its quadrature, by more than that share of half its
+/// extent; `None` where 300 do not suffice.
 ///
 /// It is what a method of harmonic balance needs at least.
 ///
