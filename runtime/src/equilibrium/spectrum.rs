@@ -8,7 +8,7 @@ use crate::linear::{Eigenvalue, eigenvalues};
 /// The eigenvalues of a Jacobian.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
-    /// Largest real part first; one that is zero as far as rounding tells is zero. Empty if they could not be found.
+    /// Largest real part first; one that is zero as far as rounding tells is zero. Empty if the Jacobian is not finite.
     pub eigenvalues: Vec<Complex<f64>>,
     /// The same with their errors, in the same order.
     pub growths: Growths,
@@ -22,7 +22,7 @@ impl Spectrum {
     /// Of an n × n Jacobian.
     #[must_use]
     pub fn of(jacobian: &DMatrix<f64>) -> Self {
-        Self::judged(&eigenvalues(jacobian))
+        Self::judged(&eigenvalues(jacobian), jacobian.nrows())
     }
 
     /// The same without the `neutral` eigenvalues that are zero because an equilibrium belongs to a set, and
@@ -31,11 +31,12 @@ impl Spectrum {
     pub fn across(jacobian: &DMatrix<f64>, neutral: usize) -> Self {
         let mut all = eigenvalues(jacobian);
         all.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
-        all.truncate(jacobian.nrows().saturating_sub(neutral));
-        Self::judged(&all)
+        let others = jacobian.nrows().saturating_sub(neutral);
+        all.truncate(others);
+        Self::judged(&all, others)
     }
 
-    fn judged(all: &[Eigenvalue]) -> Self {
+    fn judged(all: &[Eigenvalue], count: usize) -> Self {
         let growth = |one: &Eigenvalue| Growth::new(one.value, one.error(f64::EPSILON));
         let growths = Growths::new(all.iter().map(growth).collect());
         let value = |one: &Growth| {
@@ -45,7 +46,10 @@ impl Spectrum {
         Self {
             eigenvalues: growths.iter().map(value).collect(),
             unstable: growths.growing(),
-            stability: growths.stability(),
+            stability: match all.len() == count {
+                true => growths.stability(),
+                false => Stability::Undecided,
+            },
             growths,
         }
     }

@@ -1,10 +1,9 @@
 //! Eigenvalues of a matrix, each with a bound of its error.
 
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::balance::balanced;
-
-const ITERATIONS: usize = 10_000;
+use super::schur::schur;
 
 /// An eigenvalue.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,14 +26,14 @@ impl Eigenvalue {
     }
 }
 
-/// Eigenvalues of a square matrix; none if the QR iteration does not end.
+/// Eigenvalues of a square matrix; none if it is not finite.
 pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Eigenvalue> {
     if matrix.nrows() == 0 || !matrix.iter().all(|entry| entry.is_finite()) {
         return Vec::new();
     }
     let matrix = balanced(matrix);
     let Some((basis, blocks)) = schur(&matrix) else {
-        return Vec::new();
+        return within(&matrix);
     };
     let backward = backward(&matrix, &basis, &blocks);
     let form = Triangular::of(&basis, &blocks);
@@ -84,11 +83,16 @@ fn refined(
     (found.is_finite() && (found.im > 0.0) == (value.im > 0.0)).then_some(found)
 }
 
-fn schur(matrix: &DMatrix<f64>) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
-    if matrix.nrows() == 1 {
-        return Some((DMatrix::identity(1, 1), matrix.clone()));
-    }
-    Some(Schur::try_new(matrix.clone(), f64::EPSILON, ITERATIONS)?.unpack())
+/// What is known of eigenvalues that were not found: no one is larger than the matrix.
+fn within(matrix: &DMatrix<f64>) -> Vec<Eigenvalue> {
+    let size = matrix.norm();
+    let one = Eigenvalue {
+        value: Complex::new(0.0, 0.0),
+        condition: 1.0,
+        backward: size,
+        size,
+    };
+    vec![one; matrix.nrows()]
 }
 
 /// ‖A − Q T Qᵀ‖ with what measuring it may round away.
@@ -215,6 +219,36 @@ mod tests {
             assert!(off <= found.error(0.0), "{off:e}: {found:?}");
             assert!(found.error(0.0) < 1e-5, "{found:?}");
         }
+    }
+
+    #[test]
+    fn eigenvalues_that_lie_symmetrically_about_zero_are_found() {
+        // Two masses without damping that flutter: λ⁴ + 31 λ² + 220 − c d = 0.
+        for step in 0..200 {
+            let product = -20.25 - 0.1 * f64::from(step + 1);
+            let [first, second] = [2.5, product / 2.5];
+            let rows = [
+                0.0, 1.0, 0.0, 0.0, -11.0, 0.0, -second, 0.0, 0.0, 0.0, 0.0, 1.0, -first, 0.0,
+                -20.0, 0.0,
+            ];
+            let found = eigenvalues(&DMatrix::from_row_slice(4, 4, &rows));
+            let square = Complex::new(-15.5, (-20.25 - product).sqrt());
+            for one in found {
+                let off =
+                    [square, square.conj()].map(|square| (one.value * one.value - square).norm());
+                let most = 2.1 * one.value.norm() * one.error(f64::EPSILON);
+                assert!(off[0].min(off[1]) <= most, "{product}: {one:?}");
+                assert!(one.error(f64::EPSILON) < 1e-11, "{one:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn eigenvalues_that_are_not_found_lie_within_the_size_of_the_matrix() {
+        let turn = DMatrix::from_row_slice(2, 2, &[0.0, 3.0, -4.0, 0.0]);
+        let found = within(&turn);
+        assert_eq!(found.len(), 2);
+        assert!(found.iter().all(|one| one.error(0.0) >= 12.0_f64.sqrt()));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod balance;
 mod eigenvalue;
+mod schur;
 mod svd;
 
 pub(crate) use balance::balanced;
