@@ -3,3 +3,4 @@
 mod hartog;
 mod held;
 mod jenkins;
+mod stacked;

@@ -95,12 +95,24 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         for contact in modes.sticking() {
             self.input.as_ref()[contact].add_to(&mut field, force.as_ref()[contact]);
         }
+        for state in self.still(modes) {
+            field[state] = D::from(0.0);
+        }
         Some(Snapshot {
             field,
             speed: rule.speed,
             force,
             stick: rule.stick,
         })
+    }
+
+    /// The states that are themselves the speeds of contacts that stick: they do not change at all, and a rounding error of
+    /// the forces would be all that moves.
+    fn still(&self, modes: &Modes<M, N>) -> impl Iterator<Item = usize> {
+        let gradients = self.gradient.as_ref();
+        modes
+            .sticking()
+            .filter_map(|contact| gradients[contact].only())
     }
 
     /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S; elsewhere as given.
@@ -139,6 +151,10 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
             let mut lever = [0.0; N];
             for row in modes.sticking() {
                 self.input.as_ref()[row].add_to(&mut lever, push.as_ref()[row]);
+            }
+            let own = self.gradient.as_ref()[column].only();
+            for state in self.still(modes).filter(|state| Some(*state) != own) {
+                lever[state] = 0.0;
             }
             levers.as_mut()[column] = lever.into();
         }

@@ -180,11 +180,14 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
 
 /// Takes out of `column`, f or a derivative of it, what the sticking force takes out: column − lever (w_y column).
 ///
-/// The lever of one contact moves no other, so that they may follow each other.
+/// The lever of one contact moves no other, so that they may follow each other. Nothing is left of a speed that is a state.
 #[inline]
 fn hold<const N: usize>(column: &mut [f64; N], gradient: &Strip<N>, lever: &Strip<N>) {
     let rate = gradient.dot(column);
     lever.add_to(column, -rate);
+    if let Some(state) = gradient.only() {
+        column[state] = 0.0;
+    }
 }
 
 impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {

@@ -28,6 +28,12 @@ impl<const N: usize> Strip<N> {
         &self.entries
     }
 
+    /// The one state that it reads, if it reads one only.
+    #[inline]
+    pub(crate) fn only(&self) -> Option<usize> {
+        (self.first + 1 == self.end).then_some(self.first)
+    }
+
     #[inline]
     fn stretch(&self) -> Range<usize> {
         if N <= FEW { 0..N } else { self.first..self.end }

@@ -30,7 +30,7 @@ impl Held {
             };
             let size = match c.abs() {
                 size if (size - 1.0).abs() < 1e-6 => String::new(),
-                size => format!("{} ", (size * 1e6).round() / 1e6),
+                size => format!("{} ", to_six_digits(size)),
             };
             combination += &format!("{sign}{size}{}", state.name);
         }
@@ -39,5 +39,21 @@ impl Held {
             value: pin.value,
             conserved: pin.conserved(),
         }
+    }
+}
+
+/// A positive coefficient without the rounding errors of the combination, however small it is.
+fn to_six_digits(size: f64) -> f64 {
+    format!("{size:.5e}").parse().unwrap_or(size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_coefficients_keep_their_digits() {
+        assert_eq!(to_six_digits(1.000_000_04e-8), 1e-8);
+        assert_eq!(to_six_digits(0.333_333_333), 0.333_333);
     }
 }
