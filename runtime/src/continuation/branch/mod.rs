@@ -38,6 +38,8 @@ const RETRACTED: f64 = 0.25;
 /// Steps shorter than this, in scaled coordinates, are tiny: so many in a row lead nowhere.
 pub(super) const TINY: f64 = 1e-4;
 const CREEPING: usize = 300;
+/// A step that may be shortened often enough to tell a corner, over the smallest one.
+const SHORTENED: f64 = 1e3;
 
 /// Unknowns of one solution, begun at another place of it, are corrected by no more than this.
 const SAME: f64 = 1e-3;
@@ -157,10 +159,12 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         true
     }
 
-    /// Tries once more where no step was small enough, with one as long as the last that was.
+    /// Tries once more where no step was small enough, with one as long as the last that was, or so long that a corner is
+    /// told.
     pub(super) fn resume(&mut self) {
         let last = self.before.as_ref().map(|(_, _, _, length)| *length);
-        self.step = last.unwrap_or(self.settings.first_step);
+        let least = SHORTENED * self.settings.smallest_step;
+        self.step = last.map_or(self.settings.first_step, |last| last.max(least));
         (self.stop, self.corner) = (None, None);
     }
 

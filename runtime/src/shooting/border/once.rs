@@ -1,8 +1,8 @@
 //! The motion once around of an orbit on its border, in pieces that end there.
 //!
-//! Whether the event of the border happens on it is a matter of rounding errors: each piece begins beyond it.
+//! Whether the event of a touch happens on it is a matter of rounding errors: each piece begins beyond it.
 
-use super::candidate::Border;
+use super::candidate::{Border, Condition};
 use crate::flow::{FlowError, Want};
 use crate::motion::{Event, Flow, Passage, Place};
 
@@ -17,6 +17,9 @@ pub(super) fn once(
     period: f64,
 ) -> Result<Passage, FlowError> {
     let (on, calm, turn) = (border.going(state), border.calm, border.turn());
+    if border.condition == Condition::Edge && border.mirror.is_none() {
+        return flow.advance(start, period, Want::EXTREMA);
+    }
     let image = border.mirror.as_ref().map(|mirror| mirror.image(flow, &on));
     let mut all = flow.advance(start, (turn - calm) * period, Want::EXTREMA)?;
     let pieces = image.map(|image| (image, turn)).into_iter();

@@ -1,7 +1,6 @@
 //! Which method a question deserves when only an accuracy is asked for.
 
 use super::dynamics::Dynamics;
-use crate::flow::exact::in_closed_form;
 use crate::integrate::Tolerance;
 use crate::model::ModelInfo;
 
@@ -42,12 +41,8 @@ pub fn choose(info: &ModelInfo, dynamics: Option<Dynamics>, accuracy: f64) -> Ch
             "exact dynamics",
             tolerance.explicit(),
             format!(
-                "the law of {} is switched, not smoothed: without a layer nothing is stiff, and no smoothing error enters{}",
-                names.join(", "),
-                match in_closed_form(info) {
-                    true => "; in closed form between events, as the model is linear there",
-                    false => "",
-                }
+                "the law of {} is switched, not smoothed: without a layer nothing is stiff, and no smoothing error enters",
+                names.join(", ")
             ),
         ),
         Dynamics::Smoothed(_) => (
