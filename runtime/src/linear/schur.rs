@@ -15,21 +15,19 @@ pub(super) fn schur(matrix: &DMatrix<f64>) -> Option<(DMatrix<f64>, DMatrix<f64>
     if order == 1 {
         return Some((DMatrix::identity(1, 1), matrix.clone()));
     }
-    (0..BASES).find_map(|trial| {
-        let mirror = mirror(order, trial);
-        let turned = &mirror * matrix * &mirror;
-        let (basis, blocks) = Schur::try_new(turned, f64::EPSILON, ITERATIONS)?.unpack();
-        Some((mirror * basis, blocks))
+    let form = |matrix| Some(Schur::try_new(matrix, f64::EPSILON, ITERATIONS)?.unpack());
+    form(matrix.clone()).or_else(|| {
+        (1..BASES).find_map(|trial| {
+            let mirror = mirror(order, trial);
+            let (basis, blocks) = form(&mirror * matrix * &mirror)?;
+            Some((mirror * basis, blocks))
+        })
     })
 }
 
-/// The basis of a trial: first as it is, then reflected across planes that have nothing to do with any matrix.
+/// The basis of a trial: reflected across a plane that has nothing to do with any matrix.
 fn mirror(order: usize, trial: usize) -> DMatrix<f64> {
-    let identity = DMatrix::identity(order, order);
-    if trial == 0 {
-        return identity;
-    }
     let normal = DVector::from_fn(order, |j, _| (1.3 * (trial * order + j) as f64).sin());
     let square = normal.norm_squared();
-    identity - &normal * normal.transpose() * (2.0 / square)
+    DMatrix::identity(order, order) - &normal * normal.transpose() * (2.0 / square)
 }

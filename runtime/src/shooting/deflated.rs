@@ -12,6 +12,7 @@ use nalgebra::DVector;
 use super::anchor::problem;
 use super::converge::{ROUGH, converge};
 use super::guess::Guess;
+use super::neutral::scaled;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::same::SAME_ORBIT;
@@ -82,8 +83,7 @@ fn deflated(family: &Family, r: f64, seed: &Guess, taken: &[Vec<f64>]) -> Option
     let mut at = problem.evaluate(&z, r).ok()?;
     for _ in 0..STEPS {
         let scale = problem.scale();
-        let matrix = &at.jacobian * nalgebra::DMatrix::from_diagonal(&scale);
-        let plain = matrix.lu().solve(&-&at.residual)?;
+        let plain = scaled(&at, &scale).lu().solve(&-&at.residual)?;
         if !plain.norm().is_finite() {
             return None;
         }

@@ -160,7 +160,7 @@ impl Null {
 }
 
 /// h_z in units of the unknowns.
-fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<f64> {
+pub(super) fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<f64> {
     let mut matrix = linearisation.jacobian.clone();
     for (mut column, unit) in matrix.column_iter_mut().zip(scale) {
         column *= *unit;

@@ -103,13 +103,12 @@ pub(super) struct Departure {
 /// Largest error of the dense output θ³ (1 − θ)³ (θ − a)(θ − b) after division by 1, θ, θ² and θ³, over that before.
 const DEFLATED: [f64; 4] = [1.0, 5.0, 35.0, 770.0];
 
-/// Whether a polynomial that is off by as much falls as it is told to: a little lower, it would fall at all, or once more
+/// Whether a polynomial that is off by as much need not fall as it does: a little lower, it would fall at all, or once more
 /// before, or it does not go down so far.
-fn is_doubtful(polynomial: &Bernstein, error: f64) -> bool {
+fn is_doubtful(polynomial: &Bernstein, fall: Option<(f64, f64)>, error: f64) -> bool {
     let Some((_, lower_until)) = polynomial.raised(-error).first_fall() else {
         return false;
     };
-    let fall = polynomial.first_fall();
     fall.is_none_or(|(theta, until)| lower_until < theta || polynomial.value(until) > -error)
 }
 
@@ -162,9 +161,10 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             return;
         }
         let rest = polynomial.deflated(order);
+        let fall = rest.first_fall();
         self.doubtful |=
-            error > NOISE * terms && is_doubtful(&rest, error * DEFLATED[order.min(3)]);
-        if let Some((theta, until)) = rest.first_fall() {
+            error > NOISE * terms && is_doubtful(&rest, fall, error * DEFLATED[order.min(3)]);
+        if let Some((theta, until)) = fall {
             let theta = from + width * theta;
             if self.fall.is_none_or(|fall| theta < fall.theta) {
                 let until = from + width * until;

@@ -9,7 +9,7 @@ use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
 use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, Place, apart, sticking};
-use crate::shooting::{Orbit, OrbitError, Search, changes_nothing, settled, slides};
+use crate::shooting::{Orbit, OrbitError, changes_nothing, settled, slides};
 use crate::study::equilibria::{sliding_mode, spelt};
 
 /// Passages in which it is looked for rest, for a motion that runs, and for returns.
@@ -66,12 +66,7 @@ impl Ground<'_> {
 
     /// The orbit or the state of rest on which the motion from `start` settles; else what it is if it may be irregular.
     fn settled(&self, start: &[f64], may_roam: bool) -> Result<Attractor, FlowError> {
-        let search = Search {
-            start: start.to_vec(),
-            period: None,
-            accuracy: self.case.accuracy,
-            segments: 1,
-        };
+        let search = self.search(start.to_vec(), None);
         match settled(&self.family, 0.0, &search) {
             Ok(orbit) if self.holds(&orbit, start)? => Ok(self.orbit(&orbit)),
             Ok(orbit) => {

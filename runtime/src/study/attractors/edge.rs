@@ -10,7 +10,7 @@ use super::scouted::Scouted;
 use crate::bifurcation::Stability;
 use crate::equilibrium::settle;
 use crate::motion::{Place, apart};
-use crate::shooting::{Search, closest};
+use crate::shooting::closest;
 
 /// Starts among which neighbours with different futures are looked for.
 const STARTS: usize = 2000;
@@ -73,12 +73,7 @@ fn on_the_edge(scouted: &Scouted<'_>, here: &[f64], there: &[f64]) -> Vec<f64> {
 impl Ground<'_> {
     /// The unstable orbit or state of rest that the motion from a start on an edge comes near to.
     fn saddle(&self, start: &[f64]) -> Option<Attractor> {
-        let search = Search {
-            start: start.to_vec(),
-            period: None,
-            accuracy: self.case.accuracy,
-            segments: 1,
-        };
+        let search = self.search(start.to_vec(), None);
         let orbit = closest(&self.family, 0.0, &search).ok();
         let orbit = orbit.filter(|orbit| orbit.floquet.stability == Stability::Unstable);
         orbit

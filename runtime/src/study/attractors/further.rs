@@ -5,7 +5,7 @@ use super::record::{Attractor, Survey};
 use super::setting::Region;
 use crate::bifurcation::Stability;
 use crate::motion::Place;
-use crate::shooting::{Guess, Orbit, Search, closest, further};
+use crate::shooting::{Guess, Orbit, closest, further};
 use crate::study::error::StudyError;
 use crate::study::question::Case;
 use crate::study::system::System;
@@ -54,15 +54,6 @@ impl System {
 }
 
 impl Ground<'_> {
-    fn search(&self, start: Vec<f64>, period: Option<f64>) -> Search {
-        Search {
-            start,
-            period,
-            accuracy: self.case.accuracy,
-            segments: 1,
-        }
-    }
-
     /// The orbit of a motion that is one.
     fn known(&self, motion: &Attractor) -> Option<Orbit> {
         let search = self.search(motion.state.clone(), Some(motion.period?));

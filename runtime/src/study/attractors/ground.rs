@@ -5,6 +5,7 @@ use super::setting::Region;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Flow, Segment, word};
+use crate::shooting::Search;
 use crate::study::question::Case;
 use crate::study::system::System;
 
@@ -65,6 +66,16 @@ impl<'a> Ground<'a> {
     /// The modes that a motion runs through, of contacts that act as declared.
     pub(super) fn word(&self, segments: &[Segment]) -> Option<String> {
         self.touches().then(|| word(self.system.info(), segments))
+    }
+
+    /// How the orbit is looked for on which the motion from a start settles, or of this period.
+    pub(super) fn search(&self, start: Vec<f64>, period: Option<f64>) -> Search {
+        Search {
+            start,
+            period,
+            accuracy: self.case.accuracy,
+            segments: 1,
+        }
     }
 
     pub(super) fn start(&self, k: usize) -> Vec<f64> {
