@@ -13,19 +13,24 @@ const NO_ASYMMETRY: f64 = 1e-3;
 /// A multiplier 1 of an orbit whose halves differ by less than this, and ever less, is that of the meeting.
 const CLOSING: f64 = 1e-2;
 
-/// The monitors of smooth bifurcations of orbits with this many multipliers, and what tells the others apart.
+/// The monitors of smooth bifurcations of orbits with this many multipliers, known to this accuracy, and what tells the
+/// others apart.
 ///
 /// A doubled orbit may meet the one from which it branches: there both of its halves become one, and beyond, its branch
 /// only runs back.
 #[must_use]
-pub fn monitors<'a, P: PeriodicPoint + 'a>(multipliers: usize) -> Vec<Monitor<'a, P>> {
+pub fn monitors<'a, P: PeriodicPoint + 'a>(
+    multipliers: usize,
+    accuracy: f64,
+) -> Vec<Monitor<'a, P>> {
     let branch_point = Monitor::new(Kind::BranchPoint, closed)
         .only_if(|ends| !turns(ends))
-        .judged(|[from, _], at: &P| {
+        .judged(move |ends, at: &P| {
             // So near a meeting a multiplier is 1 but for its digits.
             let halves = at.asymmetry();
-            let closing = halves <= CLOSING && halves < from.asymmetry();
-            Some(if closing {
+            let closes =
+                halves < ends[0].asymmetry() || !ends.iter().any(|end| tells(*end, accuracy));
+            Some(if halves <= CLOSING && closes {
                 Verdict::Last(Kind::Flip)
             } else {
                 Verdict::Special(Kind::BranchPoint)
@@ -80,6 +85,13 @@ fn turns<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
 /// Whether a multiplier passes through 1.
 fn critical<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
     changes(closed(from), closed(to))
+}
+
+/// Whether the multiplier of a doubled orbit differs from 1 by more than its error: next to the orbit that it doubles the
+/// equations of both are satisfied so nearly everywhere between them that what is found is off by the accuracy over the
+/// distance of the halves.
+fn tells<P: PeriodicPoint>(point: &P, accuracy: f64) -> bool {
+    closed(point).abs() * point.asymmetry() > accuracy
 }
 
 fn asymmetry<P: PeriodicPoint>([from, to]: [&P; 2]) -> f64 {

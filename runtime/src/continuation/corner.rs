@@ -1,6 +1,7 @@
 //! Points of a walk at which the branch is not smooth: what continues it there, and what lies on the way to them.
 
 use super::crossing::{Beyond, Crossing};
+use super::detect::explains;
 use super::ending::Ending;
 use super::located::{Findings, Located};
 use super::path::Watched;
@@ -41,18 +42,33 @@ impl<R: Reader> Walk<'_, R> {
         new.then_some(found)
     }
 
-    /// Keeps what a step that went past such a point found on the way to it.
-    pub(super) fn keep(&mut self, findings: Findings<R::Point>, corner: &Located<R::Point>) {
+    /// What a step that went past such a point found on the way to it.
+    pub(super) fn on_the_way(
+        &self,
+        findings: &Findings<R::Point>,
+        corner: &Located<R::Point>,
+    ) -> Vec<Located<R::Point>> {
         let Some(last) = self.points.last() else {
-            return;
+            return Vec::new();
         };
         let lost = findings.unexplained.first();
         let (from, to) = (last.r(), lost.map_or(corner.r, |lost| lost.between[0]));
         let off = |one: &Located<R::Point>| (one.r - corner.r).abs() > SAME * corner.r.abs();
         let before = |one: &Located<R::Point>| (one.r - from) * (one.r - to) <= 0.0 && off(one);
+        let kept = |one: &&Located<R::Point>| !one.last && one.left.is_nan() && before(one);
+        findings.located.iter().take_while(kept).cloned().collect()
+    }
+
+    /// Whether that accounts for all that changes on the way to it.
+    pub(super) fn accounts(&self, way: &[Located<R::Point>], corner: &Located<R::Point>) -> bool {
+        let last = self.points.last();
+        last.is_none_or(|last| explains(way, last, &corner.point))
+    }
+
+    /// Keeps what was found on the way to such a point.
+    pub(super) fn keep(&mut self, way: Vec<Located<R::Point>>) {
         let (reader, problem) = (&self.followed.reader, &self.followed.branch.problem);
-        let found = findings.located.into_iter();
-        for mut one in found.take_while(|one| !one.last && one.left.is_nan() && before(one)) {
+        for mut one in way {
             one.after = self.points.len();
             reader.refine(problem, &mut one);
             self.located.push(one);

@@ -184,14 +184,19 @@ impl<R: Reader> Walk<'_, R> {
         let bends = !short && findings.bends(point);
         if !findings.unexplained.is_empty() || findings.runs_back(point) || turns || bends {
             // Beyond a border, what was found need not be the same motion any more.
-            if short && let Some(crossing) = self.crossing() {
-                self.keep(findings, &crossing.located);
-                return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
-            }
-            if self.followed.branch.retract() {
+            let crossing = if short { self.crossing() } else { None };
+            let way = |crossing: &CrossingOf<R>| self.on_the_way(&findings, &crossing.located);
+            let way = crossing.as_ref().map(way);
+            let told = crossing.as_ref().zip(way.as_deref());
+            let told = told.is_some_and(|(crossing, way)| self.accounts(way, &crossing.located));
+            if !told && self.followed.branch.retract() {
                 self.wasted += path.work();
                 self.wasted += point.work().copied().unwrap_or_default();
                 return Verdict::Again;
+            }
+            if let Some((crossing, way)) = crossing.zip(way) {
+                self.keep(way);
+                return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
             }
         }
         let round = self.round(&mut path, ends);

@@ -119,7 +119,7 @@ impl Reader for Orbits {
     }
 
     fn monitors(&self) -> Vec<Monitor<'_, Orbit>> {
-        monitors(self.order)
+        monitors(self.order, self.accuracy)
     }
 
     /// A shorter orbit, gone around several times: the step went past where the branch meets that of the shorter one. Or one

@@ -8,7 +8,11 @@ use super::super::path::Watched;
 /// Whether the special points, in the order in which they are met, account for the change in the number of unstable
 /// directions. Where it may be a marginal one that has only got a sign, they do, and where the branch ends: beyond, it is
 /// none or only runs back. Marginal ones that part into as many stable as unstable ones have met.
-pub(super) fn explains<P: Watched>(located: &[Located<P>], from: &P, to: &P) -> bool {
+pub(in crate::continuation) fn explains<P: Watched>(
+    located: &[Located<P>],
+    from: &P,
+    to: &P,
+) -> bool {
     let change = to.unstable() as i64 - from.unstable() as i64;
     let lost = match (from.marginal(), to.marginal()) {
         (Some(from), Some(to)) => from as i64 - to as i64,

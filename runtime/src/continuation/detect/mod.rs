@@ -4,7 +4,7 @@ mod account;
 
 use std::cell::Cell;
 
-use account::explains;
+pub(super) use account::explains;
 
 use super::change::change;
 use super::kind::Kind;

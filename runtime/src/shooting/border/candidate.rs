@@ -60,9 +60,13 @@ impl Border {
 
     /// Whether what is short of it is all that the words of these orbits differ by.
     pub(super) fn parts(&self, orbit: &Orbit, other: &Orbit) -> bool {
+        self.is_brief() && self.long(orbit).has_word_of(other, 1)
+    }
+
+    /// The orbit without what is short of it.
+    pub(super) fn long(&self, orbit: &Orbit) -> Orbit {
         let without = |orbit: Orbit, brief: &[f64; 2]| orbit.without(*brief);
-        let long = self.brief.iter().fold(orbit.clone(), without);
-        self.is_brief() && long.has_word_of(other, 1)
+        self.brief.iter().fold(orbit.clone(), without)
     }
 
     /// Share of the period after which the motion is back, or its image.

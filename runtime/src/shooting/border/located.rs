@@ -189,11 +189,11 @@ impl Edge {
         self.border.drops && self.kind != Kind::CrossingSliding
     }
 
-    /// The orbit as it is on the side of `near`; `slope` is the r-component of the tangent of the branch there.
+    /// The orbit as it is on one side of the border, in the neighbourhood of `near`; `slope` is the r-component of the tangent
+    /// of the branch there.
     pub(super) fn seen_from(&self, near: &Orbit, happens: bool, slope: f64) -> Orbit {
         let map = self.sides.map(happens);
-        let stuck = near.segments.iter().map(|segment| sticking(&segment.modes));
-        let zeros = stuck.max().unwrap_or(0);
+        let zeros = self.zeros(near, happens);
         let accuracy = near.error_estimate;
         let velocity = &self.sides.velocity;
         let judged = || floquet(&map.state, velocity, None, zeros, &[], 0, accuracy);
@@ -208,5 +208,16 @@ impl Edge {
         (orbit.events, orbit.segments) = (near.events.clone(), near.segments.clone());
         orbit.heading.slope = slope;
         orbit
+    }
+
+    /// Multipliers that are zero on this side, as contacts stick there: what happens on the other one only is left out.
+    fn zeros(&self, near: &Orbit, happens: bool) -> usize {
+        let seen = if happens {
+            near.clone()
+        } else {
+            self.border.long(near)
+        };
+        let stuck = seen.segments.iter().map(|segment| sticking(&segment.modes));
+        stuck.max().unwrap_or(0)
     }
 }
