@@ -185,16 +185,19 @@ impl<R: Reader> Walk<'_, R> {
         if !findings.unexplained.is_empty() || findings.runs_back(point) || turns || bends {
             // Beyond a border, what was found need not be the same motion any more.
             let crossing = if short { self.crossing() } else { None };
-            let way = |crossing: &CrossingOf<R>| self.on_the_way(&findings, &crossing.located);
-            let way = crossing.as_ref().map(way);
-            let told = crossing.as_ref().zip(way.as_deref());
-            let told = told.is_some_and(|(crossing, way)| self.accounts(way, &crossing.located));
+            let seen = crossing.map(|crossing| {
+                let way = self.on_the_way(&findings, &crossing.located);
+                (crossing, way)
+            });
+            let told = seen
+                .as_ref()
+                .is_some_and(|(crossing, way)| self.accounts(way, &crossing.located));
             if !told && self.followed.branch.retract() {
                 self.wasted += path.work();
                 self.wasted += point.work().copied().unwrap_or_default();
                 return Verdict::Again;
             }
-            if let Some((crossing, way)) = crossing.zip(way) {
+            if let Some((crossing, way)) = seen {
                 self.keep(way);
                 return self.pass(crossing).map_or(Verdict::Again, Verdict::End);
             }

@@ -20,10 +20,10 @@ pub use extent::half_extents;
 pub(crate) use extent::{NOISE, apart};
 pub use family::{Family, Flows};
 pub use modes::{Modes, spelt, sticking, word};
-pub(crate) use passage::fixed;
 pub use passage::{
     Calm, Derivatives, Event, Extremum, Factor, Node, Passage, Place, Sample, Segment, Velocity,
 };
+pub(crate) use passage::{fixed, most_stuck};
 pub use tape::{Note, Tape};
 
 use std::f64::consts::TAU;

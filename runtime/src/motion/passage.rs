@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use super::{Flow, Modes};
+use super::{Flow, Modes, sticking};
 use crate::field::Work;
 use crate::flow::{self, FlowError, passage};
 
@@ -228,4 +228,11 @@ pub(super) fn matrix<const N: usize>(rows: &[[f64; N]; N]) -> DMatrix<f64> {
 /// A state of the static floors; NaN where a number is missing, which no integrator takes.
 pub(crate) fn fixed<const N: usize>(state: &[f64]) -> [f64; N] {
     crate::scalar::filled(|j| state.get(j).copied().unwrap_or(f64::NAN))
+}
+
+/// How many directions of motion that one of these stretches takes away which takes most: at least as many multipliers of an
+/// orbit of them are exactly zero.
+pub(crate) fn most_stuck(segments: &[Segment]) -> usize {
+    let stuck = segments.iter().map(|segment| sticking(&segment.modes));
+    stuck.max().unwrap_or(0)
 }

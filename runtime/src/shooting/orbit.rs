@@ -8,7 +8,7 @@ use super::pin::{Pin, through};
 use super::shot::{Shot, section, usual};
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
-use crate::motion::{Event, Family, Place, Segment, sticking};
+use crate::motion::{Event, Family, Place, Segment, most_stuck};
 
 /// A periodic orbit.
 #[derive(Debug, Clone)]
@@ -125,8 +125,7 @@ impl Orbit {
         let (min, max) = shot.extent();
         let passages = shot.passages.iter();
         let segments = shot.stretches();
-        let stuck = segments.iter().map(|segment| sticking(&segment.modes));
-        let zeros = stuck.max().unwrap_or(0);
+        let zeros = most_stuck(&segments);
         let derivatives = passages.clone().filter_map(|p| p.derivatives.as_ref());
         let zeros = zeros.max(derivatives.map(|d| d.lost).max().unwrap_or(0));
         let (monodromy, determinant) = shot.monodromy();

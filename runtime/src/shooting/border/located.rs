@@ -12,7 +12,7 @@ use crate::continuation::{Failure, SETTLED, ZeroProblem, correct_at};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::motion::{Family, sticking};
+use crate::motion::{Family, most_stuck};
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::problem::OrbitProblem;
 use crate::shooting::same::SAME_ORBIT;
@@ -212,12 +212,10 @@ impl Edge {
 
     /// Multipliers that are zero on this side, as contacts stick there: what happens on the other one only is left out.
     fn zeros(&self, near: &Orbit, happens: bool) -> usize {
-        let seen = if happens {
-            near.clone()
+        if happens {
+            most_stuck(&near.segments)
         } else {
-            self.border.long(near)
-        };
-        let stuck = seen.segments.iter().map(|segment| sticking(&segment.modes));
-        stuck.max().unwrap_or(0)
+            most_stuck(&self.border.long(near).segments)
+        }
     }
 }
