@@ -3,8 +3,9 @@
 
 use nalgebra::{DVector, RowDVector};
 
+use super::conserved::is_conserved;
 use super::echelon::Echelon;
-use super::neutral::{Null, is_conserved};
+use super::neutral::Null;
 use super::pin::{Condition, Pin, Swing, through};
 use super::problem::OrbitProblem;
 use super::shot::Shot;

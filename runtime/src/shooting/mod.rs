@@ -8,6 +8,7 @@ mod bound;
 mod branch;
 mod centre;
 mod certificate;
+mod conserved;
 mod converge;
 mod crawl;
 mod deflated;

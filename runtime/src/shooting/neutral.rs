@@ -3,6 +3,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::anchor::problem;
+use super::conserved::{is_conserved, is_free};
 use super::echelon::Echelon;
 use super::guess::Guess;
 use super::pin::Pin;
@@ -12,7 +13,7 @@ use crate::bifurcation::floquet;
 use crate::continuation::{Linearisation, ZeroProblem, correct_at};
 use crate::integrate::Tolerance;
 use crate::linear::svd;
-use crate::motion::{Family, Flow, Velocity};
+use crate::motion::Family;
 
 /// Tolerance with which it is told whether a direction is neutral.
 const SHARP: f64 = 1e-12;
@@ -30,10 +31,6 @@ const DRIFT: f64 = 1e-9;
 /// How far a neighbour is sought, in units of the condition: some have none but very near. How well it must close, over that.
 const ASIDE: [f64; 2] = [1e-3, 1e-5];
 const NEIGHBOUR: f64 = 1e-5;
-/// Share of its terms below which a sum of rates is none.
-const ROUNDING: f64 = 1e-8;
-/// The same where all of them vanish, of what they are elsewhere.
-const VANISHING: f64 = 1e-14;
 
 /// Whether the equations at an orbit known roughly may be singular.
 pub(super) fn suspect(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
@@ -166,54 +163,6 @@ pub(super) fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) 
         column *= *unit;
     }
     matrix
-}
-
-/// Whether a combination of the states has no rate anywhere on the way. Where all its terms vanish, rounding is left of
-/// them, which is measured by what they are elsewhere, and by what would be usual.
-pub(super) fn is_conserved(
-    flow: &dyn Flow,
-    combination: &[f64],
-    shot: &Shot,
-    magnitude: &[f64],
-) -> bool {
-    let Some(velocities) = velocities(flow, shot) else {
-        return false;
-    };
-    let terms = |velocity: &Velocity| -> Vec<f64> {
-        let rates = combination.iter().zip(&velocity.f);
-        rates.map(|(c, rate)| c * rate).collect()
-    };
-    let all: Vec<Vec<f64>> = velocities.iter().map(terms).collect();
-    let size = |terms: &Vec<f64>| terms.iter().map(|term| term.abs()).sum::<f64>();
-    let usual = combination.iter().zip(magnitude);
-    let usual: f64 = usual.map(|(c, unit)| (c * unit).abs()).sum();
-    let most = all.iter().map(size).fold(usual / shot.period, f64::max);
-    let rounding = VANISHING * most;
-    all.iter()
-        .all(|terms| terms.iter().sum::<f64>().abs() <= rounding.max(ROUNDING * size(terms)))
-}
-
-/// Whether no rate depends on where the states are along a shift, given in units of the unknowns, anywhere on the way.
-fn is_free(flow: &dyn Flow, shift: &DVector<f64>, magnitude: &[f64], shot: &Shot) -> bool {
-    let still = |velocity: &Velocity| {
-        velocity.jacobian.row_iter().all(|row| {
-            let terms = || (0..magnitude.len()).map(|j| row[j] * shift[j] * magnitude[j]);
-            let size = (0..magnitude.len()).map(|j| (row[j] * magnitude[j]).abs());
-            terms().sum::<f64>().abs() <= ROUNDING * size.sum::<f64>()
-        })
-    };
-    velocities(flow, shot).is_some_and(|all| all.iter().all(still))
-}
-
-/// The field where the motion begins, and where any state turns.
-fn velocities(flow: &dyn Flow, shot: &Shot) -> Option<Vec<Velocity>> {
-    let extrema = shot.passages.iter().flat_map(|passage| &passage.extrema);
-    let states = extrema.map(|extremum| &extremum.state);
-    std::iter::once(&shot.start.state)
-        .chain(states)
-        .map(|state| flow.place(state).and_then(|place| flow.velocity(&place)))
-        .collect::<Result<_, _>>()
-        .ok()
 }
 
 /// Whether there is an orbit to one side of this condition: at a fold, or at a branch point, there is none.

@@ -175,28 +175,34 @@ pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
 
 /// Whether the rates are the same everywhere after this shift, as far as states of `usual` sizes tell.
 pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
-    let moved = shift.iter().zip(usual);
-    let mut moves = moved.clone().map(|(d, size)| d.abs() / size);
-    if !moves.any(|share| share > SMALL) {
+    let mut shares = shift.iter().zip(usual).map(|(d, size)| d.abs() / size);
+    if !shares.any(|share| share > SMALL) {
         return false;
     }
     let rates = |state: &[f64]| {
         let place = flow.place(state).ok()?;
         Some((flow.velocity(&place).ok()?.f, place.modes))
     };
-    let mut known = 0;
-    let same = spread(usual).all(|here| {
-        let there: Vec<f64> = here.iter().zip(shift).map(|(y, d)| y + d).collect();
-        match (rates(&here), rates(&there)) {
-            (Some((f, modes)), Some((g, other))) => {
-                known += 1;
-                modes == other && (f.clone() - g).amax() <= SAME * f.amax()
-            }
-            // Behind a wall no motion begins.
-            (here, there) => here.is_none() && there.is_none(),
+    let places: Vec<Vec<f64>> = spread(usual).collect();
+    let known: Vec<_> = places.iter().map(|here| rates(here)).collect();
+    // Each rate in its own size: those of others have other units.
+    let size = |j: usize| {
+        known
+            .iter()
+            .flatten()
+            .map(|(f, _)| f[j].abs())
+            .fold(0.0, f64::max)
+    };
+    let sizes: Vec<f64> = (0..usual.len()).map(size).collect();
+    let same = |k: usize| match (&known[k], rates(&moved(&places[k], shift, -1.0))) {
+        (Some((f, modes)), Some((g, other))) => {
+            let off = f - g;
+            *modes == other && (0..sizes.len()).all(|j| off[j].abs() <= SAME * sizes[j])
         }
-    });
-    same && known >= KNOWN
+        // Behind a wall no motion begins.
+        (here, there) => here.is_none() && there.is_none(),
+    };
+    known.iter().flatten().count() >= KNOWN && (0..TRIED).all(same)
 }
 
 /// The state moved by any share of a shift to where it is nearest to a point.

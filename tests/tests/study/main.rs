@@ -9,4 +9,5 @@ mod news;
 mod periods;
 mod proofs;
 mod running;
+mod sizes;
 mod trade;

@@ -4,7 +4,7 @@ use stickslip::field::Design;
 use stickslip::model;
 use stickslip::model::Model;
 use stickslip::shooting::OrbitError;
-use stickslip::study::{Along, Case, Dynamics, OrbitRecord, StudyError, System};
+use stickslip::study::{Along, Case, Dynamics, Kind, OrbitRecord, StudyError, System};
 use stickslip_models::BeltPair;
 use stickslip_models::friction::{Coulomb, Jenkins};
 
@@ -225,5 +225,49 @@ fn what_friction_holds_is_followed_though_only_rounding_moves_it() {
             "{orbit:?}"
         );
         assert!(orbit.max[1].abs() < 1e-20, "{orbit:?}");
+    }
+}
+
+model! {
+    /// A wagon on wedges, which rub the more, the deeper it sinks, on a wavy track.
+    pub struct Wedge {
+        state y: m = 0.0;
+        state v: m/s = 0.0;
+        param k: 1/s^2 = 100.0;
+        param c: 1/s = 0.2;
+        param mu = 0.15 where mu >= 0.0;
+        param rest: m = 0.1;
+        param wave: m = 0.02;
+        param omega: rad/s = 6.0 where omega > 0.0;
+        drive phi at omega;
+        friction F: m/s^2 = Coulomb { level: mu * k * (rest + y) } opposing v;
+        der(y) = v;
+        der(v) = F - k * (y - wave * sin(phi)) - c * v;
+    }
+}
+
+/// Where it is held it can be at several places, but only at y = 0 are both ways as far from letting go: up to
+/// μ = wave / rest. Slides that vanish there end at that place, and begin from it.
+#[test]
+fn what_is_held_lets_go_where_slides_vanish() {
+    let system = system::<Wedge, 3>();
+    for (from, to) in [(0.15, 0.3), (0.3, 0.15)] {
+        let mut case = Case::declared(Wedge::INFO, Dynamics::Exact).at(from);
+        case.along = Some(Along {
+            design: Design::Parameter(Wedge::mu.index),
+            from,
+            to,
+        });
+        let branch = system.branch(&case).expect("a branch");
+        assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+        let gone = branch.special.iter();
+        let gone: Vec<_> = gone
+            .filter(|one| one.kind == Kind::VanishingSegment)
+            .collect();
+        let [one] = gone[..] else {
+            panic!("{:?}", branch.special);
+        };
+        let (off, error) = ((one.r - 0.2).abs(), one.error.unwrap());
+        assert!(off < 1e-9 && off <= error, "{} ± {error}", one.r);
     }
 }

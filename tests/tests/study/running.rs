@@ -3,7 +3,7 @@
 use stickslip::field::Design;
 use stickslip::model;
 use stickslip::study::{Along, Case, Dynamics, OrbitRecord, StudyError, System};
-use stickslip_models::friction::Coulomb;
+use stickslip_models::friction::{Coulomb, Jenkins};
 use stickslip_models::press::Compliant;
 
 model! {
@@ -187,4 +187,40 @@ fn a_period_that_is_given_leads_to_the_same_motion() {
         ..Case::declared(system.info(), Dynamics::Exact)
     };
     turns_as_it_should(&system.orbit(&case).unwrap(), 0.5);
+}
+
+model! {
+    /// A pile that a vibrator drives into soil: forces of tens of kilonewtons beside millimetres.
+    pub struct Pile {
+        state y: m = 0.0;
+        state v: m/s = 0.0;
+        state z: N = 0.0;
+        param m: kg = 2000.0 where m > 0.0;
+        param weight: N = 30e3;
+        param load: N = 300e3;
+        param omega: rad/s = 160.0 where omega > 0.0;
+        param ks: N/m = 1.2e8 where ks > 0.0;
+        param level: N = 150e3 where level > 0.0;
+        param c: N*s/m = 2e4;
+        drive phi at omega;
+        friction F: N = Jenkins { stiffness: ks, level: level } opposing v with z;
+        der(y) = v;
+        der(v) = (F + weight + load * cos(phi) - c * v) / m;
+    }
+}
+
+/// Nothing depends on how deep it is, everything on the force in the soil, by however little beside its own rate. What it
+/// loses of momentum it gains: the mean of all forces is none.
+#[test]
+fn a_pile_sinks_by_the_same_way_each_time() {
+    let system = System::of::<Pile, _>();
+    let case = Case::declared(system.info(), Dynamics::Exact);
+    let orbit = system.orbit(&case).unwrap();
+    let gain = orbit.shift.as_ref().unwrap();
+    assert_eq!(gain[1..], [0.0; 3], "only the depth grows");
+    let start = Some(orbit.state.clone());
+    let motion = system.motion(&Case { start, ..case }, orbit.period);
+    let end = motion.unwrap().states.last().cloned().unwrap();
+    close((end[0] - orbit.state[0]) / gain[0], 1.0, 1e-8);
+    assert!(gain[0] > 0.009 && gain[0] < 0.01, "{gain:?}");
 }

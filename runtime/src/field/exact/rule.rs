@@ -1,6 +1,6 @@
 //! The rule that answers for a force in a given mode, and notes what it was asked.
 
-use super::mode::Mode;
+use super::mode::{Mode, Modes};
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::{PressLaw, Pressed};
@@ -47,8 +47,7 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
             Mode::SlideForward => -slip(law, speed),
             Mode::SlideBackward => slip(law, -speed),
             Mode::Stick => self.given.as_ref()[contact],
-            Mode::PinnedForward => -law.stick(),
-            Mode::PinnedBackward => law.stick(),
+            _ if const { Modes::<M, N>::PRESSED } => held(mode, law),
             _ => D::from(0.0),
         };
         self.speed.as_mut()[contact] = speed;
@@ -82,6 +81,15 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
             return pressed.force;
         }
         D::from(0.0)
+    }
+}
+
+/// The force of a contact that presses hold as it moves: at its limit, or none where they are open.
+fn held<D: Scalar, L: FrictionLaw<D>>(mode: Mode, law: &L) -> D {
+    match mode {
+        Mode::PinnedForward => -law.stick(),
+        Mode::PinnedBackward => law.stick(),
+        _ => D::from(0.0),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Points of a motion on a section.
 
+use super::follow::measured;
 use crate::poincare::{Met, Section, once_around, until};
 use crate::study::error::StudyError;
 use crate::study::question::{Case, Span};
@@ -11,11 +12,14 @@ impl System {
     /// # Errors
     /// The motion cannot be followed.
     pub fn crossings(&self, case: &Case, section: Section, span: Span) -> Result<Met, StudyError> {
-        let flow = self.at(case)?;
-        let place = flow.place(&self.start(case))?;
+        let family = self.family(case);
+        let start = self.start(case);
+        let (Span::Time(time) | Span::Period(time)) = span;
+        let flow = measured((&family, self.beginning(case)), &start, time)?;
+        let (flow, place) = (flow.as_ref(), flow.place(&start)?);
         Ok(match span {
-            Span::Time(time) => until(flow.as_ref(), place, section, time)?,
-            Span::Period(period) => once_around(flow.as_ref(), place, section, period)?,
+            Span::Time(time) => until(flow, place, section, time)?,
+            Span::Period(period) => once_around(flow, place, section, period)?,
         })
     }
 }

@@ -2,9 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use super::sized::Sized;
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, Passage, Place, Segment};
+use crate::motion::{Family, Flow, Modes, Passage, Place, Segment};
 use crate::poincare::longest;
 
 /// Numbers in the samples of a stretch.
@@ -124,12 +125,12 @@ impl Stretch<'_> {
     }
 }
 
-/// Follows the motion from `start` for `time`, or until `see` wants no more.
+/// Follows the motion of the flow at r from `start` for `time`, or until `see` wants no more.
 ///
 /// # Errors
 /// The motion cannot be followed, or `see` fails.
 pub(super) fn follow(
-    flow: &dyn Flow,
+    (family, r): (&Family, f64),
     start: &[f64],
     time: f64,
     see: &mut dyn FnMut(&Stretch<'_>) -> Result<ControlFlow<()>, FlowError>,
@@ -140,12 +141,14 @@ pub(super) fn follow(
         samples: (NUMBERS / start.len().max(1)).max(LEAST),
         ..Want::default()
     };
-    let mut place = flow.place(start)?;
-    let most = longest(flow, &place)?;
+    let mut sized = Sized::new(family, r)?;
+    let mut place = sized.flow.place(start)?;
+    let most = longest(sized.flow.as_ref(), &place)?;
     let (mut since, mut turned) = (0.0, 0.0);
     loop {
-        let passage = flow.advance(&place, (time - since).min(most), want);
+        let passage = sized.advance(&place, (time - since).min(most), want);
         let passage = passage.map_err(|error| error.later(since))?;
+        let flow = sized.flow.as_ref();
         let until = since + passage.time;
         let over = time - until <= INSTANT * time;
         let stretch = Stretch {
@@ -169,6 +172,27 @@ pub(super) fn follow(
         }
         since = until;
     }
+}
+
+/// The flow at r, its errors measured against how large the states are in the beginning of the motion from `start`.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub(super) fn measured(
+    (family, r): (&Family, f64),
+    start: &[f64],
+    time: f64,
+) -> Result<Box<dyn Flow>, FlowError> {
+    let mut sized = Sized::new(family, r)?;
+    let place = sized.flow.place(start)?;
+    let most = longest(sized.flow.as_ref(), &place)?;
+    let want = Want {
+        path: true,
+        samples: LEAST.pow(2),
+        ..Want::default()
+    };
+    sized.advance(&place, time.min(most), want)?;
+    Ok(sized.flow)
 }
 
 /// Tells the modes of a motion at times that only grow.

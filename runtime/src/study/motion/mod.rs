@@ -4,6 +4,7 @@ mod crossings;
 mod envelope;
 mod extremes;
 mod follow;
+mod sized;
 mod trajectory;
 
 pub use envelope::Envelope;

@@ -96,19 +96,24 @@ impl System {
         limits: Limits,
         watch: &mut dyn FnMut(&Trajectory) -> ControlFlow<()>,
     ) -> Result<Trajectory, StudyError> {
-        let flow = self.at(case)?;
+        let family = self.family(case);
         let start = self.start(case);
         let mut record = Record::new(&start, limits);
-        follow(flow.as_ref(), &start, time, &mut |stretch| {
-            record.take(stretch)?;
-            let enough = record.motion.steps() >= limits.steps;
-            let verdict = watch(&record.motion);
-            Ok(if enough {
-                ControlFlow::Break(())
-            } else {
-                verdict
-            })
-        })?;
+        follow(
+            (&family, self.beginning(case)),
+            &start,
+            time,
+            &mut |stretch| {
+                record.take(stretch)?;
+                let enough = record.motion.steps() >= limits.steps;
+                let verdict = watch(&record.motion);
+                Ok(if enough {
+                    ControlFlow::Break(())
+                } else {
+                    verdict
+                })
+            },
+        )?;
         Ok(record.motion())
     }
 }

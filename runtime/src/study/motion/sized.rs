@@ -1,0 +1,108 @@
+//! A motion whose errors are measured against how large its states are, which it shows itself.
+
+use crate::flow::{FlowError, Want};
+use crate::motion::{Family, Flow, Passage, Place, half_extents};
+
+/// Usual size of a state, and the largest that errors are measured against.
+const USUAL: f64 = 1.0;
+/// Samples of the beginning of a motion, which tells whether its states are of the usual size.
+const FEW: usize = 64;
+/// Times that a stretch is followed anew at most: of states far smaller than what they are measured against, a motion shows
+/// little but its errors.
+const TRIES: usize = 4;
+/// A state that is this much smaller than it was taken to be is measured anew.
+const SMALL: f64 = 0.1;
+/// Where steps become so many times shorter, what was measured is rounding errors and none of the states.
+const SHORTER: f64 = 10.0;
+
+/// A flow that learns how large the states of a motion are, as that goes on.
+pub(super) struct Sized<'a> {
+    family: &'a Family,
+    r: f64,
+    sizes: Vec<f64>,
+    pub(super) flow: Box<dyn Flow>,
+    /// Samples of the next stretch: few as long as a motion of small states may grow.
+    samples: usize,
+}
+
+impl<'a> Sized<'a> {
+    /// That of the flow at r.
+    ///
+    /// # Errors
+    /// There is no flow at r.
+    pub(super) fn new(family: &'a Family, r: f64) -> Result<Self, FlowError> {
+        Ok(Self {
+            family,
+            r,
+            sizes: vec![USUAL; family.order()],
+            flow: family.at(r)?,
+            samples: FEW,
+        })
+    }
+
+    /// The stretch from `place` of at most as many samples as are wanted; where states are small, of fewer, and followed anew
+    /// as long as they prove smaller than they were taken to be.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn advance(
+        &mut self,
+        place: &Place,
+        time: f64,
+        want: Want,
+    ) -> Result<Passage, FlowError> {
+        let few = Want {
+            samples: self.samples.min(want.samples),
+            ..want
+        };
+        let mut passage = self.begin(place, time, few)?;
+        let mut seen = self.seen(&passage);
+        for _ in 0..TRIES {
+            if !(0..seen.len()).any(|j| seen[j] < SMALL * self.sizes[j]) {
+                break;
+            }
+            let flow = self.family.with_magnitude(&seen).at(self.r)?;
+            match flow.advance(place, time, few) {
+                Ok(mut finer) if pace(&passage) <= SHORTER * pace(&finer) => {
+                    finer.work += passage.work;
+                    (self.sizes, self.flow, passage) = (seen, flow, finer);
+                }
+                _ => break,
+            }
+            seen = self.seen(&passage);
+        }
+        if self.is_usual() && few.samples < want.samples {
+            self.samples = want.samples;
+            return self.flow.advance(place, time, want);
+        }
+        self.samples = 2 * few.samples;
+        Ok(passage)
+    }
+
+    /// The stretch, in the sizes known so far; what has outgrown them so much that it is lost in its rounding errors, in the
+    /// usual ones.
+    fn begin(&mut self, place: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
+        let told = self.flow.advance(place, time, want);
+        if told.is_ok() || self.is_usual() {
+            return told;
+        }
+        *self = Self::new(self.family, self.r)?;
+        self.flow.advance(place, time, want)
+    }
+
+    fn is_usual(&self) -> bool {
+        self.sizes.iter().all(|size| *size == USUAL)
+    }
+
+    /// Half the extent of each state, at most the usual size; of what rests, the size known so far.
+    fn seen(&self, passage: &Passage) -> Vec<f64> {
+        let calm = &passage.calm;
+        let half = half_extents(&calm.low, &calm.high, &self.sizes);
+        half.into_iter().map(|half| half.min(USUAL)).collect()
+    }
+}
+
+/// The mean length of a step.
+fn pace(passage: &Passage) -> f64 {
+    passage.time / (passage.work.steps + passage.work.rejected).max(1) as f64
+}
