@@ -9,12 +9,12 @@ const SWEEPS: usize = 4;
 /// A direction that a step damps by more than this (in e-folds) is not resolved by the step itself.
 const DAMPED: f64 = 3.0;
 
-/// ln|μ| and the sign of all N multipliers, the trivial one included, largest first; a sign means nothing where two
-/// moduli are one.
+/// ln|μ| and the sign of all multipliers, largest first, but for as many as are one: those nearest to it. A sign means nothing
+/// where two moduli are one.
 ///
 /// Where an implicit step damps a direction strongly, its own factor says little: an L-stable method
 /// damps like a power where the motion damps exponentially. There (qᵀ ∫J dt q) of the direction q is used.
-pub(super) fn exponents(factors: &[Factor]) -> Vec<(f64, f64)> {
+pub(super) fn exponents(factors: &[Factor], ones: usize) -> Vec<(f64, f64)> {
     let order = factors.first().map_or(0, |factor| factor.state.nrows());
     let mut basis = DMatrix::<f64>::identity(order, order);
     let mut sums = vec![(0.0, 1.0); order];
@@ -35,6 +35,8 @@ pub(super) fn exponents(factors: &[Factor]) -> Vec<(f64, f64)> {
             *sign *= first.column(i).dot(&basis.column(i)).signum();
         }
     }
+    sums.sort_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()));
+    sums.drain(..ones.min(order));
     sums.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     sums
 }
@@ -70,7 +72,7 @@ mod tests {
             state: product,
             growth: None,
         };
-        let logs = exponents(&vec![factor; 200]);
+        let logs = exponents(&vec![factor; 200], 0);
         for ((log, sign), expected) in logs.iter().zip([2.0, -100.0, -600.0]) {
             assert!((log - expected).abs() < 1e-9 && *sign == 1.0, "{logs:?}");
         }
@@ -89,11 +91,14 @@ mod tests {
                 growth: None,
             }
         };
-        let signs = exponents(&[
-            factor([-7e2, 0.6, 1e-6]),
-            factor([1e3, -0.5, 1e-6]),
-            factor([1.0, -1.0, -1.0]),
-        ]);
+        let signs = exponents(
+            &[
+                factor([-7e2, 0.6, 1e-6]),
+                factor([1e3, -0.5, 1e-6]),
+                factor([1.0, -1.0, -1.0]),
+            ],
+            0,
+        );
         assert_eq!(
             signs.iter().map(|(_, sign)| *sign).collect::<Vec<_>>(),
             [-1.0, 1.0, -1.0]

@@ -3,6 +3,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Kind;
+use super::exponents::exponents;
 use super::growth::{Growth, Growths};
 use super::liouville::{Told, agree};
 use super::stability::Stability;
@@ -63,7 +64,8 @@ pub fn floquet(
     let trivial_error = (monodromy * velocity - velocity).norm() / velocity.norm();
     let section = section_map(monodromy, velocity);
     let size = section.amax();
-    let uncertainty = MARGIN * accuracy.max(trivial_error) * size.max(1.0);
+    // What Φ makes of the velocity it is off by, too.
+    let off = MARGIN * trivial_error.max(accuracy * size.max(1.0));
     let mut all = eigenvalues(&section);
     let order = |a: &Eigenvalue, b: &Eigenvalue| {
         let (a, b) = (a.value, b.value);
@@ -73,23 +75,20 @@ pub fn floquet(
     all.sort_by(|a, b| aside(a).total_cmp(&aside(b)));
     all.drain(..neutral.min(all.len()));
     all.sort_by(order);
-    let errors = all.iter().map(|one| one.error(0.0) + uncertainty);
-    let errors: Vec<f64> = errors.collect();
-    let floor = RESOLVED.max(trivial_error) * size.max(f64::MIN_POSITIVE);
-    let mut told = told(&all, floor);
+    let floor = trivial_error.max(RESOLVED * size.max(f64::MIN_POSITIVE));
+    let mut told = told(&all, floor, off);
     let flat = determinant.is_some_and(Determinant::is_zero);
     let zeros = zeros.max(usize::from(flat)).min(told.len());
     let live = told.len() - zeros;
     told[live..].fill(Told::ZERO);
     if let (0, Some(determinant)) = (zeros, determinant) {
-        agree(&mut told, determinant, factors);
+        let exponents = || exponents(factors, 1 + neutral);
+        agree(&mut told, (determinant, MARGIN * accuracy), exponents);
     }
-    let found: Vec<Complex<f64>> = told.iter().map(|one| one.value).collect();
-    let growth = |(multiplier, error): (&Complex<f64>, &f64)| growth(*multiplier, *error);
-    let growths = Growths::new(found.iter().zip(&errors).map(growth).collect());
+    let growths = Growths::new(told.iter().map(Told::growth).collect());
     Floquet {
+        multipliers: told.iter().map(|one| one.value).collect(),
         log_moduli: told.iter().map(|one| one.log).collect(),
-        multipliers: found,
         trivial_error,
         stability: growths.stability(),
         unstable: growths.growing(),
@@ -130,8 +129,8 @@ impl Floquet {
     }
 }
 
-/// What Φ tells of multipliers, those up to `floor` not resolved.
-fn told(all: &[Eigenvalue], floor: f64) -> Vec<Told> {
+/// What a Φ that is off by as much tells of multipliers, those up to `floor` not resolved.
+fn told(all: &[Eigenvalue], floor: f64, off: f64) -> Vec<Told> {
     let mut told: Vec<Told> = Vec::with_capacity(all.len());
     for one in all {
         let size = one.value.norm();
@@ -141,19 +140,10 @@ fn told(all: &[Eigenvalue], floor: f64) -> Vec<Told> {
             value: one.value,
             log: (size > floor).then(|| size.ln()),
             loose: pair.map_or(one.condition / size, |other| other.loose),
+            error: one.error(0.0) + one.condition * off,
         });
     }
     told
-}
-
-/// ln μ, real where the multiplier is, whatever its sign; its error is to the rate as that of μ to its way to the circle.
-fn growth(multiplier: Complex<f64>, error: f64) -> Growth {
-    let (size, real) = (multiplier.norm(), multiplier.im == 0.0);
-    let turn = if real { 0.0 } else { multiplier.arg() };
-    let (rate, way) = (size.ln(), size - 1.0);
-    let slope = if way == 0.0 { 1.0 } else { rate / way };
-    let error = if size > 0.0 { error * slope } else { 0.0 };
-    Growth::new(Complex::new(rate, turn), error)
 }
 
 /// DP = Qᵀ Φ Q with Q an orthonormal basis of the complement of f, which is normal to the section.

@@ -1,13 +1,17 @@
 //! Orbits along which errors grow a hundred million times: divided into segments, they are followed as any other.
 
 use nalgebra::DVector;
+use stickslip::bifurcation::Stability;
 use stickslip::continuation::{Settings, Stop, correct};
 use stickslip::field::Design;
 use stickslip::flow::{FlowError, SmoothFamily};
 use stickslip::integrate::Tolerance;
+use stickslip::model;
 use stickslip::motion::Family;
 use stickslip::shooting::{Orbit, OrbitBranch, OrbitProblem, Phase, Search, closest};
+use stickslip::study::{Along, Case, Dynamics, Kind, System};
 use stickslip_models::DrillString;
+use stickslip_models::friction::LuGre;
 use stickslip_tests::random::Random;
 
 const ACCURACY: f64 = 1e-9;
@@ -107,4 +111,43 @@ fn newton_is_quadratic_where_errors_grow() {
         let last = sizes[sizes.len() - 1];
         assert!(sizes.len() <= 6 && last <= 1e-10, "{sizes:?}");
     }
+}
+
+model! {
+    /// A seal that is drawn over a pin on a spring: bristles of half a millimetre beside slides of half a metre.
+    pub struct Seal {
+        state x: m = 0.0;
+        state v: m/s = 0.0;
+        state z: m = 0.0;
+        param k: 1/s^2 = 2.0;
+        param pull: m/s = 0.2;
+        friction F: m/s^2 = LuGre { stiffness: 1e4, damping: 100.0, viscous: 0.4, peak: 1.5, kinetic: 1.0, stribeck: 0.01 } opposing pull - v with z;
+        der(x) = v;
+        der(v) = -F - k * x;
+    }
+}
+
+/// Between folds and flips multipliers reach 1e13, and the trivial one is lost beside them: orbits are not called stable for
+/// that, and where there is no symmetry there are no branch points.
+#[test]
+#[ignore = "long"]
+fn what_grows_most_is_not_taken_for_what_underflows() {
+    let system = System::of::<Seal, _>();
+    let mut case = Case::declared(system.info(), Dynamics::Smooth);
+    case.along = Some(Along {
+        design: Design::Parameter(Seal::pull.index),
+        from: 0.2,
+        to: 0.5,
+    });
+    let branch = system.branch(&case).expect("a branch");
+    let kinds = branch.special.iter().map(|one| one.kind);
+    let kinds: Vec<Kind> = kinds.collect();
+    assert!(kinds.len() >= 14, "{kinds:?}");
+    let known = |kind: &Kind| matches!(kind, Kind::Fold | Kind::Flip);
+    assert!(kinds.iter().all(known), "{kinds:?}");
+    let mut behind = branch.points.iter().rev().take(20);
+    assert!(behind.all(|orbit| {
+        let growing = orbit.floquet.multipliers[0].norm() > 1e10;
+        growing && orbit.floquet.stability == Stability::Unstable
+    }));
 }
