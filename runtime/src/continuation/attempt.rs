@@ -45,6 +45,9 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let arrives = self.tangent(&corrected, &direction)?;
+        if stop.is_some() {
+            first_there(base, corrected.r, &arrives)?;
+        }
         let accepted = self.accept(corrected, arrives.clone());
         // What the problem fixed for the new point does not fit the old one.
         let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
@@ -177,4 +180,15 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         }
         Ok(beta_1)
     }
+}
+
+/// Whether a step to an end of the range comes to where the branch reaches it first: there it goes on outwards, and where it
+/// does not it has been outside.
+fn first_there<E>(base: &Base, r: f64, arrives: &DVector<f64>) -> Result<(), Failure<E>> {
+    let outwards = arrives[base.z.len()] * (r - base.r);
+    if outwards >= 0.0 {
+        return Ok(());
+    }
+    let (beta_1, beta_2) = angles(&base.tangent, arrives);
+    Err(Failure::Angle { beta_1, beta_2, r })
 }

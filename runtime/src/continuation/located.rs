@@ -102,6 +102,17 @@ pub struct Unexplained {
     pub reason: String,
 }
 
+impl Unexplained {
+    /// What happens between two points, and why it was not looked at more closely.
+    pub(super) fn between<P: Watched>(ends: [&P; 2], reason: &str) -> Self {
+        Self {
+            between: ends.map(Watched::r),
+            unstable: ends.map(Watched::unstable),
+            reason: reason.to_owned(),
+        }
+    }
+}
+
 /// The share of a step that goes along the design variable below which it has no sign.
 const SLOPE: f64 = 1e-3;
 /// Angle by which a branch may turn beyond a point at which it is not smooth, rad: as much as on any step.

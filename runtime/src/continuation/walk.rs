@@ -211,24 +211,30 @@ impl<R: Reader> Walk<'_, R> {
         self.note(findings, round)
     }
 
-    /// Where the branch began, if it has come back there between these points.
-    fn round(&self, path: &mut Between<R>, ends: [&R::Point; 2]) -> Option<f64> {
+    /// The end of a branch that has come back between these points to where it began; one that comes the other way round has
+    /// turned somewhere unseen.
+    fn round(&self, path: &mut Between<R>, ends: [&R::Point; 2]) -> Option<Ending<ErrorOf<R>>> {
         let first = self
             .points
             .first()
             .filter(|_| R::CLOSES && self.points.len() > ROUND)?;
         let back = reach(path, ends, first.r(), self.followed.accuracy).ok()??;
-        self.followed
-            .reader
-            .closes(first, &back)
-            .then_some(first.r())
+        if !self.followed.reader.closes(first, &back) {
+            return None;
+        }
+        Some(if first.slope() * back.slope() < 0.0 {
+            let reason = "it comes back the other way round to where it began";
+            Ending::Unexplained(Unexplained::between(ends, reason))
+        } else {
+            Ending::Closed(first.r())
+        })
     }
 
     /// Keeps what was found on a step that is not taken back.
     fn note(
         &mut self,
         mut findings: Findings<R::Point>,
-        round: Option<f64>,
+        round: Option<Ending<ErrorOf<R>>>,
     ) -> Verdict<R::Point, ErrorOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
         for found in &mut findings.located {
@@ -258,7 +264,7 @@ impl<R: Reader> Walk<'_, R> {
             (None, None) => {}
         }
         self.unexplained = self.unexplained.take().or(first);
-        round.map_or(Verdict::GoOn, |r| Verdict::End(Ending::Closed(r)))
+        round.map_or(Verdict::GoOn, Verdict::End)
     }
 
     /// What was found belongs to another branch: the step went past where they meet.

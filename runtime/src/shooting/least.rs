@@ -64,12 +64,12 @@ pub(super) fn shorter(
     Ok(None)
 }
 
-/// Guesses of a part of a period after which the motion comes back, the shortest first: as well as after the whole, so that
-/// the orbit is sure to be gone around several times, and worse.
+/// Guesses of a part of a period after which the motion comes back as well as after the whole, the shortest first: the orbit
+/// is gone around several times.
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], FlowError> {
+pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowError> {
     let whole = flow.advance(&guess.place, guess.period, Default::default())?;
     let magnitude = half_extents(&whole.calm.low, &whole.calm.high, &guess.magnitude);
     let wide = Guess {
@@ -78,16 +78,14 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], F
     };
     let closed = gap(flow, &whole.end.state, &wide);
     let (mut place, mut time) = (guess.place.clone(), 0.0);
-    let mut found = [Vec::new(), Vec::new()];
+    let mut found = Vec::new();
     for part in (2..=PARTS).rev().map(|laps| wide.part(laps)) {
         place = flow
             .advance(&place, part.period - time, Default::default())?
             .end;
         time = part.period;
-        let back = gap(flow, &place.state, &part);
-        let sure = back <= BACK && back <= WORSE * closed;
-        if back <= NEAR {
-            found[usize::from(!sure)].push(part);
+        if gap(flow, &place.state, &part) <= BACK.min(WORSE * closed) {
+            found.push(part);
         }
     }
     Ok(found)

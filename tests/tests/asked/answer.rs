@@ -60,12 +60,8 @@ pub(crate) fn compare(first: &Answer, other: &Answer, way: &str) -> Option<Strin
     extra.retain(|one| !borderline(one));
     let told = |all: &[&Special]| {
         let one = |one: &&Special| {
-            format!(
-                "{} {:.11} ({:.0e})",
-                one.label,
-                one.r,
-                one.error.unwrap_or(f64::NAN)
-            )
+            let error = one.error.map(|error| format!(" ({error:.0e})"));
+            format!("{} {:.11}{}", one.label, one.r, error.unwrap_or_default())
         };
         all.iter().map(one).collect::<Vec<_>>().join(", ")
     };

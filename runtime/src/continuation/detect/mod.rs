@@ -171,8 +171,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             if border.last {
                 return;
             }
-        } else if found.is_sharp() {
-            // What is no border is an exchange of two events: none lies between them where they meet.
+        } else if found.is_sharp() && before.point.differs_in_order(&after.point) {
+            // Two events are exchanged: none lies between them where they meet.
             let kind = Kind::VanishingSegment;
             let middle = 0.5 * (before.point.r() + after.point.r());
             let (at, r, error) = match &found.meeting {
@@ -186,7 +186,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 ..Located::between(kind, [before, after], at.clone())
             });
         } else {
-            let reason = "the events change, and no orbit was found between";
+            let reason = "the events change, and no border was found between";
             self.give_up(before, after, reason);
         }
         if high.share < to.share {
@@ -232,12 +232,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     }
 
     fn give_up(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, reason: &str) {
-        let pair = [&from.point, &to.point];
-        self.unexplained.push(Unexplained {
-            between: pair.map(Watched::r),
-            unstable: pair.map(Watched::unstable),
-            reason: reason.to_owned(),
-        });
+        let ends = [&from.point, &to.point];
+        self.unexplained.push(Unexplained::between(ends, reason));
     }
 }
 

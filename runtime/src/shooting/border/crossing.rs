@@ -18,6 +18,7 @@ use crate::shooting::guess::Guess;
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::phase::normal;
 use crate::shooting::problem::OrbitProblem;
+use crate::shooting::same::SAME_ORBIT;
 use crate::shooting::stray::walks_back;
 
 /// Distances from the border, in scaled coordinates, at which the branch is taken up again.
@@ -56,7 +57,9 @@ pub(in crate::shooting) fn cross(
         let ahead = slope.is_some_and(|slope| slope * way > 0.0) && last.heading.slope * way > 0.0;
         let met = apart <= CLOSE && comes_near(orbits, &found.orbit);
         let comes = met || one || apart <= REACH && (level || ahead);
-        comes && !walks_back(family, orbits, &found.orbit, accuracy)
+        // One that is gone around twice is a border of the orbit that this one doubles: the branch meets that first.
+        let own = found.orbit.halves() > SAME_ORBIT;
+        comes && own && !walks_back(family, orbits, &found.orbit, accuracy)
     };
     let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
     let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());

@@ -1,10 +1,14 @@
 //! The motion once around of an orbit on its border, in pieces that end there.
 //!
-//! Whether the event of a touch happens on it is a matter of rounding errors: each piece begins beyond it.
+//! Whether the event of a touch happens on it is a matter of rounding errors: each piece begins beyond it. What holds a
+//! contact is just at its limit there, and does not fall any more: only a little later it is certain to hold.
 
 use super::candidate::{Border, Condition};
 use crate::flow::{FlowError, Want};
 use crate::motion::{Event, Flow, Passage, Place};
+
+/// Share of the period for which what holds a contact is not asked whether it does.
+const HELD: f64 = 1e-5;
 
 /// From a calm start to the image of the border, if there is one, from there to the border, and back.
 ///
@@ -22,12 +26,13 @@ pub(super) fn once(
     }
     let image = border.mirror.as_ref().map(|mirror| mirror.image(flow, &on));
     let mut all = flow.advance(start, (turn - calm) * period, Want::EXTREMA)?;
+    let held = if border.after().binds() { HELD } else { 0.0 };
     let pieces = image.map(|image| (image, turn)).into_iter();
     for (place, share) in pieces.chain([(on, calm)]) {
-        join(
-            &mut all,
-            flow.advance(&place, share * period, Want::EXTREMA)?,
-        );
+        let (beyond, _) = flow.glide(&place, held * period)?;
+        all.time += held * period;
+        let rest = flow.advance(&beyond, (share - held) * period, Want::EXTREMA)?;
+        join(&mut all, rest);
     }
     Ok(all)
 }
