@@ -17,7 +17,7 @@ mod turns;
 pub use crossing::Crossing;
 pub use crossings::Crossings;
 pub use horizon::{Horizon, Reason, Silence};
-pub use recurrence::recurrence;
+pub use recurrence::{approaches, recurrence};
 pub use section::{Direction, Section, Surface};
 pub use span::{Met, once_around, until};
 

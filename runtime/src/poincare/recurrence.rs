@@ -2,6 +2,15 @@
 
 use std::f64::consts::TAU;
 
+/// Points over the longest return after which it is looked whether a motion comes nearer to it, and into how many parts they
+/// are divided.
+const LEAST: usize = 8;
+const PARTS: usize = 4;
+/// What is this near to a return, as a share of the extent, may be approaching one, and by how much one fall of what it lacks
+/// may exceed another.
+const NEAR: f64 = 0.1;
+const EVEN: f64 = 4.0;
+
 /// The least n ≤ half the number of points such that there are only n different ones, met in turn: each
 /// state to `tolerance` times its extent along the motion, from the first to the last. `None` if there
 /// is none: a motion that is still settling has not come back, however slowly it drifts. The state `phase` is compared
@@ -13,15 +22,40 @@ pub fn recurrence(
     phase: Option<usize>,
     tolerance: f64,
 ) -> Option<usize> {
-    let near = |j: usize, gap: f64| {
+    let close = |a: &[f64], b: &[f64]| gap([a, b], extent, phase) <= tolerance;
+    let returns = |n: usize| (n..points.len()).all(|i| close(&points[i], &points[i % n]));
+    (1..=points.len() / 2).find(|&n| returns(n))
+}
+
+/// Whether a motion that does not come back comes nearer to it: what it lacks after some number of points falls from each part
+/// of them to the next, and evenly, as near a motion that attracts.
+#[must_use]
+pub fn approaches(points: &[Vec<f64>], extent: &[f64], phase: Option<usize>) -> bool {
+    (1..=points.len() / LEAST).any(|n| {
+        let pairs = points.iter().zip(&points[n..]);
+        let gaps: Vec<f64> = pairs.map(|(a, b)| gap([a, b], extent, phase)).collect();
+        let largest = |part: &[f64]| part.iter().fold(0.0_f64, |most, gap| most.max(*gap));
+        let parts: Vec<f64> = gaps
+            .chunks(gaps.len().div_ceil(PARTS))
+            .map(largest)
+            .collect();
+        let falls: Vec<f64> = parts.windows(2).map(|two| (two[0] / two[1]).ln()).collect();
+        let least = falls.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = falls.iter().copied().fold(0.0, f64::max);
+        falls.len() + 1 == PARTS && parts[0] <= NEAR && least > 0.0 && most <= EVEN * least
+    })
+}
+
+/// How far two states are apart, the phase on the circle: the largest share of an extent.
+fn gap([a, b]: [&[f64]; 2], extent: &[f64], phase: Option<usize>) -> f64 {
+    let share = |j: usize| {
+        let gap = a[j] - b[j];
         let turns = if phase == Some(j) {
             (gap / TAU).round()
         } else {
             0.0
         };
-        (gap - turns * TAU).abs() <= tolerance * extent[j].max(f64::MIN_POSITIVE)
+        (gap - turns * TAU).abs() / extent[j].max(f64::MIN_POSITIVE)
     };
-    let close = |a: &[f64], b: &[f64]| (0..extent.len()).all(|j| near(j, a[j] - b[j]));
-    let returns = |n: usize| (n..points.len()).all(|i| close(&points[i], &points[i % n]));
-    (1..=points.len() / 2).find(|&n| returns(n))
+    (0..extent.len()).map(share).fold(0.0, f64::max)
 }

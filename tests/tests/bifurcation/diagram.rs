@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use stickslip::model;
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
     Along, Case, Diagram, DiagramRecord, Dynamics, Item, List, Motion, Slice, Span, Sweep, System,
@@ -267,4 +268,39 @@ fn a_value_without_an_answer_does_not_stop_the_others() {
     assert_eq!(slices(&record, 0).len(), 5);
     assert_eq!(slices(&record, 0)[2].motion, Motion::Rest, "v_dr = 0");
     assert_eq!(slices(&record, 0)[4].motion, Motion::Periodic(1));
+}
+
+model! {
+    /// A light mass on a spring beside a drive: what it begins with dies by a fortieth each turn.
+    pub struct Light {
+        state x = 0.0;
+        state v = 0.0;
+        param damping = 0.008;
+        param load = 1.0;
+        param omega = 2.0 where omega > 0.0;
+        drive phi at omega;
+        der(x) = v;
+        der(v) = load * cos(phi) - x - damping * 2.0 * v;
+    }
+}
+
+/// A motion that still comes nearer to where it settles is given time: it is not aperiodic.
+#[test]
+fn what_settles_slowly_is_waited_for() {
+    let model = System::of::<Light, _>();
+    let along = range(&model, "load", 1.0, 2.0);
+    let case = case(&model, Dynamics::Smooth, along);
+    let section = Section::usual(model.info().drive);
+    let diagram = Diagram {
+        section,
+        settle: 100,
+        points: 64,
+        ..USUAL
+    };
+    for slice in slices(&draw(&model, &case, diagram), 0) {
+        assert_eq!(slice.motion, Motion::Periodic(1), "{}", slice.r);
+        let amplitude = slice.r / 3.0_f64.hypot(0.032);
+        let off = (slice.max[0] / amplitude - 1.0).abs();
+        assert!(off < 1e-3, "{off}");
+    }
 }

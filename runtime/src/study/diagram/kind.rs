@@ -9,6 +9,8 @@ pub enum Motion {
     Periodic(usize),
     /// It has not come back within half of the points taken.
     Aperiodic,
+    /// It has not come back, but comes ever nearer to it.
+    Settling,
     /// It rests.
     Rest,
     /// It moves, but does not meet the section.
@@ -18,12 +20,13 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// In a word or two: `period-3`, `aperiodic`, `rest`, `elsewhere`, `failed`.
+    /// In a word or two: `period-3`, `aperiodic`, `settling`, `rest`, `elsewhere`, `failed`.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
             Self::Periodic(count) => format!("period-{count}"),
             Self::Aperiodic => "aperiodic".to_owned(),
+            Self::Settling => "settling".to_owned(),
             Self::Rest => "rest".to_owned(),
             Self::Elsewhere => "elsewhere".to_owned(),
             Self::Failed(_) => "failed".to_owned(),

@@ -128,7 +128,7 @@ impl Cut<'_> {
         let found = match seen.motion {
             Motion::Elsewhere | Motion::Failed(_) => return Ok(None),
             Motion::Rest => Ok(at_rest(flow, place)?),
-            Motion::Aperiodic => lyapunov(flow, place.clone(), seen.lap, laps),
+            Motion::Aperiodic | Motion::Settling => lyapunov(flow, place.clone(), seen.lap, laps),
             // Over whole periods the rate of a periodic motion does not fluctuate.
             Motion::Periodic(_) => {
                 let period = seen.lap * seen.different as f64;

@@ -7,12 +7,15 @@ use super::setting::Diagram;
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};
-use crate::poincare::{Crossings, Horizon, Reason, Silence, recurrence};
+use crate::poincare::{Crossings, Horizon, Reason, Silence, approaches, recurrence};
 
 /// Points of a section that agree to this share of the motion's extent are one.
 const SAME_POINT: f64 = 1e-5;
 /// A motion whose extent is this share of its usual size is at rest.
 const REST: f64 = 1e-6;
+
+/// How often a motion that is settling is given as much time again.
+const ROUNDS: usize = 40;
 
 /// A motion that has settled.
 pub(super) struct Watched {
@@ -30,7 +33,8 @@ pub(super) struct Watched {
 }
 
 impl Watched {
-    /// Lets the motion from `start` settle, and notes its points; its states are measured against `usual` sizes.
+    /// Lets the motion from `start` settle, and notes its points; its states are measured against `usual` sizes. One that has
+    /// not settled by then, but comes nearer to it, is given more time.
     pub(super) fn from(
         flow: &dyn Flow,
         start: Place,
@@ -39,20 +43,41 @@ impl Watched {
     ) -> Result<Self, FlowError> {
         let crossings = Crossings::new(flow, start, diagram.section, Horizon::Recurrence)?;
         let mut crossings = crossings.among(usual);
-        let (mut points, times) = gather(&mut crossings, diagram)?;
+        let mut seen = Self::seen(flow, &mut crossings, diagram, usual)?;
+        let further = Diagram {
+            settle: 0,
+            ..*diagram
+        };
+        for _ in 0..ROUNDS {
+            if seen.motion != Motion::Settling {
+                break;
+            }
+            crossings.forget();
+            seen = Self::seen(flow, &mut crossings, &further, usual)?;
+        }
+        Ok(seen)
+    }
+
+    /// What the next points show.
+    fn seen(
+        flow: &dyn Flow,
+        crossings: &mut Crossings<'_>,
+        diagram: &Diagram,
+        usual: &[f64],
+    ) -> Result<Self, FlowError> {
+        let (mut points, times) = gather(crossings, diagram)?;
         let missing = points.len() < diagram.points;
         let silence = crossings.silence().filter(|_| missing);
         let (time, place) = crossings.place();
-        let (min, max) = bounds(&crossings, silence.as_ref());
+        let (min, max) = bounds(crossings, silence.as_ref());
         let extent: Vec<f64> = max.iter().zip(&min).map(|(max, min)| max - min).collect();
         let whole = crossings.extent();
         let size = |j: usize| min[j].abs().max(max[j].abs()).max(usual[j]).max(whole[j]);
         let rests = (0..extent.len()).all(|j| extent[j] <= REST * size(j));
-        let returns = || recurrence(&points, &extent, flow.phase(), SAME_POINT);
         let (motion, different) = match (rests, &silence) {
             (true, _) => (Motion::Rest, 1),
             (false, Some(_)) => (Motion::Elsewhere, 0),
-            (false, None) => counted(flow, &place, &times, returns(), points.len())?,
+            (false, None) => counted(flow, &place, (&points, &times), &extent)?,
         };
         match motion {
             Motion::Rest => points = vec![place.state.clone()],
@@ -107,16 +132,19 @@ fn bounds(crossings: &Crossings<'_>, silence: Option<&Silence>) -> (Vec<f64>, Ve
     }
 }
 
-/// A motion that comes back after this many points, if it does, of so many taken, and how many of these are different.
+/// What points at these times show of a motion of this extent, and how many of them are different.
 fn counted(
     flow: &dyn Flow,
     place: &Place,
-    times: &[f64],
-    returns: Option<usize>,
-    taken: usize,
+    (points, times): (&[Vec<f64>], &[f64]),
+    extent: &[f64],
 ) -> Result<(Motion, usize), FlowError> {
-    let Some(count) = returns else {
-        return Ok((Motion::Aperiodic, taken));
+    let Some(count) = recurrence(points, extent, flow.phase(), SAME_POINT) else {
+        let motion = match approaches(points, extent, flow.phase()) {
+            true => Motion::Settling,
+            false => Motion::Aperiodic,
+        };
+        return Ok((motion, points.len()));
     };
     let turns = turns(flow, place, times, count)?;
     Ok((Motion::Periodic(turns), count))
