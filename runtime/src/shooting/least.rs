@@ -64,12 +64,13 @@ pub(super) fn shorter(
     Ok(None)
 }
 
-/// Guesses of a part of a period after which the motion comes back as well as after the whole, the shortest first: the orbit
-/// is gone around several times.
+/// Guesses of a part of a period after which the motion comes back as well as after the whole, the shortest first: so near
+/// that the orbit is sure to be gone around several times, and farther away. Where it comes back far better after the whole,
+/// as on a doubled orbit next to its flip, its parts are other orbits.
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowError> {
+pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], FlowError> {
     let whole = flow.advance(&guess.place, guess.period, Default::default())?;
     let magnitude = half_extents(&whole.calm.low, &whole.calm.high, &guess.magnitude);
     let wide = Guess {
@@ -78,14 +79,15 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<Vec<Guess>, FlowEr
     };
     let closed = gap(flow, &whole.end.state, &wide);
     let (mut place, mut time) = (guess.place.clone(), 0.0);
-    let mut found = Vec::new();
+    let mut found = [Vec::new(), Vec::new()];
     for part in (2..=PARTS).rev().map(|laps| wide.part(laps)) {
         place = flow
             .advance(&place, part.period - time, Default::default())?
             .end;
         time = part.period;
-        if gap(flow, &place.state, &part) <= BACK.min(WORSE * closed) {
-            found.push(part);
+        let back = gap(flow, &place.state, &part);
+        if back <= NEAR.min(WORSE * closed) {
+            found[usize::from(back > BACK)].push(part);
         }
     }
     Ok(found)

@@ -136,17 +136,22 @@ fn gained(
     Ok(shifts.within(ends, &units, RETURNED))
 }
 
-/// The orbit near a guess with a period, which may go around it several times. One that is gone around once is not sought
-/// among its parts: where Newton's method fails, as next to the orbit that it doubles, another orbit is none.
+/// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the
+/// end, if it is unstable.
 fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit, OrbitError> {
     let sharp = Tolerance::for_accuracy(search.accuracy.min(SHARP));
     let flow = family
         .with_tolerance(sharp)
         .with_magnitude(&guess.magnitude);
-    let parts = parts(flow.at(r)?.as_ref(), guess).unwrap_or_default();
-    let mut found = parts.iter().map(|part| converge(family, r, part, search));
-    let shorter = found.find_map(Result::ok);
-    shorter.map_or_else(|| converge(family, r, guess, search), Ok)
+    let [sure, others] = parts(flow.at(r)?.as_ref(), guess).unwrap_or_default();
+    let first = |parts: &[Guess]| {
+        let mut found = parts.iter().map(|part| converge(family, r, part, search));
+        found.find_map(Result::ok)
+    };
+    match first(&sure) {
+        Some(orbit) => Ok(orbit),
+        None => converge(family, r, guess, search).or_else(|error| first(&others).ok_or(error)),
+    }
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.
