@@ -26,6 +26,17 @@ model! {
     }
 }
 
+model! {
+    /// A swing that is pushed: it grows a thousandfold in a hundred and forty seconds.
+    pub struct Swing {
+        state x = 1e-12;
+        state v = 0.0;
+        param push = 0.1;
+        der(x) = v;
+        der(v) = push * v - x;
+    }
+}
+
 fn case(system: &System) -> Case {
     Case::declared(system.info(), Dynamics::Exact)
 }
@@ -69,5 +80,19 @@ fn what_grows_is_measured_against_what_it_becomes() {
         let motion = system.motion(&case(&system), time).unwrap();
         let (end, right) = (motion.states.last().unwrap(), 1e-12 * f64::cosh(time));
         assert!((end[0] / right - 1.0).abs() < 1e-7, "{end:?} for {right}");
+    }
+}
+
+#[test]
+fn what_swings_is_too() {
+    let system = System::of::<Swing, _>();
+    let (rate, turn) = (0.05, (1.0_f64 - 0.05 * 0.05).sqrt());
+    for time in [200.0, 600.0] {
+        let motion = system.motion(&case(&system), time).unwrap();
+        let (sin, cos) = (turn * time).sin_cos();
+        let size = 1e-12 * (rate * time).exp();
+        let right = size * (cos - rate / turn * sin);
+        let end = motion.states.last().unwrap();
+        assert!((end[0] - right).abs() < 1e-6 * size, "{end:?} for {right}");
     }
 }

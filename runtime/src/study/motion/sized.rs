@@ -10,7 +10,7 @@ const FEW: usize = 64;
 /// Times that a stretch is followed anew at most: of states far smaller than what they are measured against, a motion shows
 /// little but its errors.
 const TRIES: usize = 4;
-/// A state that is this much smaller than it was taken to be is measured anew.
+/// A state that is this much smaller than it was taken to be is measured anew, and one that is larger by as much after that.
 const SMALL: f64 = 0.1;
 /// Where steps become so many times shorter, what was measured is rounding errors and none of the states.
 const SHORTER: f64 = 10.0;
@@ -55,28 +55,52 @@ impl<'a> Sized<'a> {
             samples: self.samples.min(want.samples),
             ..want
         };
-        let mut passage = self.begin(place, time, few)?;
-        let mut seen = self.seen(&passage);
+        let first = self.samples == FEW;
+        let passage = self.begin(place, time, few)?;
+        let passage = self.measured(passage, (place, time, few))?;
+        let plain = self.is_usual();
+        self.outgrown(&passage)?;
+        let usual = self.is_usual();
+        self.samples = if usual { want.samples } else { 2 * few.samples };
+        match first && plain && passage.time < time {
+            true => self.flow.advance(place, time, want),
+            false => Ok(passage),
+        }
+    }
+
+    /// The same stretch, its states measured against what they are, where they are much smaller than they were taken to be.
+    fn measured(
+        &mut self,
+        mut passage: Passage,
+        (place, time, want): (&Place, f64, Want),
+    ) -> Result<Passage, FlowError> {
         for _ in 0..TRIES {
+            let seen = self.seen(&passage);
             if !(0..seen.len()).any(|j| seen[j] < SMALL * self.sizes[j]) {
                 break;
             }
             let flow = self.family.with_magnitude(&seen).at(self.r)?;
-            match flow.advance(place, time, few) {
+            match flow.advance(place, time, want) {
                 Ok(mut finer) if pace(&passage) <= SHORTER * pace(&finer) => {
                     finer.work += passage.work;
                     (self.sizes, self.flow, passage) = (seen, flow, finer);
                 }
                 _ => break,
             }
-            seen = self.seen(&passage);
         }
-        if self.is_usual() && few.samples < want.samples {
-            self.samples = want.samples;
-            return self.flow.advance(place, time, want);
-        }
-        self.samples = 2 * few.samples;
         Ok(passage)
+    }
+
+    /// Takes the sizes of states that have become much larger.
+    fn outgrown(&mut self, passage: &Passage) -> Result<(), FlowError> {
+        let seen = self.seen(passage);
+        let mut pairs = self.sizes.iter().zip(&seen);
+        if pairs.any(|(size, seen)| *size < SMALL * seen) {
+            let pairs = self.sizes.iter().zip(&seen);
+            self.sizes = pairs.map(|(size, seen)| size.max(*seen)).collect();
+            self.flow = self.family.with_magnitude(&self.sizes).at(self.r)?;
+        }
+        Ok(())
     }
 
     /// The stretch, in the sizes known so far; what has outgrown them so much that it is lost in its rounding errors, in the
