@@ -53,12 +53,6 @@ pub trait Watched: Clone {
         self.same_regime(other)
     }
 
-    /// Whether the same happens in the regime of `other`, but for its order, as far as that is told: nothing begins there or
-    /// ceases.
-    fn differs_in_order(&self, _other: &Self) -> bool {
-        true
-    }
-
     /// The time between the two events that happen in the other order in the regime of `other`, if that is all by which
     /// they differ; zero, if they happen at once here and one after the other there.
     fn exchanged(&self, _other: &Self) -> Option<f64> {

@@ -6,6 +6,8 @@ use std::f64::consts::TAU;
 /// are divided.
 const LEAST: usize = 8;
 const PARTS: usize = 4;
+/// Least fall from part to part, as a logarithm, that is none of rounding.
+const FALL: f64 = 1e-3;
 /// What is this near to a return, as a share of the extent, may be approaching one, and by how much one fall of what it lacks
 /// may exceed another.
 const NEAR: f64 = 0.1;
@@ -42,7 +44,7 @@ pub fn approaches(points: &[Vec<f64>], extent: &[f64], phase: Option<usize>) -> 
         let falls: Vec<f64> = parts.windows(2).map(|two| (two[0] / two[1]).ln()).collect();
         let least = falls.iter().copied().fold(f64::INFINITY, f64::min);
         let most = falls.iter().copied().fold(0.0, f64::max);
-        falls.len() + 1 == PARTS && parts[0] <= NEAR && least > 0.0 && most <= EVEN * least
+        falls.len() + 1 == PARTS && parts[0] <= NEAR && least > FALL && most <= EVEN * least
     })
 }
 

@@ -21,8 +21,6 @@ type Found = Corrected<Shot>;
 const EXTENT: f64 = 1e-6;
 /// Accuracy of the first orbit that is found.
 pub(super) const ROUGH: f64 = 1e-7;
-/// A shorter share of a period is a part of it.
-const ALL: f64 = 0.75;
 /// Accuracy at which it can still be told how often a motion has gone around.
 const LOOSEST: f64 = 1e-6;
 /// Error of a period over the local tolerance below which an agreement of two runs is one by chance.
@@ -119,17 +117,9 @@ pub(super) fn from(
         return from(family, r, &pinned, search, anchor);
     }
     let rough = rough?;
-    let anchored = |found: &Found| anchor(family, r, found, &guess.magnitude);
-    let (mut work, mut near) = (rough.1.work, anchored(&rough.0)?);
-    // Next to a flip a doubled orbit that is known roughly may be the one that it doubles.
-    if near.period < ALL * rough.0.z[rough.0.z.len() - 1]
-        && let Ok(sharp) = newton(guess, accuracy, fine, false)
-    {
-        work += sharp.1.work;
-        near = anchored(&sharp.0)?;
-    }
-    let guess = near;
+    let guess = anchor(family, r, &rough.0, &guess.magnitude)?;
     let mut loose = newton(&guess, accuracy, fine, false)?;
+    let mut work = rough.1.work;
     work += loose.1.work;
     let mut tolerance = fine.times(TIGHTER);
     let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, factors)?;

@@ -4,7 +4,6 @@ use super::orbit::Orbit;
 use crate::bifurcation::{Floquet, Kind, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
-use crate::field::exact::Mode;
 use crate::motion::{Modes, Segment};
 
 /// A stretch this many times shorter than the errors of an orbit tell may as well be none; the most that is left out, of a
@@ -48,14 +47,6 @@ impl Watched for Orbit {
 
     fn seems_in_regime_of(&self, other: &Self) -> bool {
         self.same_regime(other) || turns_into(&self.lasting(), &other.lasting(), 1)
-    }
-
-    fn differs_in_order(&self, other: &Self) -> bool {
-        if !self.has_borders() {
-            return true;
-        }
-        let contacts = self.segments.first().map_or(0, |one| one.modes.len());
-        (0..contacts).all(|contact| turns(&alone(self, contact), &alone(other, contact)))
     }
 
     fn exchanged(&self, other: &Self) -> Option<f64> {
@@ -153,31 +144,6 @@ fn turns_into(a: &[Stretch<'_>], b: &[Stretch<'_>], times: usize) -> bool {
     };
     let turned = |by: usize| (0..a.len()).all(|i| a[i].is_like(&b[(i + by) % b.len()]));
     a.len() == length && (0..b.len().max(1)).any(turned)
-}
-
-/// What one contact goes through once around, each mode with whether its impact began it.
-fn alone(orbit: &Orbit, contact: usize) -> Vec<(Option<Mode>, bool)> {
-    let mut own: Vec<(Option<Mode>, bool)> = Vec::new();
-    for one in stretches(orbit) {
-        let next = (one.modes.get(contact).copied(), one.impact == Some(contact));
-        if next.1 || own.last().is_none_or(|last| last.0 != next.0) {
-            own.push(next);
-        }
-    }
-    if let [first, .., last] = own.as_mut_slice()
-        && first.0 == last.0
-        && !first.1
-    {
-        first.1 = last.1;
-        own.pop();
-    }
-    own
-}
-
-/// Whether both are the same from wherever they begin.
-fn turns<T: PartialEq>(a: &[T], b: &[T]) -> bool {
-    let turned = |by: usize| (0..a.len()).all(|i| a[i] == b[(i + by) % b.len()]);
-    a.len() == b.len() && (0..b.len().max(1)).any(turned)
 }
 
 /// A stretch of an orbit between two events.

@@ -171,8 +171,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             if border.last {
                 return;
             }
-        } else if found.is_sharp() && before.point.differs_in_order(&after.point) {
-            // Two events are exchanged: none lies between them where they meet.
+        } else if found.is_sharp() {
+            // What is no border is an exchange of two events: none lies between them where they meet.
             let kind = Kind::VanishingSegment;
             let middle = 0.5 * (before.point.r() + after.point.r());
             let (at, r, error) = match &found.meeting {

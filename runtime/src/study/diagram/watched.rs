@@ -139,12 +139,14 @@ fn counted(
     (points, times): (&[Vec<f64>], &[f64]),
     extent: &[f64],
 ) -> Result<(Motion, usize), FlowError> {
-    let Some(count) = recurrence(points, extent, flow.phase(), SAME_POINT) else {
-        let motion = match approaches(points, extent, flow.phase()) {
-            true => Motion::Settling,
-            false => Motion::Aperiodic,
-        };
-        return Ok((motion, points.len()));
+    let phase = flow.phase();
+    let count = recurrence(points, extent, phase, SAME_POINT);
+    // What settles to and fro is near to a return after two turns before it is after one.
+    if count != Some(1) && approaches(points, extent, phase) {
+        return Ok((Motion::Settling, points.len()));
+    }
+    let Some(count) = count else {
+        return Ok((Motion::Aperiodic, points.len()));
     };
     let turns = turns(flow, place, times, count)?;
     Ok((Motion::Periodic(turns), count))
