@@ -29,11 +29,17 @@ pub fn recurrence(
     (1..=points.len() / 2).find(|&n| returns(n))
 }
 
-/// Whether a motion that does not come back comes nearer to it: what it lacks after some number of points falls from each part
-/// of them to the next, and evenly, as near a motion that attracts.
+/// Whether a motion comes nearer to returning earlier than after `count` points, or at all if it does not: what it lacks after
+/// some number of them falls from each part of the points to the next, and evenly, as near a motion that attracts.
 #[must_use]
-pub fn approaches(points: &[Vec<f64>], extent: &[f64], phase: Option<usize>) -> bool {
-    (1..=points.len() / LEAST).any(|n| {
+pub fn approaches(
+    points: &[Vec<f64>],
+    extent: &[f64],
+    phase: Option<usize>,
+    count: Option<usize>,
+) -> bool {
+    let most = points.len() / LEAST;
+    (1..count.unwrap_or(most + 1).min(most + 1)).any(|n| {
         let pairs = points.iter().zip(&points[n..]);
         let gaps: Vec<f64> = pairs.map(|(a, b)| gap([a, b], extent, phase)).collect();
         let largest = |part: &[f64]| part.iter().fold(0.0_f64, |most, gap| most.max(*gap));

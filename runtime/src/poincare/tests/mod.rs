@@ -146,13 +146,14 @@ fn what_still_settles_has_not_come_back() {
     let points: Vec<Vec<f64>> = (0..64).map(|k| vec![(-0.99_f64).powi(k) * 1e-4]).collect();
     assert_eq!(recurrence(&points, &[1.0], None, 1e-5), None);
     assert_eq!(recurrence(&points, &[1.0], None, 1e-3), Some(1));
-    assert!(approaches(&points, &[1.0], None));
+    assert!(approaches(&points, &[1.0], None, None));
+    assert!(approaches(&points, &[1.0], None, Some(2)));
 }
 
 #[test]
 fn what_drifts_or_roams_approaches_nothing() {
     let drifts: Vec<f64> = (0..64).map(|k| 1e-3 * f64::from(k)).collect();
-    assert!(!approaches(&points(&drifts), &[1.0], None));
+    assert!(!approaches(&points(&drifts), &[1.0], None, None));
     let mut x = 0.3;
     let roams: Vec<f64> = (0..64)
         .map(|_| {
@@ -160,5 +161,5 @@ fn what_drifts_or_roams_approaches_nothing() {
             x
         })
         .collect();
-    assert!(!approaches(&points(&roams), &[1.0], None));
+    assert!(!approaches(&points(&roams), &[1.0], None, None));
 }

@@ -142,7 +142,7 @@ fn counted(
     let phase = flow.phase();
     let count = recurrence(points, extent, phase, SAME_POINT);
     // What settles to and fro is near to a return after two turns before it is after one.
-    if count != Some(1) && approaches(points, extent, phase) {
+    if approaches(points, extent, phase, count) {
         return Ok((Motion::Settling, points.len()));
     }
     let Some(count) = count else {
