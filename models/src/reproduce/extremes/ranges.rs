@@ -211,7 +211,8 @@ pub fn ranges() -> Vec<Range> {
             "*α*",
             belt_pair_together,
         )
-        .zero(Digits(8))
+        // Without a spring between them the masses may move at any time after each other.
+        .zero(Refused("not isolated"))
         .at(-6..=-6, Digits(5))
         .at(-5..=6, Digits(7)),
         parameter(BeltPair::beta, "*β*", none).at(-6..=0, Digits(7)),
