@@ -126,6 +126,28 @@ impl Passage {
         })
     }
 
+    /// These states at times in their order, each in the modes of the stretch in which it lies: of what rests, a state with
+    /// rounding errors does not tell them.
+    pub(crate) fn places<'a>(
+        &'a self,
+        states: impl Iterator<Item = (f64, &'a Vec<f64>)> + 'a,
+    ) -> impl Iterator<Item = Place> + 'a {
+        let mut stretches = self.segments.iter();
+        let mut current = stretches.next();
+        let mut until = current.map_or(0.0, |stretch| stretch.duration);
+        states.filter_map(move |(time, state)| {
+            while time > until
+                && let Some(next) = stretches.next()
+            {
+                (current, until) = (Some(next), until + next.duration);
+            }
+            current.map(|stretch| Place {
+                state: state.clone(),
+                modes: stretch.modes.clone(),
+            })
+        })
+    }
+
     pub(super) fn of<const N: usize, M>(
         passage: flow::Passage<N, M>,
         modes: impl Fn(&M) -> Modes,

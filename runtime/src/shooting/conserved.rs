@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::shot::Shot;
 use crate::flow::FlowError;
-use crate::motion::{Contacts, Flow, Modes, Passage, Place, Velocity};
+use crate::motion::{Contacts, Flow, Modes, Place, Velocity};
 
 /// Share of its terms below which a sum of rates is none.
 const ROUNDING: f64 = 1e-8;
@@ -87,28 +87,14 @@ pub(super) fn is_free(
 
 /// What is told where the motion begins, and where any state turns.
 fn along<T>(shot: &Shot, told: impl Fn(&Place) -> Result<T, FlowError>) -> Option<Vec<(Place, T)>> {
-    let turns = shot.passages.iter().flat_map(turns);
+    let turns = shot.passages.iter().flat_map(|passage| {
+        let turns = passage.extrema.iter().map(|turn| (turn.time, &turn.state));
+        passage.places(turns)
+    });
     let tell = |place: Place| {
         let told = told(&place)?;
         Ok((place, told))
     };
     let all = std::iter::once(shot.start.clone()).chain(turns).map(tell);
     all.collect::<Result<_, FlowError>>().ok()
-}
-
-/// Where states turn on a passage, in the modes that it has there: where nothing moves but for rounding, a state tells none.
-fn turns(passage: &Passage) -> impl Iterator<Item = Place> {
-    let mut segments = passage.segments.iter();
-    let mut segment = segments.next();
-    let mut end = segment.map_or(0.0, |segment| segment.duration);
-    passage.extrema.iter().filter_map(move |turn| {
-        while turn.time > end
-            && let Some(next) = segments.next()
-        {
-            (segment, end) = (Some(next), end + next.duration);
-        }
-        let modes = segment?.modes.clone();
-        let state = turn.state.clone();
-        Some(Place { state, modes })
-    })
 }

@@ -83,11 +83,6 @@ impl PeriodicPoint for Orbit {
 }
 
 impl Orbit {
-    /// Whether borders are sought near to it: not where it runs on, or is held in neutral directions.
-    pub(super) fn has_borders(&self) -> bool {
-        self.pins.is_empty() && self.shift.is_none()
-    }
-
     /// The same orbit, as if it had not left its mode between two instants.
     pub(super) fn without(&self, [from, until]: [f64; 2]) -> Self {
         let mut end = 0.0;

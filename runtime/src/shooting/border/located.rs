@@ -50,7 +50,7 @@ pub(in crate::shooting) fn edge(
     work: &mut Work,
     (wanted, fits): (impl Fn(&Border) -> bool, impl Fn(&Edge) -> bool),
 ) -> Option<Edge> {
-    if !orbit.has_borders() {
+    if !orbit.pins.is_empty() || orbit.shift.is_some() {
         return None;
     }
     let flow = family.at(orbit.r).ok()?;

@@ -183,16 +183,10 @@ pub(super) fn measured(
     start: &[f64],
     time: f64,
 ) -> Result<Box<dyn Flow>, FlowError> {
-    let mut sized = Sized::new(family, r)?;
+    let sized = Sized::new(family, r)?;
     let place = sized.flow.place(start)?;
     let most = longest(sized.flow.as_ref(), &place)?;
-    let want = Want {
-        path: true,
-        samples: LEAST.pow(2),
-        ..Want::default()
-    };
-    sized.advance(&place, time.min(most), want)?;
-    Ok(sized.flow)
+    sized.learned(&place, time.min(most))
 }
 
 /// Tells the modes of a motion at times that only grow.

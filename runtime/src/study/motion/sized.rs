@@ -51,21 +51,51 @@ impl<'a> Sized<'a> {
         time: f64,
         want: Want,
     ) -> Result<Passage, FlowError> {
-        let few = Want {
-            samples: self.samples.min(want.samples),
-            ..want
-        };
         let first = self.samples == FEW;
-        let passage = self.begin(place, time, few)?;
-        let passage = self.measured(passage, (place, time, few))?;
-        let plain = self.is_usual();
-        self.outgrown(&passage)?;
+        let few = self.samples.min(want.samples);
+        let (passage, plain) = self.learn(
+            place,
+            time,
+            Want {
+                samples: few,
+                ..want
+            },
+        )?;
         let usual = self.is_usual();
-        self.samples = if usual { want.samples } else { 2 * few.samples };
+        self.samples = if usual { want.samples } else { 2 * few };
+        // In one piece, as steps begin anew with each stretch.
         match first && plain && passage.time < time {
             true => self.flow.advance(place, time, want),
             false => Ok(passage),
         }
+    }
+
+    /// The flow, once it knows the sizes in the beginning of the motion from `place`.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn learned(mut self, place: &Place, time: f64) -> Result<Box<dyn Flow>, FlowError> {
+        let want = Want {
+            path: true,
+            samples: FEW,
+            ..Want::default()
+        };
+        self.learn(place, time, want)?;
+        Ok(self.flow)
+    }
+
+    /// The stretch with what it tells of sizes, and whether all were the usual ones on it.
+    fn learn(
+        &mut self,
+        place: &Place,
+        time: f64,
+        want: Want,
+    ) -> Result<(Passage, bool), FlowError> {
+        let passage = self.begin(place, time, want)?;
+        let passage = self.measured(passage, (place, time, want))?;
+        let plain = self.is_usual();
+        self.outgrown(&passage)?;
+        Ok((passage, plain))
     }
 
     /// The same stretch, its states measured against what they are, where they are much smaller than they were taken to be.

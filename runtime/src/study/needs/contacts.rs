@@ -3,7 +3,7 @@
 use super::stage::{Scene, Stage};
 use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Contacts, Flow, Modes, Passage, Place};
+use crate::motion::{Contacts, Flow, Modes, Place};
 use crate::study::system::System;
 
 /// Panels of a period in which margins are looked at.
@@ -174,10 +174,9 @@ impl System {
             ..Want::default()
         };
         let passage = flow.advance(&scene.orbit.place, scene.orbit.period, want)?;
-        places(&passage)
-            .into_iter()
-            .map(|place| reading(flow.as_ref(), place))
-            .collect()
+        let nodes = passage.nodes.iter().map(|node| (node.time, &node.state));
+        let places = passage.places(nodes);
+        places.map(|place| reading(flow.as_ref(), place)).collect()
     }
 }
 
@@ -188,29 +187,6 @@ fn reading(flow: &dyn Flow, place: Place) -> Result<Reading, FlowError> {
         speeds: flow.speeds(&place.state),
         modes: place.modes,
     })
-}
-
-/// The nodes of a passage with the modes of the stretches in which they lie.
-fn places(passage: &Passage) -> Vec<Place> {
-    let mut stretches = passage.segments.iter();
-    let (mut current, mut until) = (stretches.next(), 0.0);
-    until += current.map_or(0.0, |stretch| stretch.duration);
-    let mut places = Vec::new();
-    for node in &passage.nodes {
-        while node.time > until
-            && let Some(next) = stretches.next()
-        {
-            current = Some(next);
-            until += next.duration;
-        }
-        if let Some(stretch) = current {
-            places.push(Place {
-                state: node.state.clone(),
-                modes: stretch.modes.clone(),
-            });
-        }
-    }
-    places
 }
 
 /// The modes that a contact enters in the word of an orbit; none if it stays in one.
