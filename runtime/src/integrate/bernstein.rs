@@ -2,8 +2,6 @@
 
 use std::sync::LazyLock;
 
-use crate::scalar::mapped;
-
 /// Highest degree: that of the dense output.
 pub(super) const DEGREE: usize = 7;
 
@@ -176,11 +174,11 @@ impl Bernstein {
     /// The polynomial p + by.
     #[must_use]
     pub fn raised(&self, by: f64) -> Self {
-        let coefficients = mapped(&self.coefficients, |c| c + by);
-        Self {
-            coefficients,
-            degree: self.degree,
+        let mut raised = *self;
+        for c in &mut raised.coefficients[..=self.degree] {
+            *c += by;
         }
+        raised
     }
 
     /// The polynomial −p.
@@ -208,18 +206,16 @@ impl Bernstein {
     /// A lower bound of the polynomial on [0, 1].
     #[must_use]
     pub fn lower_bound(&self) -> f64 {
-        self.coefficients()
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min)
+        let lower = |least: f64, c: &f64| if *c < least { *c } else { least };
+        self.coefficients().iter().fold(f64::INFINITY, lower)
     }
 
     /// An upper bound of |p| on [0, 1].
     #[must_use]
     pub fn magnitude(&self) -> f64 {
-        self.coefficients()
-            .iter()
-            .fold(0.0, |most, c| c.abs().max(most))
+        // Of all places, as beyond the degree there are zeros: a loop of known length.
+        let higher = |most: f64, c: &f64| if c.abs() > most { c.abs() } else { most };
+        self.coefficients.iter().fold(0.0, higher)
     }
 }
 

@@ -129,8 +129,9 @@ impl<const N: usize> Motion<N> {
         motion
     }
 
-    /// Adds `factor` times the derivatives of `motion` to these.
-    #[inline]
+    /// Adds `factor` times the derivatives of `motion` to these: in place, as a slope is made a thousand times a period and
+    /// would be copied each time.
+    #[inline(always)]
     fn add_product(&mut self, factor: &[[f64; N]; N], motion: &Self) {
         for i in 0..N {
             for (j, &entry) in factor[i].iter().enumerate() {

@@ -43,6 +43,7 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
         self.length * off / (LOOSER * (tolerance.absolute + tolerance.relative))
     }
 
+    #[inline(always)]
     fn state_sum(&self, weights: Weights) -> [f64; N] {
         let mut sum = [0.0; N];
         for &(j, weight) in weights {

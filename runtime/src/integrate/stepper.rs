@@ -7,7 +7,6 @@ use super::dense::Dense;
 use super::dop853::{DENSE, END, MORE, STAGES, Weights};
 use super::explicit::Settings;
 use crate::field::{Field, Work};
-use crate::scalar::mapped;
 
 /// Makes steps of DOP853, one at a time.
 #[derive(Debug, Clone)]
@@ -160,13 +159,17 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         for (plain, carried) in slopes.iter_mut().zip(&self.slopes) {
             *plain = *carried.state();
         }
-        for (extra, weights) in MORE.iter().enumerate() {
-            let look = combine(&from, self.length, weights, &slopes);
-            slopes[13 + extra] = look.slope(self.field, &mut self.work);
-        }
-        let higher = mapped(&DENSE, |weights| {
-            combine(&[0.0; N], self.length, weights, &slopes)
-        });
+        // Each on its own, for the same reason as the stages.
+        let (length, zero) = (self.length, [0.0; N]);
+        slopes[13] = combine(&from, length, MORE[0], &slopes).slope(self.field, &mut self.work);
+        slopes[14] = combine(&from, length, MORE[1], &slopes).slope(self.field, &mut self.work);
+        slopes[15] = combine(&from, length, MORE[2], &slopes).slope(self.field, &mut self.work);
+        let higher = [
+            combine(&zero, length, DENSE[0], &slopes),
+            combine(&zero, length, DENSE[1], &slopes),
+            combine(&zero, length, DENSE[2], &slopes),
+            combine(&zero, length, DENSE[3], &slopes),
+        ];
         let ends = (&slopes[0], &slopes[12]);
         Dense::new(from, *self.end.state(), ends, self.length, higher)
     }

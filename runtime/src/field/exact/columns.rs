@@ -67,19 +67,28 @@ impl<const N: usize> Columns<N> {
                 }
             }
         }
-        for (row, reads) in linear.jacobian.iter_mut().zip(&self.reads) {
+        // Where each state has a group of its own, the derivatives are what they are.
+        if self.groups < N {
+            self.part(&mut linear.jacobian);
+        }
+        if self.design {
+            linear.design = along_design().map(|f| f.eps);
+        }
+        linear
+    }
+
+    /// Leaves to each state of a group the rows that read it.
+    #[inline(always)]
+    fn part(&self, jacobian: &mut [[f64; N]; N]) {
+        for (row, reads) in jacobian.iter_mut().zip(&self.reads) {
             for (entry, read) in row.iter_mut().zip(reads) {
                 *entry *= read;
             }
         }
         for (row, from) in self.kinematic.iter().enumerate() {
             if let Some(from) = *from {
-                linear.jacobian[row] = crate::scalar::filled(|j| f64::from(j == from));
+                jacobian[row] = crate::scalar::filled(|j| f64::from(j == from));
             }
         }
-        if self.design {
-            linear.design = along_design().map(|f| f.eps);
-        }
-        linear
     }
 }

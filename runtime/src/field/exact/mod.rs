@@ -164,7 +164,21 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         M::rhs(params, state, &mut rule)
     }
 
+    /// The field where contacts stick: a call of its own, so that one where all of them slide saves no registers for it.
+    #[inline(never)]
+    fn bound(&self, y: &[f64; N]) -> [f64; N] {
+        let Some(holds) = self.holds() else {
+            return self.probe(&self.system.plain, y);
+        };
+        let mut field = self.free(&self.system.plain, *y);
+        for (gradient, lever) in holds {
+            hold(&mut field, gradient, lever);
+        }
+        field
+    }
+
     /// The field by probing, over any scalar; NaN where the sticking forces are not unique.
+    #[inline(never)]
     fn probe<D: Scalar>(&self, params: &M::Params<D>, state: &[D; N]) -> [D; N] {
         Affine::new(None, params, state, &self.modes)
             .resolve(params, state, &self.modes)
@@ -195,17 +209,11 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
 
     #[inline]
     fn f(&self, y: &[f64; N]) -> [f64; N] {
-        if !self.sticks() {
-            return self.free(&self.system.plain, *y);
+        if self.sticks() {
+            self.bound(y)
+        } else {
+            self.free(&self.system.plain, *y)
         }
-        let Some(holds) = self.holds() else {
-            return self.probe(&self.system.plain, y);
-        };
-        let mut field = self.free(&self.system.plain, *y);
-        for (gradient, lever) in holds {
-            hold(&mut field, gradient, lever);
-        }
-        field
     }
 
     /// A law that changes within a thin layer of speed tightens what its speed is measured against.

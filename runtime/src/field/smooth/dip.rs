@@ -22,15 +22,8 @@ fn lowest(values: &[f64; LOOKS + 1]) -> (f64, f64) {
     (theta, values[k] - (left - right).powi(2) / (8.0 * bend))
 }
 
-/// Both ends of a step, and places beside them.
-const ENDS: [f64; 4] = [0.0, NEAR_END, 1.0 - NEAR_END, 1.0];
-
-/// Where along [0, 1] a height falls below zero that is above it at both ends, if it turns in between; with its values at
-/// [`ENDS`].
-fn dip([first, after, before, last]: [f64; 4], height: impl Fn(f64) -> f64) -> Option<f64> {
-    if !(first > 0.0 && last > 0.0 && after < first && before < last) {
-        return None;
-    }
+/// Where along [0, 1] a height falls below zero that falls from above it and rises above it again.
+fn dip(height: impl Fn(f64) -> f64) -> Option<f64> {
     let at = |k: usize| height(k as f64 / LOOKS as f64);
     let (theta, least) = lowest(&crate::scalar::filled(at));
     (least < 0.0).then_some(theta)
@@ -55,24 +48,43 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             });
             heights
         };
-        let ends = mapped(&ENDS, heights);
-        (0..M::INFO.contacts.len()).any(|contact| {
-            let ends = mapped(&ends, |heights| heights.as_ref()[contact]);
-            let side = if edge > 0.0 { 1.0 } else { ends[0].signum() };
-            let height = |value: f64| side * value - edge;
-            let along = |theta: f64| height(heights(theta).as_ref()[contact]);
-            dip(mapped(&ends, height), along).is_some()
-        })
+        let first = heights(0.0);
+        let above = |contact: usize, heights: &M::PerContact<f64>| {
+            let side = if edge > 0.0 {
+                1.0
+            } else {
+                first.as_ref()[contact].signum()
+            };
+            side * heights.as_ref()[contact] - edge
+        };
+        let falls = |contact: usize, beside: &_, end: &_| {
+            let end = above(contact, end);
+            end > 0.0 && above(contact, beside) < end
+        };
+        let contacts = 0..M::INFO.contacts.len();
+        let after = heights(NEAR_END);
+        if !contacts.clone().any(|i| falls(i, &after, &first)) {
+            return false;
+        }
+        let [before, last] = mapped(&[1.0 - NEAR_END, 1.0], heights);
+        contacts
+            .filter(|&i| falls(i, &after, &first) && falls(i, &before, &last))
+            .any(|i| dip(|theta| above(i, &heights(theta))).is_some())
     }
 
     /// Where along [0, 1] a motion enters the layer in which a press sets in, if it leaves it again before the end.
     #[must_use]
     pub fn touches(&self, along: &dyn Fn(f64) -> [f64; N]) -> Option<f64> {
-        let height = |press: usize, theta: f64| self.height(press, &along(theta)) - 1.0;
         let mut presses = 0..M::INFO.presses.len();
         presses.find_map(|press| {
-            let along = |theta| height(press, theta);
-            dip(mapped(&ENDS, along), along)
+            let height = |theta: f64| self.height(press, &along(theta)) - 1.0;
+            let falls = |end: f64, beside: f64| {
+                let end = height(end);
+                end > 0.0 && height(beside) < end
+            };
+            (falls(0.0, NEAR_END) && falls(1.0, 1.0 - NEAR_END))
+                .then(|| dip(height))
+                .flatten()
         })
     }
 

@@ -216,8 +216,9 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
                 continue;
             }
             let pair = &models.as_ref()[contact];
+            let terms = self.terms(contact, pair);
             for (place, guard) in Guard::of(contact, *mode).enumerate() {
-                let terms = self.terms(pair, place, guard);
+                let terms = terms[place];
                 let heard = pair[place].without_noise(SAMPLED_NOISE * terms);
                 // What never comes near to letting go has no minimum but that of its rounding errors.
                 let still = guard.side != 0.0
@@ -231,16 +232,14 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
         Ok(())
     }
 
-    /// The magnitude of the terms of a guard of `pair`.
-    fn terms(&self, pair: &[Bernstein; 2], place: usize, guard: Guard) -> f64 {
-        let scale = self.scales.as_ref()[guard.contact];
-        let mode = self.modes.as_slice()[guard.contact];
-        if !mode.is_of_press() {
-            pair[0].magnitude() + pair[1].magnitude() + scale
-        } else if guard.side == 0.0 {
-            pair[place].magnitude() + scale
-        } else {
-            pair[place].magnitude()
+    /// The magnitudes of the terms of both guards of a contact: those of a press have nothing in common.
+    fn terms(&self, contact: usize, pair: &[Bernstein; 2]) -> [f64; 2] {
+        let scale = self.scales.as_ref()[contact];
+        let [first, second] = [pair[0].magnitude(), pair[1].magnitude()];
+        match self.modes.as_slice()[contact] {
+            Mode::Rest => [first, second],
+            mode if mode.is_of_press() => [first + scale, second],
+            _ => [first + second + scale; 2],
         }
     }
 
