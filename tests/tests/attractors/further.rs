@@ -31,15 +31,14 @@ fn further(system: &System, set: &[f64], sides: &[(&str, f64, f64)]) -> [Vec<Att
     let info = system.info();
     let mut case = Case::declared(info, choose(info, None, 1e-9).dynamics);
     case.parameters[..set.len()].copy_from_slice(set);
-    let sampling = Sampling::of(region(info, sides), 40);
-    let survey = system
-        .attractors(&case, &sampling)
-        .unwrap()
-        .surveys
-        .remove(0);
-    let found = system.further(&case, &survey).unwrap();
+    let sampling = Sampling {
+        further: true,
+        ..Sampling::of(region(info, sides), 40)
+    };
+    let mut found = system.attractors(&case, &sampling).unwrap();
+    let survey = found.surveys.remove(0);
     let settled = survey.found.into_iter().map(|one| one.attractor);
-    [settled.collect(), found]
+    [settled.collect(), survey.further]
 }
 
 #[test]

@@ -8,9 +8,9 @@ use crate::study::branch::BranchRecord;
 pub struct Spot {
     /// The design variable there.
     pub r: f64,
-    /// Its place among the motions found there, or, of a saddle, among the edges.
+    /// Its place among the motions found there, or, of a saddle, among the saddles.
     pub place: usize,
-    /// Whether it is a saddle on an edge.
+    /// Whether it is one of the saddles.
     pub saddle: bool,
 }
 

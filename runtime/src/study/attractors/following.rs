@@ -159,10 +159,10 @@ impl Sought<'_> {
     }
 }
 
-/// The periodic motions of a survey, with those on edges.
+/// The periodic motions of a survey, with those that draw nothing in.
 fn periodic(survey: &Survey) -> impl Iterator<Item = (Spot, &Attractor)> {
     let found = survey.found.iter().map(|found| &found.attractor);
-    let saddles = survey.edges.iter().map(|edge| &edge.saddle);
+    let saddles = survey.saddles().map(|(_, saddle)| saddle);
     let number = |saddle| move |(place, motion)| (place, saddle, motion);
     let all = found.enumerate().map(number(false));
     let all = all.chain(saddles.enumerate().map(number(true)));

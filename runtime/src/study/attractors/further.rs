@@ -2,13 +2,9 @@
 
 use super::ground::Ground;
 use super::record::{Attractor, Survey};
-use super::setting::Region;
 use crate::bifurcation::Stability;
 use crate::motion::Place;
 use crate::shooting::{Guess, Orbit, closest, further};
-use crate::study::error::StudyError;
-use crate::study::question::Case;
-use crate::study::system::System;
 
 /// Shares of the way from a point of an orbit to one of another motion at which it is begun.
 const SHARES: [f64; 3] = [0.0, 0.5, 1.1];
@@ -17,43 +13,24 @@ const LAPS: [f64; 2] = [1.0, 2.0];
 /// Most points of a motion that are taken.
 const POINTS: usize = 4;
 
-impl System {
-    /// Unstable orbits besides the motions of a survey, which was made of this case: those to which Newton's method leads from
-    /// between and beside these, once they are no solutions any more. There may be others.
-    ///
-    /// # Errors
-    /// The case cannot be asked.
-    pub fn further(&self, case: &Case, survey: &Survey) -> Result<Vec<Attractor>, StudyError> {
-        self.check(case)?;
-        let (region, along) = (Region { sides: Vec::new() }, None);
-        let ground = Ground::new(
-            self,
-            Case {
-                along,
-                ..case.clone()
-            },
-            &region,
-        )?;
+impl Ground<'_> {
+    /// Unstable orbits besides the motions of a survey: those to which Newton's method leads from between and beside these,
+    /// once they are no solutions any more. There may be others.
+    pub(super) fn further(&self, survey: &Survey) -> Vec<Attractor> {
         let found = survey.found.iter().map(|one| &one.attractor);
-        let motions: Vec<&Attractor> = found
-            .chain(survey.edges.iter().map(|edge| &edge.saddle))
-            .collect();
-        let orbits = motions.iter().filter_map(|one| ground.known(one));
-        let orbits: Vec<Orbit> = orbits.collect();
-        let seeds: Vec<Guess> = orbits
-            .iter()
-            .flat_map(|orbit| ground.seeds(orbit, &motions))
-            .collect();
-        let search = ground.search(Vec::new(), None);
-        let found = further(&ground.family, 0.0, &seeds, &search, &orbits);
+        let saddles = survey.saddles().map(|(_, saddle)| saddle);
+        let motions: Vec<&Attractor> = found.chain(saddles).collect();
+        let orbits: Vec<Orbit> = motions.iter().filter_map(|one| self.known(one)).collect();
+        let seeds = orbits.iter().flat_map(|orbit| self.seeds(orbit, &motions));
+        let seeds: Vec<Guess> = seeds.collect();
+        let search = self.search(Vec::new(), None);
+        let found = further(&self.family, 0.0, &seeds, &search, &orbits);
         let unstable = found
             .iter()
             .filter(|orbit| orbit.floquet.stability == Stability::Unstable);
-        Ok(unstable.map(|orbit| ground.orbit(orbit)).collect())
+        unstable.map(|orbit| self.orbit(orbit)).collect()
     }
-}
 
-impl Ground<'_> {
     /// The orbit of a motion that is one.
     fn known(&self, motion: &Attractor) -> Option<Orbit> {
         let search = self.search(motion.state.clone(), Some(motion.period?));

@@ -120,8 +120,19 @@ pub struct Survey {
     pub found: Vec<Found>,
     /// What lies on the edges between their basins, if that was wanted.
     pub edges: Vec<Edge>,
+    /// Unstable orbits besides, if they were wanted.
+    pub further: Vec<Attractor>,
     /// The start and the place of its motion in `found`, in the order of their numbers.
     pub starts: Vec<(Vec<f64>, usize)>,
+}
+
+impl Survey {
+    /// What draws no start in, each with the motions between whose basins it lies if it was found there.
+    pub fn saddles(&self) -> impl Iterator<Item = (Option<[usize; 2]>, &Attractor)> {
+        let edges = self.edges.iter();
+        let edges = edges.map(|edge| (Some(edge.between), &edge.saddle));
+        edges.chain(self.further.iter().map(|one| (None, one)))
+    }
 }
 
 /// All motions, without a seed.

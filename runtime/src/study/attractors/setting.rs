@@ -33,6 +33,8 @@ pub struct Sampling {
     pub areas: bool,
     /// Whether saddles are sought on the edges between basins.
     pub edges: bool,
+    /// Whether unstable orbits are sought that lie on no edge, too.
+    pub further: bool,
 }
 
 impl Sampling {
@@ -45,6 +47,7 @@ impl Sampling {
             values: 1,
             areas: false,
             edges: false,
+            further: false,
         }
     }
 }

@@ -65,6 +65,9 @@ impl System {
             if whole && sampling.edges {
                 survey.edges = edges(scouted, &survey);
             }
+            if whole && sampling.further {
+                survey.further = scouted.ground().further(&survey);
+            }
             Some(survey)
         });
         Ok(AttractorsRecord {
@@ -126,6 +129,7 @@ fn survey(scouted: &Scouted<'_>, r: Option<f64>, fates: &BTreeMap<usize, &Fate>)
         r,
         found: found.collect(),
         edges: Vec::new(),
+        further: Vec::new(),
         starts,
     }
 }

@@ -1,6 +1,6 @@
 //! Motions with their shares in all forms.
 
-use super::{branches, picture};
+use super::{branches, picture, saddles};
 use crate::app::answer::Answer;
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, Holds, Spreadsheet, full, headed, optional};
@@ -8,7 +8,7 @@ use crate::app::text::{
     brief, digits, followed, heading, line, number, short, states, table, timed,
 };
 use crate::model::ModelInfo;
-use crate::study::{Attractor, AttractorsRecord, Case, Class, Edge, FollowedRecord, Found, Survey};
+use crate::study::{Attractor, AttractorsRecord, Case, Class, FollowedRecord, Found, Survey};
 
 /// Digits shown of shares, and of what only shows how a motion is drawn in.
 const SHARE: usize = 4;
@@ -61,7 +61,7 @@ fn describe(info: &ModelInfo, case: &Case, record: &AttractorsRecord) -> String 
             );
         }
     }
-    heading(info, case, &what) + &table(&lines) + &edges(info, record) + &remarks(record)
+    heading(info, case, &what) + &table(&lines) + &saddles::text(info, record) + &remarks(record)
 }
 
 fn within(info: &ModelInfo, record: &AttractorsRecord) -> String {
@@ -107,35 +107,6 @@ fn cells(found: &Found) -> impl Iterator<Item = String> {
     shares.into_iter().chain(area).chain(columns).chain(state)
 }
 
-/// What lies on the edges between basins, by the numbers of their lines.
-fn edges(info: &ModelInfo, record: &AttractorsRecord) -> String {
-    if !record.sampling.edges {
-        return String::new();
-    }
-    let along = record.along.map(|along| followed(info, &along));
-    let columns = ["between", "saddle", "word", "period", "unstable by"].map(str::to_owned);
-    let states = info.states.iter().map(|state| state.name.to_owned());
-    let mut lines = line(along.into_iter().chain(columns).chain(states));
-    for survey in &record.surveys {
-        for Edge { between, saddle } in &survey.edges {
-            let [a, b] = between.map(|of| of + 1);
-            let columns = [
-                format!("{a}, {b}"),
-                saddle.class.to_string(),
-                brief(saddle.word.as_deref().unwrap_or_default()),
-                saddle
-                    .period
-                    .map_or_else(String::new, |value| number(value, 9)),
-                drawn(saddle),
-            ];
-            let state = saddle.state.iter().map(|y| number(*y, 9));
-            let r = survey.r.map(|r| number(r, 6));
-            lines += &line(r.into_iter().chain(columns).chain(state));
-        }
-    }
-    format!("\n{}", table(&lines))
-}
-
 /// Whether the state of a motion lies on it.
 const fn has_place(found: &Attractor) -> bool {
     matches!(
@@ -145,7 +116,7 @@ const fn has_place(found: &Attractor) -> bool {
 }
 
 /// How strongly a motion draws others in: its largest multiplier, the real part of an eigenvalue, or its exponent.
-fn drawn(found: &Attractor) -> String {
+pub(super) fn drawn(found: &Attractor) -> String {
     if let Some([exponent, error]) = found.exponent {
         return format!(
             "exponent {} ± {}",
@@ -198,6 +169,7 @@ fn document<'a>(
                 let between = edge.between.map(|of| of + 1);
                 kind(info, &edge.saddle).put("between", between)
             })
+            .list("further", &survey.further, |one| kind(info, one))
     };
     let missing = (record.missing > 0).then(|| serde_json::json!({ "missing": record.missing }));
     let document = Document::case(info, case)

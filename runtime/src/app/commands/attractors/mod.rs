@@ -4,6 +4,7 @@ mod answer;
 mod branches;
 mod picture;
 mod region;
+mod saddles;
 
 use clap::Args;
 
@@ -49,6 +50,9 @@ pub(in crate::app) struct Arguments {
     /// Saddles too, on the edges between basins
     #[arg(long)]
     edges: bool,
+    /// Further unstable orbits too, by Newton's method from beside what was found: there may be others
+    #[arg(long)]
+    further: bool,
     /// Follow the periodic motions along the parameter, too, each branch once and both ways: closed ones are isolas
     #[arg(long)]
     follow: bool,
@@ -74,6 +78,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
         values: asked.case.along.map_or(1, |_| arguments.values),
         areas: arguments.areas,
         edges: arguments.edges,
+        further: arguments.further,
     };
     if sampling.areas && sampling.region.sides.len() != 2 {
         return refuse!("`--areas` are those of a region with two sides: `--box x=A..B,v=C..D`");
