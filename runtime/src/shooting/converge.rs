@@ -74,6 +74,18 @@ pub(super) fn calmly(
     found.is_ok().then_some(found)
 }
 
+/// How far from a guess the orbit is to which it leads, in its start and in its period; `None` if it leads to none.
+pub(super) fn missed(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<f64> {
+    let accuracy = search.accuracy.clamp(ROUGH, LOOSEST);
+    let effort = Effort {
+        accuracy,
+        tolerance: Tolerance::for_accuracy(accuracy),
+        factors: false,
+    };
+    let (found, _) = newton(family, r, guess, search.segments, effort).ok()?;
+    Some(between(&guess.moved(&found), guess))
+}
+
 /// The same guess, from the calmest place on its way.
 fn calm(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Guess> {
     let tolerance = Tolerance::for_accuracy(search.accuracy.max(ROUGH));

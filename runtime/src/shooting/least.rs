@@ -64,8 +64,9 @@ pub(super) fn shorter(
     Ok(None)
 }
 
-/// Guesses of a part of a period after which the motion comes back, the shortest first: as well as after the whole, so that
-/// the orbit is sure to be gone around several times, and worse.
+/// Guesses of a part of a period after which the motion comes back as well as after the whole, the shortest first: so near
+/// that the orbit is sure to be gone around several times, and farther away. Where it comes back far better after the whole,
+/// as on a doubled orbit next to its flip, its parts are other orbits.
 ///
 /// # Errors
 /// The motion cannot be followed.
@@ -85,9 +86,8 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], F
             .end;
         time = part.period;
         let back = gap(flow, &place.state, &part);
-        let sure = back <= BACK && back <= WORSE * closed;
-        if back <= NEAR {
-            found[usize::from(!sure)].push(part);
+        if back <= NEAR.min(WORSE * closed) {
+            found[usize::from(back > BACK)].push(part);
         }
     }
     Ok(found)

@@ -1,7 +1,7 @@
 //! From a start to the periodic orbit that is reached from it.
 
 use super::anchor::anchored;
-use super::converge::{ROUGH, calmly, converge, from};
+use super::converge::{ROUGH, calmly, converge, from, missed};
 use super::error::OrbitError;
 use super::guess::Guess;
 use super::least::parts;
@@ -20,6 +20,9 @@ const COARSE: f64 = 1e-3;
 const SHARP: f64 = 1e-9;
 /// A motion has come back as near as this to where it was, in half extents, after the period that is given.
 const RETURNED: f64 = 0.3;
+/// An orbit of a part of the period that is given may be as far as this from its start, in half extents: one that is known to
+/// four digits.
+const GIVEN: f64 = 1e-4;
 /// Returns that are all looked at; of later ones every eighth.
 const OFTEN: usize = 64;
 const SELDOM: usize = 8;
@@ -137,7 +140,8 @@ fn gained(
 }
 
 /// The orbit near a guess with a period, which may go around it several times: so often that the motion leaves it in the
-/// end, if it is unstable.
+/// end, if it is unstable. Then one of a part of the period is it only if it passes through the start that is given: near a
+/// long orbit that cannot be found there are short ones.
 fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit, OrbitError> {
     let sharp = Tolerance::for_accuracy(search.accuracy.min(SHARP));
     let flow = family
@@ -150,7 +154,12 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
     };
     match first(&sure) {
         Some(orbit) => Ok(orbit),
-        None => converge(family, r, guess, search).or_else(|error| first(&others).ok_or(error)),
+        None => converge(family, r, guess, search).or_else(|error| {
+            let passes =
+                |part: &Guess| missed(family, r, part, search).is_some_and(|off| off <= GIVEN);
+            let through: Vec<Guess> = others.into_iter().filter(passes).collect();
+            first(&through).ok_or(error)
+        }),
     }
 }
 

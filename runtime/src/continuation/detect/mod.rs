@@ -81,7 +81,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     }
 
     fn step(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
-        if !from.point.seems_in_regime_of(&to.point) {
+        if self.parts(from, to) {
             return self.change(from, to, halvings);
         }
         match self.events([from, to]) {
@@ -95,6 +95,14 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             _ if halvings == 0 => self.give_up(from, to, "the step cannot be halved any more"),
             _ => self.halve(from, to, halvings - 1),
         }
+    }
+
+    /// Whether the regime changes between two spots: what is so short that it may be an error is none, unless it begins or
+    /// ends at a border, which would be lost where it has grown by the next point.
+    fn parts(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>) -> bool {
+        let ends = [&from.point, &to.point];
+        let border = |path: &mut Q| path.border(ends).is_some();
+        !ends[0].same_regime(ends[1]) && (!ends[0].seems_in_regime_of(ends[1]) || border(self.path))
     }
 
     /// Whether a function that has one sign at both ends may have the other one between them, or the regime may change and
