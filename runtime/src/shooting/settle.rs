@@ -139,7 +139,8 @@ impl Watch {
         let (mut low, mut high) = bounds(&passage, &run, chunk);
         let crossings = self.minima.len() - before;
         self.quiet.take(&self.place.state, &low, &high);
-        if self.minima.is_empty() && self.turned_away(flow, &passage, chunk) {
+        if crossings == 0 && self.turned_away(flow, &passage, chunk) {
+            (self.minima, self.offered) = (Vec::new(), 0);
             self.place = passage.end;
             self.time += chunk;
             return Ok(ENOUGH);
@@ -212,10 +213,9 @@ impl Watch {
                     _ => here.state.clone(),
                 };
                 let place = Place::known(flow, &state, here.modes.as_ref())?;
-                let period = here.time - self.minima[last - k].time;
                 guesses.push(Guess {
                     place,
-                    period,
+                    period: here.time - self.minima[last - k].time,
                     magnitude: self.magnitude(),
                     pins: Vec::new(),
                     shift,
