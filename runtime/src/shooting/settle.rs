@@ -139,8 +139,7 @@ impl Watch {
         let (mut low, mut high) = bounds(&passage, &run, chunk);
         let crossings = self.minima.len() - before;
         self.quiet.take(&self.place.state, &low, &high);
-        if crossings == 0 && self.turned_away(flow, &passage, chunk) {
-            (self.minima, self.offered) = (Vec::new(), 0);
+        if self.minima.is_empty() && self.turned_away(flow, &passage, chunk) {
             self.place = passage.end;
             self.time += chunk;
             return Ok(ENOUGH);
@@ -213,9 +212,10 @@ impl Watch {
                     _ => here.state.clone(),
                 };
                 let place = Place::known(flow, &state, here.modes.as_ref())?;
+                let period = here.time - self.minima[last - k].time;
                 guesses.push(Guess {
                     place,
-                    period: here.time - self.minima[last - k].time,
+                    period,
                     magnitude: self.magnitude(),
                     pins: Vec::new(),
                     shift,
