@@ -31,6 +31,8 @@ pub struct Floquet {
     pub unstable: usize,
     /// Their logarithms with their errors, fastest growth first.
     pub growths: Growths,
+    /// What each multiplier may be off by.
+    errors: Vec<f64>,
 }
 
 impl Floquet {
@@ -38,6 +40,24 @@ impl Floquet {
     pub(crate) fn growth(&self) -> f64 {
         let sizes = self.multipliers.iter().map(|one| one.norm());
         sizes.fold(0.0, f64::max)
+    }
+
+    /// The multipliers but for those of which nothing is known: beside a large one Φ does not resolve them, and nothing else
+    /// tells them, so that their digits are noise.
+    pub(super) fn known(&self) -> Vec<Complex<f64>> {
+        let all = self
+            .multipliers
+            .iter()
+            .zip(&self.log_moduli)
+            .zip(&self.errors);
+        let known = all.filter(|((_, log), error)| log.is_some() || **error < 1.0);
+        known.map(|((mu, _), _)| *mu).collect()
+    }
+
+    /// Whether a multiplier is 1 as far as its error tells.
+    pub(super) fn may_be_one(&self) -> bool {
+        let mut all = self.multipliers.iter().zip(&self.errors);
+        all.any(|(mu, error)| (mu - 1.0).norm() <= *error)
     }
 
     /// min |1 − μ|, at most 1: the share of a disturbance along the section that is gone after one period.
@@ -93,6 +113,7 @@ pub fn floquet(
         stability: growths.stability(),
         unstable: growths.growing(),
         growths,
+        errors: told.iter().map(|one| one.error).collect(),
     }
 }
 

@@ -37,7 +37,7 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
             })
         });
     let turn = Monitor::new(Kind::Fold, P::slope)
-        .only_if(|ends| critical(ends) || asymmetry(ends).is_finite())
+        .only_if(|ends| critical(ends) || unsure(ends) || asymmetry(ends).is_finite())
         .judged(turn);
     let mut named = vec![branch_point, Monitor::new(Kind::Flip, opened), turn];
     for k in 0..multipliers {
@@ -71,11 +71,11 @@ fn growths<P: PeriodicPoint>(point: &P) -> &Growths {
 }
 
 fn opened<P: PeriodicPoint>(point: &P) -> f64 {
-    flip(&point.floquet().multipliers)
+    flip(&point.floquet().known())
 }
 
 fn closed<P: PeriodicPoint>(point: &P) -> f64 {
-    fold(&point.floquet().multipliers)
+    fold(&point.floquet().known())
 }
 
 fn turns<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
@@ -85,6 +85,11 @@ fn turns<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
 /// Whether a multiplier passes through 1.
 fn critical<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
     changes(closed(from), closed(to))
+}
+
+/// Whether one is 1 at both, as far as its errors tell: where another is large, only the turn of r tells a fold.
+fn unsure<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
+    ends.iter().all(|end| end.floquet().may_be_one())
 }
 
 /// Whether the multiplier of a doubled orbit differs from 1 by more than its error: next to the orbit that it doubles the
@@ -110,5 +115,6 @@ fn turn<P: PeriodicPoint>(ends: [&P; 2], at: &P) -> Option<Verdict> {
     if before.is_finite() && at.asymmetry() <= near {
         return Some(Verdict::Last(Kind::Flip));
     }
-    critical.then_some(Verdict::Special(Kind::Fold))
+    let fold = critical || !before.is_finite() && unsure(ends);
+    fold.then_some(Verdict::Special(Kind::Fold))
 }

@@ -22,6 +22,9 @@ pub struct Located<P> {
     pub after: usize,
     /// Estimated error of r.
     pub error: f64,
+    /// The same of how long what is followed takes there, which at a fold changes where r does not; NaN where that is not
+    /// measured.
+    pub lasting: f64,
     /// r-component of the unit tangent with which the branch leaves it, where it is not smooth.
     pub(super) left: f64,
     pub(super) share: f64,
@@ -42,6 +45,7 @@ impl<P> Located<P> {
             sides: [(r, 0); 2],
             after: 0,
             error: f64::NAN,
+            lasting: f64::NAN,
             left: f64::NAN,
             share: 1.0,
             abrupt: false,
@@ -88,6 +92,19 @@ impl<P> Located<P> {
             (to, from)
         };
         (between && r != self.r).then_some([here.1, there.1])
+    }
+}
+
+/// Drops pairs of folds, found within two steps, that are nearer to each other than their errors: rounding turns r there, and
+/// turns it back.
+pub(super) fn drop_pairs<P>(located: &mut Vec<Located<P>>) {
+    let pair = |two: &[Located<P>]| {
+        let folds = two.iter().all(|found| found.kind == Kind::Fold);
+        let near = (two[1].r - two[0].r).abs() <= two[0].error.max(two[1].error);
+        folds && near && two[1].after - two[0].after <= 1
+    };
+    while let Some(first) = located.windows(2).position(pair) {
+        located.drain(first..first + 2);
     }
 }
 

@@ -58,27 +58,31 @@ pub fn reach<Q: Path>(
     zero(path, ends, |point| point.r() - r, accuracy).map(|at| Some(at.spot.point))
 }
 
-/// A zero, and how the function and r change with the share of the path there.
+/// What is read at a point: its share of the path, the function, r, and how long what is followed takes.
+type Seen = (f64, [f64; 3]);
+
+/// A zero, and how the function, r, and how long what is followed takes change with the share of the path there.
 pub(super) struct Zero<P> {
     pub(super) spot: Spot<P>,
-    slopes: [f64; 2],
+    slopes: [f64; 3],
     /// How far r is from the point that was found next to it.
     apart: f64,
 }
 
 impl<P: Watched> Zero<P> {
-    /// The slopes are those from another spot, not too near to this one: (share, value of the function, r).
-    fn at(spot: Spot<P>, value: f64, others: &[(f64, f64, f64)], width: f64) -> Self {
-        let off = |other: &&(f64, f64, f64)| (other.0 - spot.share).abs();
+    /// The slopes are those from another spot, not too near to this one.
+    fn at(spot: Spot<P>, value: f64, others: &[Seen], width: f64) -> Self {
+        let here = [value, spot.point.r(), spot.point.lasts()];
+        let off = |other: &&Seen| (other.0 - spot.share).abs();
         let beyond = |least: f64| {
             let far = others.iter().filter(|other| off(other) >= least);
             far.min_by(|a, b| off(a).total_cmp(&off(b)))
         };
-        let slopes = beyond(NEIGHBOUR * width).map_or([f64::NAN; 2], |(share, other, r)| {
-            [value - other, spot.point.r() - r].map(|rise| rise / (spot.share - share))
+        let slopes = beyond(NEIGHBOUR * width).map_or([f64::NAN; 3], |(share, other)| {
+            [0, 1, 2].map(|i| (here[i] - other[i]) / (spot.share - share))
         });
         let nearest = beyond(f64::MIN_POSITIVE);
-        let apart = nearest.map_or(0.0, |other| (other.2 - spot.point.r()).abs());
+        let apart = nearest.map_or(0.0, |(_, other)| (other[1] - spot.point.r()).abs());
         Self {
             spot,
             slopes,
@@ -86,24 +90,31 @@ impl<P: Watched> Zero<P> {
         }
     }
 
-    /// The estimated error of r there: from the same point once more, and from what rounding leaves uncertain; where that
-    /// says nothing, from the point found next to it.
-    pub(super) fn error<Q: Path<Point = P>>(
+    /// The estimated errors of r there and of how long what is followed takes: from the same point once more, and from what
+    /// rounding leaves uncertain; where that says nothing of r, from the point found next to it.
+    pub(super) fn errors<Q: Path<Point = P>>(
         &self,
         path: &mut Q,
         Monitor { test, rounding, .. }: &Monitor<'_, P>,
         accuracy: f64,
-    ) -> f64 {
+    ) -> [f64; 2] {
         let at = &self.spot.point;
+        let [slope, along, lasting] = self.slopes;
         let measured = path.again(self.spot.share).map(|again| {
-            let [slope, along] = self.slopes;
             let apart = (test(&again) - test(at)).abs() + rounding(at);
             let off = apart / slope * along;
             let moved = (again.r() - at.r()).abs() + off.abs();
-            DOUBT * moved + CHANCE * accuracy * at.r().abs()
+            // What is left of the function is nothing to an r that turns there.
+            let off = (apart + test(at).abs()) / slope * lasting;
+            let lasts = (again.lasts() - at.lasts()).abs() + off.abs();
+            [
+                DOUBT * moved + CHANCE * accuracy * at.r().abs(),
+                DOUBT * lasts + CHANCE * accuracy * at.lasts(),
+            ]
         });
-        let measured = measured.filter(|error| error.is_finite());
-        measured.unwrap_or(DOUBT * (self.apart + accuracy * at.r().abs()))
+        let [moved, lasts] = measured.unwrap_or([f64::NAN; 2]);
+        let beside = DOUBT * (self.apart + accuracy * at.r().abs());
+        [if moved.is_finite() { moved } else { beside }, lasts]
     }
 }
 
@@ -115,7 +126,10 @@ pub(super) fn zero<Q: Path>(
     test: impl Fn(&Q::Point) -> f64,
     accuracy: f64,
 ) -> Result<Zero<Q::Point>, Q::Error> {
-    let seen = |spot: &Spot<Q::Point>| (spot.share, test(&spot.point), spot.point.r());
+    let seen = |spot: &Spot<Q::Point>| {
+        let point = &spot.point;
+        (spot.share, [test(point), point.r(), point.lasts()])
+    };
     let (whole, mut others) = (b.share - a.share, vec![seen(a), seen(b)]);
     let (mut low, mut high) = ((a.share, test(&a.point)), (b.share, test(&b.point)));
     let nearer = if low.1.abs() < high.1.abs() { a } else { b };

@@ -7,7 +7,7 @@ use super::branch::Started;
 use super::detect::detect;
 use super::ending::Ending;
 use super::kind::Kind;
-use super::located::{Findings, Located, Unexplained};
+use super::located::{Findings, Located, Unexplained, drop_pairs};
 use super::path::Watched;
 use super::range::{Settings, Stop};
 use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
@@ -252,6 +252,7 @@ impl<R: Reader> Walk<'_, R> {
         let first = findings.unexplained.into_iter().next();
         let last = findings.located.last().filter(|event| event.last).cloned();
         self.located.extend(findings.located);
+        drop_pairs(&mut self.located);
         match (last, findings.bound) {
             (Some(last), _) if R::ENDS_ON_POINTS => {
                 return Verdict::Last(last.point, Ending::At(last.kind, last.r));

@@ -12,11 +12,11 @@ const APART: f64 = 2.0;
 /// Share of the way to it to which two extrapolations of where it is agree.
 const AGREE: f64 = 0.1;
 
-/// Where these orbits grow without bound, if they do: as at a resonance, the inverse of their size is a smooth function of
-/// r that vanishes there.
+/// Where these orbits grow without bound, if they do: as at a resonance, or where something comes to a standstill and they
+/// last ever longer, the inverse of their size is a smooth function of r that vanishes there.
 pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
     let (first, last) = (orbits.first()?, orbits.last()?);
-    let [from, to] = [first, last].map(Orbit::magnitude);
+    let [from, to] = [first, last].map(sizes);
     let growth = |j: &usize| to[*j] / from[*j];
     let most = (0..to.len()).max_by(|i, j| growth(i).total_cmp(&growth(j)))?;
     let grown = growth(&most);
@@ -26,7 +26,7 @@ pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
     let mut seen = orbits
         .iter()
         .rev()
-        .map(|orbit| (orbit.r, orbit.magnitude()[most]));
+        .map(|orbit| (orbit.r, sizes(orbit)[most]));
     let mut smaller = |size: f64| seen.find(|(_, other)| APART * other <= size);
     let c = smaller(f64::INFINITY)?;
     let b = smaller(c.1)?;
@@ -37,4 +37,11 @@ pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
     let away = (near - c.0).abs();
     let large = grown > GROWN || away <= NEAR * near.abs();
     (large && (near - far).abs() <= AGREE * away).then_some(near)
+}
+
+/// How large an orbit is in each state, and how long it lasts.
+fn sizes(orbit: &Orbit) -> Vec<f64> {
+    let mut sizes = orbit.magnitude();
+    sizes.push(orbit.period);
+    sizes
 }

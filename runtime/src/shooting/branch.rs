@@ -14,6 +14,7 @@ use super::shot::Shot;
 use super::shrunk::shrunk;
 use super::slip::lets_go;
 use super::stray::walks_back;
+use super::vertical::stands_still;
 use crate::bifurcation::{Kind, explain, falls, monitors};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading,
@@ -196,6 +197,7 @@ impl Reader for Orbits {
         endless
             .then_some(Ending::Endless(ENDLESS))
             .or_else(unbounded)
+            .or_else(|| stands_still(orbits, self.accuracy).map(Ending::Family))
     }
 
     fn closes(&self, first: &Orbit, back: &Orbit) -> bool {

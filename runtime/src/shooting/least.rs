@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use super::anchor::SAME_POINT;
 use super::guess::Guess;
+use super::shift::changes_nothing;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
@@ -47,6 +48,9 @@ pub(super) fn shorter(
 ) -> Result<Option<Guess>, FlowError> {
     for laps in LAPS {
         let guess = orbit.part(laps);
+        if !guess.is_whole(flow) {
+            continue;
+        }
         let place = along(flow, shot, guess.period)?;
         let back = gap(flow, &place.state, &guess);
         if back > NEAR {
@@ -86,7 +90,7 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], F
             .end;
         time = part.period;
         let back = gap(flow, &place.state, &part);
-        if back <= NEAR.min(WORSE * closed) {
+        if back <= NEAR.min(WORSE * closed) && part.is_whole(flow) {
             found[usize::from(back > BACK)].push(part);
         }
     }
@@ -104,6 +108,13 @@ impl Guess {
             }),
             ..self.clone()
         }
+    }
+
+    /// Whether what it gains changes nothing: half a turn of an angle is none, where a motion that turns evenly comes back as
+    /// well but for that.
+    fn is_whole(&self, flow: &dyn Flow) -> bool {
+        let shift = self.shift.as_ref();
+        shift.is_none_or(|shift| changes_nothing(flow, shift, &self.magnitude))
     }
 }
 

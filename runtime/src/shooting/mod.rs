@@ -40,6 +40,7 @@ mod stray;
 mod swing;
 mod switch;
 mod symmetry;
+mod vertical;
 mod watched;
 
 pub use anchor::anchored;

@@ -229,7 +229,9 @@ impl Shot {
     /// Time and state of each minimum of the section's state in [0, T), the start included once if it is one; with a drive,
     /// of each beginning of its phase.
     pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
-        let near = INSTANT * self.period;
+        // What turns slowly may begin further from where it turns than an instant.
+        let off = self.off_section();
+        let near = (INSTANT * self.period).max(2.0 * off.unwrap_or(0.0));
         let section = self.section();
         let passages = self.passages.iter().zip(&self.begins);
         let all = passages.flat_map(move |(passage, begin)| {
@@ -240,9 +242,7 @@ impl Shot {
             minima.map(move |e| (begin + e.time, e.state.clone()))
         });
         let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
-        let start = self
-            .starts_on_section()
-            .then(|| (0.0, self.start.state.clone()));
+        let start = off.map(|_| (0.0, self.start.state.clone()));
         start.into_iter().chain(inside)
     }
 
@@ -268,9 +268,14 @@ impl Shot {
 
     /// Whether the section's state is least at the start; with a drive, whether its phase begins there.
     pub(super) fn starts_on_section(&self) -> bool {
+        self.off_section().is_some()
+    }
+
+    /// How far in time a start on the section is from where its state turns; `None` if it is not on it.
+    fn off_section(&self) -> Option<f64> {
         if let Some(phase) = self.drive {
             let turns = self.start.state[phase] / TAU;
-            return (turns - turns.round()).abs() <= INSTANT;
+            return ((turns - turns.round()).abs() <= INSTANT).then_some(0.0);
         }
         let section = self.section();
         let terms = self
@@ -282,6 +287,8 @@ impl Shot {
         let (bend, size) = terms.iter().fold((0.0, 0.0), |(sum, size), term| {
             (sum + term, size + term.abs())
         });
-        self.velocity.f[section].abs() <= INSTANT * self.period * size && bend > 0.0
+        let rate = self.velocity.f[section].abs();
+        let on = rate <= INSTANT * self.period * size && bend > 0.0;
+        on.then_some(rate / bend)
     }
 }

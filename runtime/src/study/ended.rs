@@ -39,6 +39,7 @@ impl Ended {
             Ending::Left => Kind::Window.name(),
             Ending::Endless(_) => "infinite-period",
             Ending::Unbounded(_) => "unbounded",
+            Ending::Family(_) => "family",
             Ending::Lost(_) => "lost",
             Ending::Interrupted => "interrupted",
             Ending::Unexplained(_) => "unexplained-change",
@@ -76,7 +77,8 @@ impl Ended {
             | Ending::Closed(_)
             | Ending::Left
             | Ending::Endless(_)
-            | Ending::Unbounded(_) => true,
+            | Ending::Unbounded(_)
+            | Ending::Family(_) => true,
             Ending::Undecided(..)
             | Ending::FallsBack(_)
             | Ending::Lost(_)
@@ -99,7 +101,7 @@ impl Ended {
 }
 
 fn reason(ending: &Ending<FlowError>, along: Along) -> String {
-    let value = |r: &f64| along.value(*r);
+    let value = |r: &f64| rounded(along.value(*r));
     match ending {
         Ending::Stopped(stop) => stop.to_string(),
         Ending::At(Kind::Fold, r) => {
@@ -120,13 +122,13 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             value(r)
         ),
         Ending::At(kind, r) => format!(
-            "it meets a {} point at {}: no orbit continues it",
-            kind.name(),
+            "it meets {} point at {}: no orbit continues it",
+            with_article(kind.name()),
             value(r)
         ),
         Ending::Undecided(kind, r) => format!(
-            "it meets a {} point at {}: an orbit should continue it, and none was found",
-            kind.name(),
+            "it meets {} point at {}: an orbit should continue it, and none was found",
+            with_article(kind.name()),
             value(r)
         ),
         Ending::Meets(_, r) => format!(
@@ -144,12 +146,30 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
         Ending::Left => "it reaches an end of the range of the first design variable".to_owned(),
         Ending::Endless(times) => format!("its period has grown more than {times:e} times"),
         Ending::Unbounded(r) => format!("it grows without bound towards {}", value(r)),
+        Ending::Family(r) => format!(
+            "at {} it stands still while its orbits go on changing: there they are a family, each as good as the others",
+            value(r)
+        ),
         Ending::Lost(off) => {
             format!("what was followed is no such bifurcation any more: off by {off:.1e}")
         }
         Ending::Interrupted => "it was interrupted".to_owned(),
         Ending::Unexplained(change) => unexplained(change, along),
     }
+}
+
+/// A value with the ten digits that special points are printed with at most.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
+}
+
+fn with_article(name: &str) -> String {
+    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
+    };
+    format!("{article} {name}")
 }
 
 fn unexplained(change: &Unexplained, along: Along) -> String {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
 use stickslip::study::{OrbitRecord, Stability};
-use stickslip_models::friction::Stribeck;
+use stickslip_models::friction::{Coulomb, CoulombStatic, Stribeck};
 use stickslip_models::{BeltPair, ForcedBelt};
 
 use crate::borders::{branch, named};
@@ -40,6 +40,54 @@ model! {
         der(x) = A + powi(x, 2) * y - (B + 1.0) * x;
         der(y) = B * x - powi(x, 2) * y;
     }
+}
+
+model! {
+    /// A rotor on a stator that passes below it, always faster, and presses more in one half of each turn.
+    struct Ultrasonic {
+        state w: rad/s = 0.0;
+        param torque: N*m = 0.15;
+        drive phi at 2000.0;
+        friction F: N = Coulomb { level: 0.2 * (50.0 + 40.0 * cos(phi)) } opposing 0.02 * w - 0.3 * cos(phi);
+        der(w) = (0.02 * F - torque) / 1e-4;
+    }
+}
+
+model! {
+    /// A sledge that is pulled by a spring.
+    struct Pulled {
+        state stretch: m = 0.0;
+        state v: m/s = 0.0;
+        param pull: m/s = 0.1;
+        friction F: N = CoulombStatic { static_level: 4.0, kinetic_level: 2.0 } opposing v;
+        der(stretch) = pull - v;
+        der(v) = (50.0 * stretch + F) / 2.0;
+    }
+}
+
+/// Running ever backwards, friction is 0.02 · 0.2 · 50 in the mean at any speed: a load of as much leaves the speed open.
+#[test]
+fn a_family_at_one_value_of_the_parameter_is_an_end() {
+    let found = branch(&[], Ultrasonic::torque, (0.15, 0.25), |_| {});
+    let Ending::Family(torque) = found.ended.ending else {
+        panic!("{}", found.ended.reason);
+    };
+    assert!((torque - 0.2).abs() < 1e-9, "{torque}");
+    assert!(found.points.len() < 200 && found.ended.is_located());
+    assert!(found.ended.reason.starts_with("at 0.2 it stands still"));
+}
+
+/// It sticks for (4 − 2 · 2 + 4) / (50 pull) s, which has no bound where nothing pulls any more.
+#[test]
+fn a_motion_that_comes_to_a_standstill_lasts_without_bound() {
+    let found = branch(&[], Pulled::pull, (0.1, -0.1), |_| {});
+    let Ending::Unbounded(pull) = found.ended.ending else {
+        panic!("{} {:?}", found.ended.reason, named(&found));
+    };
+    assert!(pull.abs() < 1e-7, "{pull:e}");
+    let last = found.points.last().expect("an orbit");
+    let sticks = 4.0 / (50.0 * last.r.unwrap());
+    assert!((last.period / sticks - 1.0).abs() < 1e-3 && last.period > 1e3);
 }
 
 /// As an orbit shrinks, 1 − μ falls with the square of its size, and is noise before the orbit is: what noise says is not

@@ -9,6 +9,7 @@ mod diagram;
 mod ends;
 mod equilibria;
 mod equilibrium_curves;
+mod folds;
 mod margins;
 mod onset;
 mod orbits;

@@ -224,3 +224,44 @@ fn a_pile_sinks_by_the_same_way_each_time() {
     close((end[0] - orbit.state[0]) / gain[0], 1.0, 1e-8);
     assert!(gain[0] > 0.009 && gain[0] < 0.01, "{gain:?}");
 }
+
+model! {
+    /// A clutch whose disc is out of true: it is pressed more in one half of each turn of the one side against the other.
+    pub struct Untrue {
+        state lag: rad = 0.0;
+        state w: rad/s = 0.0;
+        state twist: rad = 0.0;
+        param engine: rad/s = 30.0;
+        param uneven = 0.1 where 0.0 <= uneven < 1.0;
+        friction T: N*m = Coulomb { level: 30.0 * (1.0 + uneven * cos(lag)) } opposing w - engine;
+        der(lag) = engine - w;
+        der(w) = (T - 200.0 * twist - 0.2 * w) / 0.02;
+        der(twist) = w;
+    }
+}
+
+/// The twist comes back, so that the disc gets on by nothing, and the engine turns against it once in 2π/30 s. Half a turn is
+/// gained in half of that, and changes where it is pressed.
+#[test]
+fn half_a_turn_is_no_period() {
+    let system = System::of::<Untrue, _>();
+    let turn = std::f64::consts::TAU / 30.0;
+    let case = Case {
+        start: Some(vec![1.607, -0.472, 0.14]),
+        ..along(&system, Untrue::uneven.index, 0.1, 0.9)
+    };
+    let orbit = system.orbit(&case).unwrap();
+    let given = Case {
+        start: Some(orbit.state.clone()),
+        period: Some(turn),
+        ..case.clone()
+    };
+    for orbit in [orbit, system.orbit(&given).unwrap()] {
+        close(orbit.period, turn, 1e-9);
+    }
+    let branch = system.branch(&case).unwrap();
+    assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+    for orbit in &branch.points {
+        close(orbit.period, turn, 1e-9);
+    }
+}

@@ -229,10 +229,11 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 }
                 None => continue,
             };
-            let error = at.error(self.path, monitor, self.accuracy);
+            let [error, lasting] = at.errors(self.path, monitor, self.accuracy);
             located.push(Located {
                 last,
                 error,
+                lasting,
                 ..Located::between(kind, ends, at.spot)
             });
         }

@@ -24,7 +24,7 @@ pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Opti
         division: None,
         ..orbit.guess().part(2)
     };
-    met.turns = 2;
+    (met.turns, met.lasting) = (2, f64::NAN);
     let ahead = last.map_or(0.0, |last| (met.r - last).abs());
     match converge(&sought.family, met.r, &guess, &sought.search) {
         Ok(single) if single.period < 0.75 * orbit.period => {

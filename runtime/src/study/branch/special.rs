@@ -25,6 +25,9 @@ pub struct Special {
     pub error: Option<f64>,
     /// The period there.
     pub period: f64,
+    /// Its estimated error; none where that was not measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub period_error: Option<f64>,
     /// The multipliers there.
     pub multipliers: Vec<Complex<f64>>,
     /// Where the orbit there begins.
@@ -57,6 +60,7 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         r: along.value(found.r),
         error: along.error(found),
         period: found.point.period,
+        period_error: Some(found.lasting).filter(|error| error.is_finite()),
         multipliers: found.point.floquet.multipliers.clone(),
         state: found.point.place.state.clone(),
         max_abs: found.point.max_abs(),

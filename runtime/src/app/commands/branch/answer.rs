@@ -82,8 +82,12 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
             number(one.r, certain(one.r, one.error))
         })
         .column(timed(info, "period", "s"), |one| {
-            // It is known less well than what it was located in.
-            number(one.period, certain(one.r, one.error).max(5) - 1)
+            // It is known less well than what it was located in, and at a fold much less.
+            let located = certain(one.r, one.error).max(5) - 1;
+            number(
+                one.period,
+                located.min(certain(one.period, one.period_error)),
+            )
         })
         .column("", remark)
         .text(&branch.special)

@@ -1,0 +1,24 @@
+//! Where r stands still while the orbits of a branch go on changing.
+
+use super::orbit::Orbit;
+
+/// Orbits in a row by which it is told.
+const MANY: usize = 20;
+/// Errors of an orbit by which a multiplier is off from 1 at most.
+const MARGIN: f64 = 10.0;
+
+/// The value of r at which these orbits, the last of which have one r and a multiplier 1 as far as their accuracy tells, are
+/// a family: each is as good as the others, and a branch would go on among them for ever. At a fold r stands still as well,
+/// and along a canard, but not with a multiplier 1 all along.
+pub(super) fn stands_still(orbits: &[Orbit], accuracy: f64) -> Option<f64> {
+    let last = orbits.last()?.r;
+    let recent = orbits
+        .len()
+        .checked_sub(MANY)
+        .map(|first| &orbits[first..])?;
+    let stays = |orbit: &Orbit| {
+        let still = (orbit.r - last).abs() <= accuracy * last.abs();
+        still && orbit.floquet.pull() <= MARGIN * accuracy
+    };
+    recent.iter().all(stays).then_some(last)
+}

@@ -1,0 +1,115 @@
+//! What is told of folds: their periods, and none where only rounding turns a branch.
+
+use stickslip::continuation::{Ending, Kind};
+use stickslip::model;
+use stickslip::study::OrbitRecord;
+use stickslip_models::friction::{Coulomb, Tustin, Weakening};
+
+use crate::borders::{branch, named};
+
+model! {
+    /// A weak motor that turns an unbalance on a foundation that rubs: Sommerfeld.
+    struct Sommerfeld {
+        state x: m = 0.0;
+        state v: m/s = 0.0;
+        state a: rad = 0.0;
+        state w: rad/s = 8.0;
+        param torque: N*m = 0.5;
+        friction F: N = Coulomb { level: 1.0 } opposing v;
+        let det = 10.0 * 0.05 - 0.05 * 0.05 * sin(a) * sin(a);
+        let force = F - 1000.0 * x - 5.0 * v + 0.05 * w * w * cos(a);
+        let driving = torque - 0.05 * w;
+        der(x) = v;
+        der(v) = (0.05 * force + 0.05 * sin(a) * driving) / det;
+        der(a) = w;
+        der(w) = (0.05 * sin(a) * force + 10.0 * driving) / det;
+    }
+}
+
+model! {
+    /// A servo drive whose integral control hunts against friction.
+    struct Servo {
+        state e: rad = 0.1;
+        state w: rad/s = 0.0;
+        state i: rad*s = 0.0;
+        param kd: N*m*s/rad = 0.1;
+        friction F: N*m = Tustin { static_level: 0.3, kinetic_level: 0.2, speed: 0.05, viscous: 0.01 } opposing w;
+        der(e) = w;
+        der(w) = (F - 5.0 * e - kd * w - 10.0 * i) / 0.01;
+        der(i) = e;
+    }
+}
+
+model! {
+    /// A wiper blade: an arm and a lip.
+    struct Wiper {
+        state arm: m = 0.0;
+        state va: m/s = 0.0;
+        state lip: m = 0.0;
+        state vl: m/s = 0.0;
+        param wipe: m/s = 0.3;
+        friction F: N = Weakening { limit: 14.0, decay: 1.4 / 0.6 } opposing vl - wipe;
+        der(arm) = va;
+        der(va) = (-2000.0 * arm - va + 800.0 * (lip - arm) + 0.05 * (vl - va)) / 0.2;
+        der(lip) = vl;
+        der(vl) = (F - 800.0 * (lip - arm) - 0.05 * (vl - va)) / 0.01;
+    }
+}
+
+/// r does not change at a fold, and the period does: its own error is told beside it.
+#[test]
+fn the_period_at_a_fold_is_right_within_its_own_error() {
+    let folds = |range, accuracy| {
+        let found = branch(&[], Sommerfeld::torque, range, |case| {
+            case.accuracy = accuracy
+        });
+        assert_eq!(found.special.len(), 2, "{:?}", named(&found));
+        let mut folds = found.special;
+        folds.sort_by(|a, b| a.r.total_cmp(&b.r));
+        folds
+    };
+    let known = folds((0.5, 1.5), 1e-11);
+    for range in [(0.5, 1.5), (1.5, 0.5)] {
+        for (fold, known) in folds(range, 1e-9).iter().zip(&known) {
+            assert_eq!(fold.kind, Kind::Fold);
+            let error = fold.period_error.expect("an error");
+            let off = (fold.period - known.period).abs();
+            assert!(
+                off <= error + known.period_error.unwrap(),
+                "{off:e} {error:e}"
+            );
+            assert!(error < 1e-6 * fold.period, "{error:e}");
+            assert!((fold.r / known.r - 1.0).abs() < 1e-9);
+        }
+    }
+}
+
+/// It hunts ever more slowly towards kd = 1.72, as the inverse of the distance; there is no fold on the way.
+#[test]
+fn a_hunt_that_lasts_ever_longer_has_an_end() {
+    let found = branch(&[], Servo::kd, (0.1, 2.0), |_| {});
+    let Ending::Unbounded(kd) = found.ended.ending else {
+        panic!("{} {:?}", found.ended.reason, named(&found));
+    };
+    // Weakening by 0.1/0.05 at no speed, less what is viscous: sliding slowly is damped by more beyond.
+    assert!((kd - 1.72).abs() < 5e-3, "{kd}");
+    assert!(found.special.len() <= 1, "{:?}", named(&found));
+}
+
+/// Where a slide is repelled by 1e15 once around, nothing is known of the other multiplier, and nothing is read from it.
+#[test]
+fn digits_of_a_multiplier_that_are_noise_are_no_bifurcations() {
+    let found = branch(&[], Wiper::wipe, (0.3, 0.46), |_| {});
+    let kinds: Vec<Kind> = found.special.iter().map(|one| one.kind).collect();
+    let begin = [Kind::AddingSliding, Kind::Flip, Kind::Fold];
+    assert!(kinds.starts_with(&begin), "{:?}", named(&found));
+    let rest = &kinds[begin.len()..];
+    assert!(
+        rest.iter().all(|kind| *kind == Kind::Fold),
+        "{:?}",
+        named(&found)
+    );
+    let largest = |one: &OrbitRecord| one.floquet.multipliers[0].norm();
+    let most = found.points.iter().map(largest).fold(0.0, f64::max);
+    assert!(most > 1e13, "{most:e}");
+}
