@@ -1,5 +1,6 @@
 //! Motions with their shares in all forms.
 
+use super::drawn::drawn;
 use super::{branches, picture, saddles};
 use crate::app::answer::Answer;
 use crate::app::document::Document;
@@ -9,9 +10,6 @@ use crate::app::text::{
 };
 use crate::model::ModelInfo;
 use crate::study::{Attractor, AttractorsRecord, Case, Class, FollowedRecord, Found, Survey};
-
-/// Digits shown of shares, and of what only shows how a motion is drawn in.
-const SHARE: usize = 4;
 
 pub(super) fn answer<'a>(
     info: &'a ModelInfo,
@@ -113,26 +111,6 @@ const fn has_place(found: &Attractor) -> bool {
         found.class,
         Class::Equilibrium | Class::Sticking | Class::Orbit | Class::Running
     )
-}
-
-/// How strongly a motion draws others in: its largest multiplier, the real part of an eigenvalue, or its exponent.
-pub(super) fn drawn(found: &Attractor) -> String {
-    if let Some([exponent, error]) = found.exponent {
-        return format!(
-            "exponent {} ± {}",
-            number(exponent, SHARE),
-            number(error, 2)
-        );
-    }
-    match (found.class, found.multipliers.first()) {
-        (Class::Orbit | Class::Running, Some([re, im])) if found.period.is_some() => {
-            format!("|μ| = {}", number(re.hypot(*im), SHARE))
-        }
-        (Class::Equilibrium | Class::Sticking | Class::Running, Some([re, _])) => {
-            format!("Re = {}", number(*re, SHARE))
-        }
-        _ => String::new(),
-    }
 }
 
 /// What has no more to be said of it than a reason.

@@ -2,6 +2,7 @@
 
 mod answer;
 mod branches;
+mod drawn;
 mod picture;
 mod region;
 mod saddles;

@@ -1,6 +1,6 @@
 //! What draws no start in: on the edges between basins, and besides.
 
-use super::answer::drawn;
+use super::drawn::drawn;
 use crate::app::text::{brief, followed, line, number, table, timed};
 use crate::model::ModelInfo;
 use crate::study::AttractorsRecord;
