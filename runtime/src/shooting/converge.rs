@@ -74,7 +74,8 @@ pub(super) fn calmly(
     found.is_ok().then_some(found)
 }
 
-/// How far from a guess the orbit is to which it leads, in its start and in its period; `None` if it leads to none.
+/// How far from a guess the orbit is to which it leads, in its start and in its period, or in the calmest place on its way;
+/// `None` if it leads to none.
 pub(super) fn missed(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<f64> {
     let accuracy = search.accuracy.clamp(ROUGH, LOOSEST);
     let effort = Effort {
@@ -82,8 +83,11 @@ pub(super) fn missed(family: &Family, r: f64, guess: &Guess, search: &Search) ->
         tolerance: Tolerance::for_accuracy(accuracy),
         factors: false,
     };
-    let (found, _) = newton(family, r, guess, search.segments, effort).ok()?;
-    Some(between(&guess.moved(&found), guess))
+    let off = |guess: &Guess| {
+        let (found, _) = newton(family, r, guess, search.segments, effort).ok()?;
+        Some(between(&guess.moved(&found), guess))
+    };
+    off(guess).or_else(|| off(&calm(family, r, guess, search)?))
 }
 
 /// The same guess, from the calmest place on its way.
