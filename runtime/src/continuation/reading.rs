@@ -116,7 +116,11 @@ pub trait Reader: Clone {
     }
 
     /// Why the branch ends with the last of these points, if it does.
-    fn ends(&self, _points: &[Self::Point]) -> Option<Ending<ErrorOf<Self>>> {
+    fn ends(
+        &self,
+        _branch: &Branch<Self::Problem>,
+        _points: &[Self::Point],
+    ) -> Option<Ending<ErrorOf<Self>>> {
         None
     }
 

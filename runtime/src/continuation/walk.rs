@@ -113,14 +113,14 @@ impl<R: Reader> Walk<'_, R> {
             };
             let verdict = watch(&point);
             self.points.push(point);
-            ending = ending.or_else(|| self.followed.reader.ends(&self.points));
+            let Reading { reader, branch, .. } = &*self.followed;
+            ending = ending.or_else(|| reader.ends(branch, &self.points));
             if let Some(ending) = ending {
                 return ending;
             }
             if verdict.is_break() {
                 return Ending::Interrupted;
             }
-            let Reading { reader, branch, .. } = &*self.followed;
             let crossing = reader.leads(branch, &self.points);
             if let Some(ending) = crossing.and_then(|crossing| self.pass(crossing)) {
                 return ending;

@@ -11,10 +11,12 @@ const NEAR: f64 = 1e-5;
 const APART: f64 = 2.0;
 /// Share of the way to it to which two extrapolations of where it is agree.
 const AGREE: f64 = 0.1;
+/// What is further away than the end of the range is not met before that, but for what it may be off by.
+const BEYOND: f64 = 1.001;
 
-/// Where these orbits grow without bound, if they do: as at a resonance, or where something comes to a standstill and they
-/// last ever longer, the inverse of their size is a smooth function of r that vanishes there.
-pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
+/// Where in a range, at whose ends r stops, these orbits grow without bound, if they do: as at a resonance, or where something
+/// comes to a standstill and they last ever longer, the inverse of their size is a smooth function of r that vanishes there.
+pub(super) fn unbounded(orbits: &[Orbit], range: [f64; 2]) -> Option<f64> {
     let (first, last) = (orbits.first()?, orbits.last()?);
     let [from, to] = [first, last].map(sizes);
     let growth = |j: &usize| to[*j] / from[*j];
@@ -36,7 +38,13 @@ pub(super) fn unbounded(orbits: &[Orbit]) -> Option<f64> {
     let [far, near] = [pole(b, a), pole(c, b)];
     let away = (near - c.0).abs();
     let large = grown > GROWN || away <= NEAR * near.abs();
-    (large && (near - far).abs() <= AGREE * away).then_some(near)
+    let ahead = |end: &&f64| (**end - c.0) * (near - c.0) > 0.0;
+    let end = range
+        .iter()
+        .find(ahead)
+        .map_or(0.0, |end| (end - c.0).abs());
+    let met = away <= BEYOND * end;
+    (large && met && (near - far).abs() <= AGREE * away).then_some(near)
 }
 
 /// How large an orbit is in each state, and how long it lasts.

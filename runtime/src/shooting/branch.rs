@@ -188,12 +188,14 @@ impl Reader for Orbits {
         }
     }
 
-    fn ends(&self, orbits: &[Orbit]) -> Option<Ending<FlowError>> {
+    fn ends(&self, branch: &Branch<OrbitProblem>, orbits: &[Orbit]) -> Option<Ending<FlowError>> {
         let [first, .., last] = orbits else {
             return None;
         };
         let endless = last.period > ENDLESS * first.period;
-        let unbounded = || unbounded(orbits).map(Ending::Unbounded);
+        let settings = branch.settings();
+        let range = [settings.from, settings.to];
+        let unbounded = || unbounded(orbits, range).map(Ending::Unbounded);
         endless
             .then_some(Ending::Endless(ENDLESS))
             .or_else(unbounded)

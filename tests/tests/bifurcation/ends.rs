@@ -90,6 +90,14 @@ fn a_motion_that_comes_to_a_standstill_lasts_without_bound() {
     assert!((last.period / sticks - 1.0).abs() < 1e-3 && last.period > 1e3);
 }
 
+#[test]
+fn a_range_that_ends_before_the_standstill_is_followed_to_its_end() {
+    let found = branch(&[], Pulled::pull, (0.1, 1e-6), |_| {});
+    assert!(found.ended.reaches_bound(), "{}", found.ended.reason);
+    let periods = [&found.points[0], found.points.last().expect("an orbit")].map(|one| one.period);
+    assert!(periods[1] > 1e4 * periods[0], "{periods:?}");
+}
+
 /// As an orbit shrinks, 1 − μ falls with the square of its size, and is noise before the orbit is: what noise says is not
 /// told, and no step fails on it.
 #[test]
