@@ -148,18 +148,12 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
         .with_tolerance(sharp)
         .with_magnitude(&guess.magnitude);
     let [sure, others] = parts(flow.at(r)?.as_ref(), guess).unwrap_or_default();
-    let first = |parts: &[Guess]| {
-        let mut found = parts.iter().map(|part| converge(family, r, part, search));
-        found.find_map(Result::ok)
-    };
-    match first(&sure) {
+    let orbit = |part: &Guess| converge(family, r, part, search).ok();
+    let passes = |part: &&Guess| missed(family, r, part, search).is_some_and(|off| off <= GIVEN);
+    match sure.iter().find_map(orbit) {
         Some(orbit) => Ok(orbit),
-        None => converge(family, r, guess, search).or_else(|error| {
-            let passes =
-                |part: &Guess| missed(family, r, part, search).is_some_and(|off| off <= GIVEN);
-            let through: Vec<Guess> = others.into_iter().filter(passes).collect();
-            first(&through).ok_or(error)
-        }),
+        None => converge(family, r, guess, search)
+            .or_else(|error| others.iter().filter(passes).find_map(orbit).ok_or(error)),
     }
 }
 

@@ -22,6 +22,11 @@ fn lowest(values: &[f64; LOOKS + 1]) -> (f64, f64) {
     (theta, values[k] - (left - right).powi(2) / (8.0 * bend))
 }
 
+/// Whether a height beside an end of a step is on its way from above zero there towards it.
+fn falls(end: f64, beside: f64) -> bool {
+    end > 0.0 && beside < end
+}
+
 /// Where along [0, 1] a height falls below zero that falls from above it and rises above it again.
 fn dip(height: impl Fn(f64) -> f64) -> Option<f64> {
     let at = |k: usize| height(k as f64 / LOOKS as f64);
@@ -57,18 +62,16 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
             };
             side * heights.as_ref()[contact] - edge
         };
-        let falls = |contact: usize, beside: &_, end: &_| {
-            let end = above(contact, end);
-            end > 0.0 && above(contact, beside) < end
-        };
         let contacts = 0..M::INFO.contacts.len();
         let after = heights(NEAR_END);
-        if !contacts.clone().any(|i| falls(i, &after, &first)) {
+        let enters = |i: &usize| falls(above(*i, &first), above(*i, &after));
+        if !contacts.clone().any(|i| enters(&i)) {
             return false;
         }
         let [before, last] = mapped(&[1.0 - NEAR_END, 1.0], heights);
+        let leaves = |i: &usize| falls(above(*i, &last), above(*i, &before));
         contacts
-            .filter(|&i| falls(i, &after, &first) && falls(i, &before, &last))
+            .filter(|i| enters(i) && leaves(i))
             .any(|i| dip(|theta| above(i, &heights(theta))).is_some())
     }
 
@@ -78,13 +81,9 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         let mut presses = 0..M::INFO.presses.len();
         presses.find_map(|press| {
             let height = |theta: f64| self.height(press, &along(theta)) - 1.0;
-            let falls = |end: f64, beside: f64| {
-                let end = height(end);
-                end > 0.0 && height(beside) < end
-            };
-            (falls(0.0, NEAR_END) && falls(1.0, 1.0 - NEAR_END))
-                .then(|| dip(height))
-                .flatten()
+            let falls = |end: f64, beside: f64| falls(height(end), height(beside));
+            let passes = falls(0.0, NEAR_END) && falls(1.0, 1.0 - NEAR_END);
+            passes.then(|| dip(height))?
         })
     }
 
