@@ -193,3 +193,20 @@ press_law! {
         rebound(v) = restitution * v;
     }
 }
+
+model! {
+    /// A pad that is pressed against a belt as it moves.
+    pub(crate) struct Pad {
+        state y = 0.1;
+        state u = 0.0;
+        state v = 0.0;
+        param k = 1.3 where k > 0.0;
+        param mu = 0.4 where mu >= 0.0;
+        param tilt = 0.2;
+        press N: 1 = Bumper { stiffness: k, damping: 0.3 } closing 0.05 - y;
+        friction F = Weakening { peak: 1.2 * mu * N, limit: mu * N, decay: 0.7 } opposing v - 0.2;
+        der(y) = u;
+        der(u) = -y - N + tilt * F;
+        der(v) = F - k * v;
+    }
+}

@@ -30,8 +30,20 @@ pub trait Field<const N: usize> {
     /// f(y).
     fn f(&self, y: &[f64; N]) -> [f64; N];
 
+    /// Hands f(y) to `take`, where it is made: a field with several ways to make it would copy what comes out of them.
+    #[inline(always)]
+    fn with_f<R>(&self, y: &[f64; N], take: impl FnOnce([f64; N]) -> R) -> R {
+        take(self.f(y))
+    }
+
     /// f, its Jacobian and ∂f/∂r together.
     fn linearise(&self, y: &[f64; N]) -> Linear<N>;
+
+    /// Hands the same to `take`, as [`Field::with_f`] does.
+    #[inline(always)]
+    fn with_linear<R>(&self, y: &[f64; N], take: impl FnOnce(Linear<N>) -> R) -> R {
+        take(self.linearise(y))
+    }
 
     /// What the error of each component is measured against at `y`; a friction layer tightens it.
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {

@@ -22,14 +22,16 @@ pub trait Carried<const N: usize>: Copy {
     /// The state.
     fn state(&self) -> &[f64; N];
 
-    /// The slope here; counted in `work`.
-    fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self;
+    /// Puts the slope here into `slope`, and counts it in `work`: in place, as one with tangents is large and is made a
+    /// thousand times a period.
+    fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self);
 
     /// This, led to `end` by a step whose derivatives are asked for only where they are carried.
     fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self;
 
-    /// How fast the tangents turn here, where this is the slope, in states of these sizes: nothing without tangents.
-    fn turning(&self, slope: &Self, sizes: &[f64; N]) -> f64;
+    /// Whether a step that adds `length` times this slope turns a tangent by more than `share` of its own, in states of
+    /// these sizes; there is none to turn without tangents.
+    fn turns(&self, slope: &Self, length: f64, share: f64, sizes: &[f64; N]) -> bool;
 
     /// Errors of the tangents over what they are, combined from orders 5 and 3 as those of states are.
     fn strays(&self, fifth: &Self, third: &Self, sizes: &[f64; N]) -> f64;
@@ -54,9 +56,9 @@ impl<const N: usize> Carried<N> for [f64; N] {
     }
 
     #[inline]
-    fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self {
+    fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self) {
         work.evaluations += 1;
-        field.f(self)
+        field.with_f(self, |f| *slope = f);
     }
 
     #[inline]
@@ -65,8 +67,8 @@ impl<const N: usize> Carried<N> for [f64; N] {
     }
 
     #[inline]
-    fn turning(&self, _slope: &Self, _sizes: &[f64; N]) -> f64 {
-        0.0
+    fn turns(&self, _slope: &Self, _length: f64, _share: f64, _sizes: &[f64; N]) -> bool {
+        false
     }
 
     #[inline]
@@ -84,8 +86,9 @@ impl<const N: usize> Carried<N> for [f64; N] {
 fn lengths<const N: usize>(tangent: &[[f64; N]; N], sizes: &[f64; N]) -> [f64; N] {
     let mut lengths = [0.0; N];
     for (row, size) in tangent.iter().zip(sizes) {
+        let per = size.recip();
         for (length, entry) in lengths.iter_mut().zip(row) {
-            *length += (entry / size).powi(2);
+            *length += (entry * per).powi(2);
         }
     }
     lengths
@@ -129,8 +132,7 @@ impl<const N: usize> Motion<N> {
         motion
     }
 
-    /// Adds `factor` times the derivatives of `motion` to these: in place, as a slope is made a thousand times a period and
-    /// would be copied each time.
+    /// Adds `factor` times the derivatives of `motion` to these.
     #[inline(always)]
     fn add_product(&mut self, factor: &[[f64; N]; N], motion: &Self) {
         for i in 0..N {
@@ -175,17 +177,15 @@ impl<const N: usize> Carried<N> for Motion<N> {
 
     /// Φ' = J Φ and p' = J p + f_r.
     #[inline]
-    fn slope(&self, field: &impl Field<N>, work: &mut Work) -> Self {
+    fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self) {
         work.linearisations += 1;
-        let linear = field.linearise(&self.state);
-        let mut slope = Self {
-            state: linear.f,
-            design: linear.design,
-            trace: linear.trace(),
-            ..Self::NOTHING
-        };
-        slope.add_product(&linear.jacobian, self);
-        slope
+        field.with_linear(&self.state, |linear| {
+            slope.state = linear.f;
+            slope.design = linear.design;
+            slope.trace = linear.trace();
+            slope.tangent = Self::NOTHING.tangent;
+            slope.add_product(&linear.jacobian, self);
+        });
     }
 
     fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self {
@@ -195,14 +195,14 @@ impl<const N: usize> Carried<N> for Motion<N> {
         }
     }
 
-    fn turning(&self, slope: &Self, sizes: &[f64; N]) -> f64 {
+    #[inline]
+    fn turns(&self, slope: &Self, length: f64, share: f64, sizes: &[f64; N]) -> bool {
         let (before, turned) = (
             lengths(&self.tangent, sizes),
             lengths(&slope.tangent, sizes),
         );
-        let pairs = turned.iter().zip(&before);
-        let fastest = pairs.map(|(turned, before)| ratio(*turned, *before));
-        fastest.fold(0.0, f64::max).sqrt()
+        let (length, share) = (length * length, share * share);
+        (turned.iter().zip(&before)).any(|(turned, before)| length * turned > share * before)
     }
 
     fn strays(&self, fifth: &Self, third: &Self, sizes: &[f64; N]) -> f64 {

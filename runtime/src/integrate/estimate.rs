@@ -5,7 +5,7 @@ use super::carried::Carried;
 use super::control::{combined, ratio};
 use super::dop853::{ERROR_3, ERROR_5, Weights};
 use super::stepper::{Stepper, weighted};
-use crate::field::{Field, Work};
+use crate::field::Field;
 
 /// A step that turns the tangents by less has the derivatives that its states have.
 const TURNED: f64 = 0.5;
@@ -34,7 +34,7 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
     /// The same of the tangents, where a step turns them so far that they may be off: a motion that keeps still in a fast
     /// direction says nothing of what a disturbance would do there.
     fn tangents_error(&self, sizes: &[f64; N]) -> f64 {
-        if self.length * self.from.turning(&self.slopes[0], sizes) < TURNED {
+        if !(self.from).turns(&self.slopes[0], self.length, TURNED, sizes) {
             return 0.0;
         }
         let sum = |weights: Weights| weighted(weights, &self.slopes);
@@ -67,10 +67,9 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
         let euler = self.control.euler_length(size, slope);
         let mut look = y;
         look.add(euler, &f);
-        let mut change = look.slope(self.field, &mut Work::default());
+        let mut change = self.slope_at(&look);
         change.add(-1.0, &f);
         let bend = norm(&change) / euler;
-        self.work.evaluations += 1;
         self.control.guess(euler, slope, bend)
     }
 

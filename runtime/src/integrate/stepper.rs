@@ -56,7 +56,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             fallen: None,
             work: Work::default(),
         };
-        stepper.slopes[0] = from.slope(field, &mut stepper.work);
+        from.slope(field, &mut stepper.work, &mut stepper.slopes[0]);
         if !(from.is_finite() && stepper.slopes[0].is_finite()) {
             return Err(stepper.not_finite());
         }
@@ -149,7 +149,8 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
 
     /// f at any state, counted.
     pub fn slope_at(&mut self, state: &[f64; N]) -> [f64; N] {
-        state.slope(self.field, &mut self.work)
+        self.work.evaluations += 1;
+        self.field.f(state)
     }
 
     /// The polynomial of degree 7 through the step.
@@ -161,9 +162,9 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         }
         // Each on its own, for the same reason as the stages.
         let (length, zero) = (self.length, [0.0; N]);
-        slopes[13] = combine(&from, length, MORE[0], &slopes).slope(self.field, &mut self.work);
-        slopes[14] = combine(&from, length, MORE[1], &slopes).slope(self.field, &mut self.work);
-        slopes[15] = combine(&from, length, MORE[2], &slopes).slope(self.field, &mut self.work);
+        slopes[13] = self.slope_at(&combine(&from, length, MORE[0], &slopes));
+        slopes[14] = self.slope_at(&combine(&from, length, MORE[1], &slopes));
+        slopes[15] = self.slope_at(&combine(&from, length, MORE[2], &slopes));
         let higher = [
             combine(&zero, length, DENSE[0], &slopes),
             combine(&zero, length, DENSE[1], &slopes),
@@ -197,7 +198,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
 
     /// Evaluates the slope at the end; false if anything there is not finite.
     fn close(&mut self) -> bool {
-        self.slopes[12] = self.end.slope(self.field, &mut self.work);
+        (self.end).slope(self.field, &mut self.work, &mut self.slopes[12]);
         self.end.is_finite() && self.slopes[12].is_finite()
     }
 
@@ -245,7 +246,7 @@ fn stages<F: Field<N>, V: Carried<N>, const N: usize>(
     macro_rules! stage {
         ($number:literal) => {{
             let look = combine(from, length, STAGES[$number], slopes);
-            slopes[$number + 1] = look.slope(field, work);
+            look.slope(field, work, &mut slopes[$number + 1]);
             look
         }};
     }

@@ -2,7 +2,6 @@
 
 mod affine;
 mod closed;
-mod columns;
 mod constants;
 mod error;
 mod impact;
@@ -17,8 +16,6 @@ mod strip;
 mod system;
 mod tied;
 
-use num_dual::Dual64;
-
 use super::{Field, Linear, LinearField, memory};
 use crate::integrate::Tolerance;
 use crate::model::Model;
@@ -30,7 +27,7 @@ pub use error::ContactError;
 use error::singular;
 pub(crate) use impact::{Impact, Impulses};
 pub use mode::{Mode, Modes};
-use rule::Branches;
+use rule::Sliding;
 pub(crate) use solve::solve;
 pub(crate) use strip::Strip;
 pub use system::{ContactState, ExactSystem};
@@ -160,21 +157,49 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     /// The field without the sticking forces, over any scalar.
     #[inline]
     fn free<D: Scalar>(&self, params: &M::Params<D>, state: [D; N]) -> [D; N] {
-        let mut rule = Branches::<M, D, N>::free(self.modes.as_slice());
-        M::rhs(params, state, &mut rule)
+        M::rhs(
+            params,
+            state,
+            &mut Sliding::<M, N>::new(self.modes.as_slice()),
+        )
     }
 
     /// The field where contacts stick: a call of its own, so that one where all of them slide saves no registers for it.
     #[inline(never)]
     fn bound(&self, y: &[f64; N]) -> [f64; N] {
-        let Some(holds) = self.holds() else {
-            return self.probe(&self.system.plain, y);
-        };
-        let mut field = self.free(&self.system.plain, *y);
-        for (gradient, lever) in holds {
-            hold(&mut field, gradient, lever);
+        let mut field;
+        if let Some(holds) = self.holds() {
+            field = self.free(&self.system.plain, *y);
+            for (gradient, lever) in holds {
+                hold(&mut field, gradient, lever);
+            }
+        } else {
+            field = self.probe(&self.system.plain, y);
         }
         field
+    }
+
+    /// The derivatives without the sticking forces.
+    #[inline(always)]
+    fn linearise_free(&self, y: &[f64; N]) -> Linear<N> {
+        let (system, mut rule) = (self.system, Sliding::<M, N>::new(self.modes.as_slice()));
+        M::linearise(&system.plain, &system.seeds, *y, &mut rule)
+    }
+
+    /// The derivatives where contacts stick: a call of its own, as [`Self::bound`] is.
+    #[inline(never)]
+    fn linearise_bound(&self, y: &[f64; N]) -> Linear<N> {
+        let mut linear;
+        if let Some(holds) = self.holds() {
+            linear = self.linearise_free(y);
+            for (gradient, lever) in holds {
+                linear.hold(gradient, lever);
+            }
+        } else {
+            let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
+            linear = linear_of(&self.probe(&self.system.lanes, &state));
+        }
+        linear
     }
 
     /// The field by probing, over any scalar; NaN where the sticking forces are not unique.
@@ -207,12 +232,16 @@ fn hold<const N: usize>(column: &mut [f64; N], gradient: &Strip<N>, lever: &Stri
 impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
     const KINEMATIC: [Option<usize>; N] = M::KINEMATIC;
 
-    #[inline]
     fn f(&self, y: &[f64; N]) -> [f64; N] {
+        self.with_f(y, |f| f)
+    }
+
+    #[inline]
+    fn with_f<R>(&self, y: &[f64; N], take: impl FnOnce([f64; N]) -> R) -> R {
         if self.sticks() {
-            self.bound(y)
+            take(self.bound(y))
         } else {
-            self.free(&self.system.plain, *y)
+            take(self.free(&self.system.plain, *y))
         }
     }
 
@@ -252,25 +281,18 @@ impl<M: Model<N>, const N: usize> Field<N> for ExactField<'_, M, N> {
         memory::corner::<M, N>(&self.system.plain, index, y)
     }
 
-    #[inline]
     fn linearise(&self, y: &[f64; N]) -> Linear<N> {
-        if self.sticks() && self.levers.is_none() {
-            let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
-            return linear_of(&self.probe(&self.system.lanes, &state));
+        self.with_linear(y, |linear| linear)
+    }
+
+    // Called, it costs a small model more than its formulas do.
+    #[inline(always)]
+    fn with_linear<R>(&self, y: &[f64; N], take: impl FnOnce(Linear<N>) -> R) -> R {
+        if self.sticks() {
+            take(self.linearise_bound(y))
+        } else {
+            take(self.linearise_free(y))
         }
-        let mut linear = self.system.columns.linearise(
-            |seed| {
-                let state = crate::scalar::filled(|i| Dual64::new(y[i], seed[i]));
-                self.free(&self.system.directional, state)
-            },
-            || self.free(&self.system.turned, mapped(y, Dual64::from)),
-        );
-        if let Some(holds) = self.holds() {
-            for (gradient, lever) in holds {
-                linear.hold(gradient, lever);
-            }
-        }
-        linear
     }
 }
 

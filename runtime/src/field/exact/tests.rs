@@ -1,5 +1,5 @@
 use super::*;
-use crate::examples::{Belt, Groove, Pair, Parallel, Sledges, Wrong};
+use crate::examples::{Belt, Groove, Pad, Pair, Parallel, Sledges, Wrong};
 use Mode::{SlideBackward, SlideForward, Stick};
 
 fn modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<M, N> {
@@ -53,6 +53,26 @@ fn derivatives_agree_with_differences_in_every_mode() {
             let state = [0.3, 0.2, -0.4, 0.5];
             differences_agree::<Pair, 4>(&[first, second], state);
             differences_agree::<Sledges, 4>(&[first, second], state);
+        }
+    }
+}
+
+#[test]
+fn derivatives_agree_with_differences_while_a_press_is_open_or_closed() {
+    let rubs = [
+        SlideForward,
+        SlideBackward,
+        Stick,
+        Mode::Loose,
+        Mode::PinnedForward,
+        Mode::PinnedBackward,
+    ];
+    for rub in rubs {
+        for press in [Mode::Open, Mode::Closed, Mode::Parted] {
+            // Stages of a step look at both sides of a gap, whatever the mode is.
+            for y in [0.3, 0.02] {
+                differences_agree::<Pad, 3>(&[rub, press], [y, 0.1, 0.5]);
+            }
         }
     }
 }
