@@ -1,6 +1,7 @@
 //! Where a branch passes from one regime to another.
 
 use super::exchange::{self, Exchange};
+use super::margin;
 use super::path::{Border, Path, Spot, Watched};
 use super::root::SETTLED;
 
@@ -38,6 +39,19 @@ impl<P: Watched> Change<P> {
         let [before, after] = self.nearest();
         let narrow = width([before, after]) <= WIDE && after.share - before.share <= APART;
         self.border.is_some() || self.meeting.is_some() || narrow
+    }
+
+    /// r of the change within the bracket, and its error: where a margin vanishes, if that tells it better than the bracket.
+    pub(super) fn within(&self, accuracy: f64) -> (f64, f64) {
+        let [low, high] = self.nearest().map(|spot| spot.point.r());
+        let middle = f64::midpoint(low, high);
+        let least = SETTLED * accuracy * middle.abs();
+        let sides = [&self.before, &self.after];
+        let zeros = sides.map(|side| margin::vanishes(side, [low, high]));
+        let bracket = (middle, 0.5 * (high - low).abs());
+        let all = zeros.into_iter().flatten().chain([bracket]);
+        let (r, error) = all.fold(bracket, |a, b| if b.1 < a.1 { b } else { a });
+        (r, error + least)
     }
 
     /// Points of the path so near to the border, on both sides of it, that nothing `passes` between them and it: where it lies

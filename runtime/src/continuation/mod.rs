@@ -15,6 +15,7 @@ mod exchange;
 mod kind;
 mod link;
 mod located;
+mod margin;
 mod measure;
 mod monitor;
 mod path;

@@ -59,6 +59,11 @@ pub trait Watched: Clone {
         None
     }
 
+    /// The least margins by which what may happen does not, and what they belong to.
+    fn margins(&self) -> Vec<(usize, f64)> {
+        Vec::new()
+    }
+
     /// How long what is followed takes: its events are known to the accuracy times this.
     fn lasts(&self) -> f64 {
         0.0

@@ -4,6 +4,7 @@ use super::orbit::Orbit;
 use crate::bifurcation::{Floquet, Kind, PeriodicPoint};
 use crate::continuation::Watched;
 use crate::field::Work;
+use crate::flow::EventKind;
 use crate::motion::{Modes, Segment};
 
 /// A stretch this many times shorter than the errors of an orbit tell may as well be none; the most that is left out, of a
@@ -61,6 +62,21 @@ impl Watched for Orbit {
         };
         let same = a.len() == b.len();
         same.then(|| (0..b.len()).find_map(alone)).flatten()
+    }
+
+    /// Those of its contacts.
+    fn margins(&self) -> Vec<(usize, f64)> {
+        let mut least: Vec<(usize, f64)> = Vec::new();
+        for event in &self.events {
+            let EventKind::Nearest { margin } = event.kind else {
+                continue;
+            };
+            match least.iter_mut().find(|one| one.0 == event.contact) {
+                Some(one) => one.1 = one.1.min(margin),
+                None => least.push((event.contact, margin)),
+            }
+        }
+        least
     }
 
     fn lasts(&self) -> f64 {

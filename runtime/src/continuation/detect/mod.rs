@@ -63,10 +63,11 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     fn findings(self) -> Findings<Q::Point> {
         let (mut located, accuracy) = (self.located, self.accuracy);
         located.sort_by(|a, b| a.share.total_cmp(&b.share));
-        // Events that switch together at one value of r do so in two steps for a tolerance.
+        // Events that switch together at one value of r do so in two steps for a tolerance, or as far as their errors tell.
         located.dedup_by(|b, a| {
             let distance = (b.r - a.r).abs();
-            a.abrupt && b.abrupt && distance <= ONE_CHANGE * accuracy * a.r.abs()
+            let close = distance <= ONE_CHANGE * accuracy * a.r.abs();
+            a.abrupt && b.abrupt && (close || distance <= a.error + b.error)
         });
         if let Some(bound) = &self.bound {
             located.retain(|event| event.share <= bound.share);
@@ -158,8 +159,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
 
     /// A step on which the regime changes: up to the change, the change, and what lies beyond.
     fn change(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
-        let mut found = change(self.path, [from, to], self.accuracy);
-        let monitors = self.monitors;
+        let (accuracy, monitors) = (self.accuracy, self.monitors);
+        let mut found = change(self.path, [from, to], accuracy);
         let beside = found.beside(self.path, |ends| passes(monitors, ends));
         let [before, after] = found.nearest();
         let [low, high] = beside
@@ -182,10 +183,9 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         } else if found.is_sharp() {
             // What is no border is an exchange of two events: none lies between them where they meet.
             let kind = Kind::VanishingSegment;
-            let middle = 0.5 * (before.point.r() + after.point.r());
-            let (at, r, error) = match &found.meeting {
-                Some((at, error)) => (at, at.point.r(), *error),
-                None => (before, middle, f64::NAN),
+            let (at, (r, error)) = match &found.meeting {
+                Some((at, error)) => (at, (at.point.r(), *error)),
+                None => (before, found.within(accuracy)),
             };
             self.located.push(Located {
                 r,
