@@ -45,7 +45,8 @@ impl<P: Watched> Change<P> {
     pub(super) fn within(&self, accuracy: f64) -> (f64, f64) {
         let [low, high] = self.nearest().map(|spot| spot.point.r());
         let middle = f64::midpoint(low, high);
-        let least = SETTLED * accuracy * middle.abs();
+        // Each end is an orbit that is known to the accuracy.
+        let least = accuracy * middle.abs();
         let sides = [&self.before, &self.after];
         let zeros = sides.map(|side| margin::vanishes(side, [low, high]));
         let bracket = (middle, 0.5 * (high - low).abs());

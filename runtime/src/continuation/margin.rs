@@ -17,18 +17,26 @@ pub(super) fn vanishes<P: Watched>(side: &[Spot<P>], bracket: [f64; 2]) -> Optio
     let far = |point: &&P| (point.r() - middle).abs() >= FAR * width;
     let mut points = side.iter().rev().map(|spot| &spot.point).filter(far);
     let [near, second, first] = [points.next()?, points.next()?, points.next()?];
-    let zero = |(event, margin): (usize, f64)| {
-        let of = |point: &P| {
-            let mut margins = point.margins().into_iter();
-            margins.find(|other| other.0 == event).map(|other| other.1)
-        };
-        let (far, between) = (of(first)?, of(second)?);
+    let zero = |[margin, between, far]: [f64; 3]| {
         let falls = far > between && between > margin && margin > 0.0;
         let found = at_zero([(far, first.r()), (between, second.r()), (margin, near.r())]);
         let error = (found.value - found.lines[0]).abs();
         let within = (found.value - middle).abs() <= width && error <= width;
         (falls && within).then_some((found.value, error))
     };
-    let zeros = near.margins().into_iter().filter_map(zero);
+    let zeros = at_all([near, second, first]).filter_map(zero);
     zeros.min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// The values of every margin that is known at three points.
+pub(super) fn at_all<P: Watched>([a, b, c]: [&P; 3]) -> impl Iterator<Item = [f64; 3]> {
+    let all = a.margins(a).into_iter();
+    let others = [b, c].map(|point| point.margins(a));
+    all.filter_map(move |(of, margin)| {
+        let beside = |i: usize| {
+            let same = others[i].iter().find(|one| one.0 == of);
+            same.map(|one| one.1)
+        };
+        Some([margin, beside(0)?, beside(1)?])
+    })
 }

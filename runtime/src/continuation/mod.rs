@@ -37,7 +37,7 @@ pub use kind::Kind;
 pub use link::Link;
 pub use located::{Findings, Located, Unexplained};
 pub use monitor::{Monitor, Verdict, changes};
-pub use path::{Border, Path, Spot, Watched};
+pub use path::{Border, Chance, Path, Spot, Watched};
 pub use point::Point;
 pub(crate) use predictor::tangent;
 pub use range::{Settings, Stop};

@@ -59,8 +59,9 @@ pub trait Watched: Clone {
         None
     }
 
-    /// The least margins by which what may happen does not, and what they belong to.
-    fn margins(&self) -> Vec<(usize, f64)> {
+    /// By how much it is not in another regime: numbers that are positive, and fall to zero where one of these happens or
+    /// ceases to; counted as in another point of its regime, none beside one of another.
+    fn margins(&self, _as_in: &Self) -> Vec<(Chance, f64)> {
         Vec::new()
     }
 
@@ -68,6 +69,17 @@ pub trait Watched: Clone {
     fn lasts(&self) -> f64 {
         0.0
     }
+}
+
+/// What may happen or cease to, so that a regime ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Chance {
+    /// An event of this contact, which does not happen.
+    Event(usize),
+    /// The event that ends the stretch of this number, which might go out otherwise.
+    Outcome(usize),
+    /// The stretch of this number, which might vanish.
+    Stretch(usize),
 }
 
 /// The branch between two neighbouring points.

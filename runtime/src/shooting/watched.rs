@@ -2,7 +2,7 @@
 
 use super::orbit::Orbit;
 use crate::bifurcation::{Floquet, Kind, PeriodicPoint};
-use crate::continuation::Watched;
+use crate::continuation::{Chance, Watched};
 use crate::field::Work;
 use crate::flow::EventKind;
 use crate::motion::{Modes, Segment};
@@ -64,23 +64,42 @@ impl Watched for Orbit {
         same.then(|| (0..b.len()).find_map(alone)).flatten()
     }
 
-    /// Those of its contacts.
-    fn margins(&self) -> Vec<(usize, f64)> {
-        let mut least: Vec<(usize, f64)> = Vec::new();
+    fn margins(&self, as_in: &Self) -> Vec<(Chance, f64)> {
+        let own = stretches(self);
+        let theirs = stretches(as_in);
+        let alike = own.len() == theirs.len();
+        let Some(by) = alike.then(|| turned(&theirs, &own)).flatten() else {
+            return Vec::new();
+        };
+        let number = |i: usize| (i + own.len() - by) % own.len();
+        let lasts = own.iter().enumerate();
+        let mut margins: Vec<(Chance, f64)> = lasts
+            .map(|(i, stretch)| (Chance::Stretch(number(i)), stretch.duration))
+            .collect();
         for event in &self.events {
-            let EventKind::Nearest { margin } = event.kind else {
-                continue;
-            };
-            match least.iter_mut().find(|one| one.0 == event.contact) {
-                Some(one) => one.1 = one.1.min(margin),
-                None => least.push((event.contact, margin)),
+            match event.kind {
+                EventKind::Nearest { margin } => nearer(&mut margins, event.contact, margin),
+                EventKind::Landing { margin, .. } | EventKind::Crossing { margin, .. } => {
+                    let ended = ended_at(&own, event.time, self.period);
+                    margins.extend(ended.map(|i| (Chance::Outcome(number(i)), margin)));
+                }
+                _ => {}
             }
         }
-        least
+        margins
     }
 
     fn lasts(&self) -> f64 {
         self.period
+    }
+}
+
+/// Keeps the least margin of a contact.
+fn nearer(margins: &mut Vec<(Chance, f64)>, contact: usize, margin: f64) {
+    let of = Chance::Event(contact);
+    match margins.iter_mut().find(|one| one.0 == of) {
+        Some(one) => one.1 = one.1.min(margin),
+        None => margins.push((of, margin)),
     }
 }
 
@@ -153,8 +172,23 @@ fn turns_into(a: &[Stretch<'_>], b: &[Stretch<'_>], times: usize) -> bool {
     } else {
         b.len()
     };
-    let turned = |by: usize| (0..a.len()).all(|i| a[i].is_like(&b[(i + by) % b.len()]));
-    a.len() == length && (0..b.len().max(1)).any(turned)
+    a.len() == length && (a.is_empty() || turned(a, b).is_some())
+}
+
+/// From which stretch of `b` on those of `a` are, gone around as often as need be.
+fn turned(a: &[Stretch<'_>], b: &[Stretch<'_>]) -> Option<usize> {
+    let alike = |by: &usize| (0..a.len()).all(|i| a[i].is_like(&b[(i + by) % b.len()]));
+    (0..b.len()).find(alike)
+}
+
+/// The stretch that ends next to a time.
+fn ended_at(stretches: &[Stretch<'_>], time: f64, period: f64) -> Option<usize> {
+    let off = |stretch: &Stretch<'_>| {
+        let turns = (stretch.end - time) / period;
+        (turns - turns.round()).abs()
+    };
+    let offs = stretches.iter().map(off).enumerate();
+    offs.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
 }
 
 /// A stretch of an orbit between two events.
@@ -163,6 +197,8 @@ struct Stretch<'a> {
     /// The contact whose impact began it, if one did.
     impact: Option<usize>,
     duration: f64,
+    /// When it ends.
+    end: f64,
 }
 
 impl Stretch<'_> {
@@ -183,15 +219,19 @@ fn at_once(a: &[Stretch<'_>], b: &[Stretch<'_>]) -> bool {
 /// The stretches once around; what the start divides is one.
 fn stretches(orbit: &Orbit) -> Vec<Stretch<'_>> {
     let mut stretches: Vec<Stretch<'_>> = Vec::with_capacity(orbit.segments.len());
+    let mut end = 0.0;
     for segment in &orbit.segments {
+        end += segment.duration;
         match stretches.last_mut() {
             Some(last) if *last.modes == segment.modes && segment.impact.is_none() => {
                 last.duration += segment.duration;
+                last.end = end;
             }
             _ => stretches.push(Stretch {
                 modes: &segment.modes,
                 impact: segment.impact,
                 duration: segment.duration,
+                end,
             }),
         }
     }

@@ -9,6 +9,7 @@ pub(super) use account::explains;
 use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
+use super::margin;
 use super::monitor::{Monitor, Verdict, changes};
 use super::path::{Path, Spot, Watched};
 use super::root::zero;
@@ -107,7 +108,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     }
 
     /// Whether a function that has one sign at both ends may have the other one between them, or the regime may change and
-    /// change back: as far as a third point tells, and the parabola through all three.
+    /// change back: as far as a third point tells, and the parabolas through all three.
     fn hides(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) -> bool {
         let ends = [&from.point, &to.point];
         let rests = |monitor: &Monitor<'_, Q::Point>| rests(ends.map(&monitor.test));
@@ -121,7 +122,9 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             let [a, b] = ends.map(&monitor.test);
             !changes(a, b) && dips([a, (monitor.test)(&middle), b])
         };
-        !middle.seems_in_regime_of(ends[0]) || self.monitors.iter().any(dips)
+        !middle.seems_in_regime_of(ends[0])
+            || self.monitors.iter().any(dips)
+            || margin::at_all([ends[0], &middle, ends[1]]).any(self::dips)
     }
 
     fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
