@@ -60,9 +60,20 @@ impl Orbit {
     pub(super) fn apart(&self, other: &Self) -> f64 {
         let magnitude = self.magnitude();
         let period = (other.period / self.period - 1.0).abs();
-        apart(&self.max, &other.max, &magnitude)
-            .max(apart(&self.min, &other.min, &magnitude))
-            .max(period)
+        let [a, b] = [self, other].map(Self::extents);
+        let ends = a.iter().zip(&b);
+        let ends = ends.map(|(a, b)| apart(a, b, &magnitude));
+        ends.fold(period, f64::max)
+    }
+
+    /// Least and largest values of the states; of one that runs on, what it gains once around.
+    fn extents(&self) -> [Vec<f64>; 2] {
+        let mut ends = [self.min.clone(), self.max.clone()];
+        let gains = self.shift.iter().flatten().enumerate();
+        for (j, gain) in gains.filter(|(_, gain)| **gain != 0.0) {
+            (ends[0][j], ends[1][j]) = (0.0, *gain);
+        }
+        ends
     }
 
     /// The same, r relative to itself beside them.

@@ -179,7 +179,11 @@ fn friction_that_lets_go_at_the_peak_of_a_load_ends_a_branch() {
     let given = [(Shaken::omega, 0.5), (Shaken::held, 0.24)];
     let found = branch(&given, Shaken::level, (0.5, 1.2), |_| {});
     let last = (0.16_f64 + 16.0 / 15.0).sqrt() / 0.8 - 0.5;
-    are(&found, &[("LP1", 8.0_f64.sqrt() / 3.0), ("AS1", last)], 1e-9);
+    are(
+        &found,
+        &[("LP1", 8.0_f64.sqrt() / 3.0), ("AS1", last)],
+        1e-9,
+    );
     assert_eq!(found.ended.word(), "adding-sliding");
     assert!(found.ended.is_located(), "{}", found.ended.reason);
 }
