@@ -20,6 +20,7 @@ mod grip;
 mod guess;
 mod hopf;
 mod least;
+mod lows;
 mod neutral;
 mod orbit;
 mod phase;

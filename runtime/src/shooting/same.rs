@@ -89,7 +89,12 @@ impl Orbit {
         a.max(b) <= (BETWEEN * whole).max(errors)
     }
 
+    /// How far apart two points are, but for where the motion runs on.
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
-        apart(p, q, &self.magnitude())
+        let mut q = q.to_vec();
+        for pin in self.pins.iter().filter(|_| self.shift.is_some()) {
+            pin.slide(&mut q, p);
+        }
+        apart(p, &q, &self.magnitude())
     }
 }

@@ -3,11 +3,62 @@
 use std::f64::consts::TAU;
 
 use stickslip::continuation::Kind;
+use stickslip::model;
 use stickslip::model::Model;
 use stickslip::study::{Case, Diagram, Dynamics, Motion, Section, Sweep, System};
+use stickslip_models::friction::Coulomb;
+use stickslip_models::press::Rigid;
 
 use crate::impact::{branch, case};
 use crate::models::Valve;
+
+model! {
+    /// A poppet that chatters on its seat, with a seal that rubs; its pressure in any unit.
+    struct Poppet {
+        state x = 1e-3;
+        state v = 0.0;
+        state p = 0.0;
+        param inflow = 4e-4;
+        param unit = 1.0 where unit > 0.0;
+        press N = Rigid { restitution: 0.3 } closing x;
+        friction F = Coulomb { level: 2.0 } opposing v;
+        der(x) = v;
+        der(v) = (1e-4 * (1.2e6 + unit * p) - 100.0 - 4000.0 * x - 2.0 * v + F + N) / 0.05;
+        der(p) = (inflow - 0.012 * x * sqrt(2.0 * (1.2e6 + unit * p) / 850.0)) / 2e-12 / unit;
+    }
+}
+
+/// The last impacts of a chatter are as slow as 1e-6 m/s, beside pressures that change by 1e8 Pa/s: they are passed in any unit
+/// of these.
+#[test]
+fn slow_impacts_are_none_the_less_impacts() {
+    let [pascal, bar] = [1.0, 1e5].map(|unit| {
+        let poppet = Poppet {
+            unit,
+            ..Default::default()
+        };
+        let mut case = case(&poppet, &[1e-3, 0.0, 0.0]);
+        case.accuracy = 1e-9;
+        branch::<Poppet, 3>(&case, Poppet::inflow.index, (5e-4, 5.65e-4))
+    });
+    assert_eq!(
+        pascal.ended.word(),
+        "reached-end",
+        "{}",
+        pascal.ended.reason
+    );
+    let named = |branch: &stickslip::study::BranchRecord| -> Vec<(Kind, f64)> {
+        branch.special.iter().map(|one| (one.kind, one.r)).collect()
+    };
+    let (pascal, bar) = (named(&pascal), named(&bar));
+    assert!(
+        pascal.len() > 4 && pascal.len() == bar.len(),
+        "{pascal:?} {bar:?}"
+    );
+    for (a, b) in pascal.iter().zip(&bar) {
+        assert!(a.0 == b.0 && (a.1 / b.1 - 1.0).abs() < 1e-7, "{a:?} {b:?}");
+    }
+}
 
 #[test]
 fn a_valve_begins_to_flutter_where_its_outflow_is_known_to() {
