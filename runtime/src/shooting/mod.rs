@@ -65,6 +65,6 @@ pub use problem::OrbitProblem;
 pub(crate) use same::SAME_ORBIT;
 pub use search::{Search, closest, settled};
 pub use settle::{Settled, settle};
-pub(crate) use shift::{changes_nothing, slid, slides, unshifted};
+pub(crate) use shift::{Shifts, changes_nothing, slid, slides, unshifted};
 pub use shot::Shot;
 pub use switch::SwitchError;

@@ -34,8 +34,7 @@ impl System {
         };
         let values = diagram.all(along);
         let one = |hand: &mut Hand, number: usize, known: Option<Slice>| {
-            let slice =
-                known.unwrap_or_else(|| cut.slice(values[number], &hand.state, &hand.scale));
+            let slice = known.unwrap_or_else(|| cut.slice(values[number], hand));
             hand.take(&slice);
             slice
         };

@@ -11,6 +11,8 @@ const NUDGE: f64 = 1e-6;
 pub(super) struct Hand {
     /// Where it begins.
     pub(super) state: Vec<f64>,
+    /// Where the value before has ended, for where it cannot begin beside that: a wall may be there.
+    pub(super) end: Vec<f64>,
     /// How large its states usually are.
     pub(super) scale: Vec<f64>,
     /// Whether a motion has shown that.
@@ -21,6 +23,7 @@ impl Hand {
     pub(super) fn new(start: &[f64]) -> Self {
         Self {
             state: start.to_vec(),
+            end: start.to_vec(),
             scale: magnitude(start),
             known: false,
         }
@@ -36,6 +39,7 @@ impl Hand {
             self.scale.clone_from(&half);
             self.known = true;
         }
+        self.end.clone_from(&slice.end);
         for (j, end) in slice.end.iter().enumerate() {
             self.scale[j] = self.scale[j].max(half[j]);
             self.state[j] = end + NUDGE * self.scale[j];
