@@ -3,7 +3,9 @@
 use stickslip::continuation::Kind;
 use stickslip::field::Design;
 use stickslip::model;
-use stickslip::study::{Along, Case, Dynamics, OrbitRecord, StudyError, System};
+use stickslip::study::{
+    Along, Case, Diagram, Dynamics, Motion, OrbitRecord, Section, StudyError, Sweep, System,
+};
 use stickslip_models::friction::{Coulomb, Jenkins};
 use stickslip_models::press::{Compliant, Rigid};
 
@@ -276,7 +278,8 @@ model! {
         state vt = 0.0;
         state deep = 0.0;
         param restitution = 0.4;
-        drive phi at 20.0;
+        param omega = 20.0 where omega > 0.0;
+        drive phi at omega;
         press N = Rigid { restitution: restitution } closing 0.01 - d;
         friction S = Coulomb { level: 15.0 } opposing vt;
         der(d) = vh - vt;
@@ -316,4 +319,23 @@ fn an_impact_that_vanishes_knocks_loose_what_sticks() {
         last.shift.as_ref().unwrap()[3],
         1e-8,
     );
+}
+
+/// Where it rests on its stop as a value ends, the next cannot begin beside that: a wall is there.
+#[test]
+fn what_gets_on_is_periodic_in_a_diagram() {
+    let system = System::of::<Mole, _>();
+    let diagram = Diagram {
+        section: Section::default(),
+        sweep: Sweep::Up,
+        values: 3,
+        settle: 100,
+        points: 32,
+        lyapunov: None,
+    };
+    let case = along(&system, Mole::omega.index, 10.0, 40.0);
+    let record = system.diagram(&case, &diagram).unwrap();
+    for slice in &record.sweeps[0].slices {
+        assert_eq!(slice.motion, Motion::Periodic(1), "{}", slice.r);
+    }
 }

@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::Motion;
 use super::setting::Diagram;
-use super::sweep::Hand;
 use super::watched::Watched;
 use crate::equilibrium::Spectrum;
 use crate::field::Work;
@@ -69,9 +68,10 @@ pub(super) struct Cut<'a> {
 }
 
 impl Cut<'_> {
-    /// The slice at r, in the family's own count, from what the value before hands on.
-    pub(super) fn slice(&self, r: f64, hand: &Hand) -> Slice {
-        match self.seen(r, hand) {
+    /// The slice at r, in the family's own count, from the first of these starts at which a motion can begin; states are
+    /// measured against `scale`.
+    pub(super) fn slice(&self, r: f64, starts: [&[f64]; 2], scale: &[f64]) -> Slice {
+        match self.seen(r, starts, scale) {
             Ok((seen, lyapunov)) => Slice {
                 different: seen.different,
                 silence: seen.silence,
@@ -106,13 +106,13 @@ impl Cut<'_> {
     fn seen(
         &self,
         r: f64,
-        hand: &Hand,
+        [start, other]: [&[f64]; 2],
+        scale: &[f64],
     ) -> Result<(Watched, Option<Result<Lyapunov, String>>), FlowError> {
-        let flow = self.family.with_magnitude(&hand.scale).at(r)?;
-        let usual = usual(&hand.state, &hand.scale);
-        let start = flow.place(&hand.state);
-        let start = start.or_else(|_| flow.place(&hand.end))?;
-        let seen = Watched::from(&*flow, start, self.diagram, &usual)?;
+        let flow = self.family.with_magnitude(scale).at(r)?;
+        let usual = usual(start, scale);
+        let place = flow.place(start).or_else(|_| flow.place(other))?;
+        let seen = Watched::from(&*flow, place, self.diagram, &usual)?;
         let exponent = match self.diagram.lyapunov {
             Some(laps) => self.exponent(&*flow, &seen, laps)?,
             None => None,

@@ -10,9 +10,9 @@ const NUDGE: f64 = 1e-6;
 /// What a value of a sweep begins with, and hands on to the next.
 pub(super) struct Hand {
     /// Where it begins.
-    pub(super) state: Vec<f64>,
-    /// Where the value before has ended, for where it cannot begin beside that: a wall may be there.
-    pub(super) end: Vec<f64>,
+    state: Vec<f64>,
+    /// Where the value before has ended: a wall may be beside that.
+    end: Vec<f64>,
     /// How large its states usually are.
     pub(super) scale: Vec<f64>,
     /// Whether a motion has shown that.
@@ -27,6 +27,11 @@ impl Hand {
             scale: magnitude(start),
             known: false,
         }
+    }
+
+    /// Where it begins, or, if it cannot, where it does instead.
+    pub(super) fn starts(&self) -> [&[f64]; 2] {
+        [&self.state, &self.end]
     }
 
     /// Takes over from a slice; what has failed hands on nothing.
