@@ -133,12 +133,12 @@ fn all_starts_settle_on_the_one_chatter() {
     let diagram = Diagram {
         section: Section::default(),
         sweep: Sweep::Up,
-        values: 3,
+        values: 2,
         settle: 150,
         points: 32,
         lyapunov: None,
     };
-    let along = case.following(Poppet::inflow, 1e-3..1.2e-3);
+    let along = case.following(Poppet::inflow, 1e-3..1.05e-3);
     let record = system.diagram(&along, &diagram).unwrap();
     for slice in &record.sweeps[0].slices {
         assert_eq!(slice.motion, Motion::Periodic(1), "{}", slice.r);
