@@ -67,6 +67,7 @@ pub fn follow_graze(
         designs: plane.designs,
     };
     let problem = BorderProblem::new(plane, orbit, graze, scales);
+    let problem = problem.ok_or(Failure::Singular { r: settings.from })?;
     let z = problem.unknowns(p);
     let started = Branch::start(problem, z, settings)?;
     Ok(Some(continuation::follow(

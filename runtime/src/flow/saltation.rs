@@ -61,6 +61,8 @@ pub(crate) struct Saltation<const N: usize> {
     pub(crate) gradient: [f64; N],
     /// h_r.
     pub(crate) design: f64,
+    /// Usual magnitudes of the states: in these, fields and gradients of different units add up.
+    pub(crate) magnitude: [f64; N],
 }
 
 impl<const N: usize> Saltation<N> {
@@ -70,7 +72,7 @@ impl<const N: usize> Saltation<N> {
     /// D = h_y f⁻, if the motion `grazes` the surface instead of crossing it and the field jumps there.
     pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<Determinant, f64> {
         let jump: [f64; N] = crate::scalar::filled(|i| self.after[i] - self.before[i]);
-        if norm(&jump) <= NO_JUMP * (norm(&self.before) + norm(&self.after)) {
+        if self.size(&jump) <= NO_JUMP * (self.size(&self.before) + self.size(&self.after)) {
             return Ok(Determinant::ONE);
         }
         let (shift, shifts) = self.shifts(motion, grazes)?;
@@ -101,17 +103,29 @@ impl<const N: usize> Saltation<N> {
     /// (h_y f⁺)/(h_y f⁻): zero where the motion stays on the surface.
     fn stretch(&self) -> Determinant {
         let [before, after] = [&self.before, &self.after].map(|f| dot(&self.gradient, f));
-        if after.abs() <= ROUNDING * norm(&self.gradient) * norm(&self.after) {
+        if after.abs() <= ROUNDING * self.slope() * self.size(&self.after) {
             return Determinant::ZERO;
         }
         Determinant::of(after / before)
+    }
+
+    /// The size of a field.
+    fn size(&self, field: &[f64; N]) -> f64 {
+        norm::<N>(&crate::scalar::filled(|i| field[i] / self.magnitude[i]))
+    }
+
+    /// The size of h_y.
+    fn slope(&self) -> f64 {
+        norm::<N>(&crate::scalar::filled(|i| {
+            self.gradient[i] * self.magnitude[i]
+        }))
     }
 
     /// (h_y p + h_r)/(h_y f⁻) and h_y Φ/(h_y f⁻).
     fn shifts(&self, motion: &Motion<N>, grazes: bool) -> Result<(f64, [f64; N]), f64> {
         let rate = dot(&self.gradient, &self.before);
         // A comparison that fails for NaN too.
-        let crosses = rate.abs() > ROUNDING * norm(&self.gradient) * norm(&self.before);
+        let crosses = rate.abs() > ROUNDING * self.slope() * self.size(&self.before);
         if grazes || !crosses {
             return Err(rate);
         }

@@ -113,10 +113,10 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         ExactFlow::loosening(self, &fixed(state), contact)
     }
 
-    fn kick(&self, state: &[f64], contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
+    fn kick(&self, at: &Place, contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
         if const { Modes::<M, N>::PRESSED } {
             if M::INFO.is_rigid(contact) {
-                let kick = ExactFlow::kick(self, &fixed(state), contact)?;
+                let kick = ExactFlow::kick(self, &place(at), contact)?;
                 return Ok(Some(kick.to_vec()));
             }
         }

@@ -85,11 +85,11 @@ pub trait Flow: Send + Sync {
         0.0
     }
 
-    /// What a unit speed of approach adds to the state at an impact; `None` if there is no such contact, or it gives way.
+    /// What a unit speed of approach adds to the state at an impact that is as slow as may be; `None` if there is no such contact, or it gives way.
     ///
     /// # Errors
     /// The impulses are not determined there.
-    fn kick(&self, _state: &[f64], _contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
+    fn kick(&self, _at: &Place, _contact: usize) -> Result<Option<Vec<f64>>, FlowError> {
         Ok(None)
     }
 

@@ -46,16 +46,20 @@ impl Meeting<'_> {
             }
             let place = self.ahead(&low.1, time - low.0)?;
             let short = lack(&place.state);
-            best = (time, place.state.clone());
             let slope = self.flow.velocity(&place)?.f[index];
-            let arrived = side(&place.state, index, level) == 0.0;
+            // A level of zero is met to what the time is rounded to.
+            let rounded = short.abs() <= ROUNDING * slope.abs() * time;
+            let arrived = rounded || side(&place.state, index, level) == 0.0;
+            // Where an impact passes over the level, it is met behind that.
+            let before = !arrived && short * self.rise < 0.0;
+            if !before {
+                (high, best) = (time, (time, place.state.clone()));
+            }
             if arrived && slope != 0.0 {
                 break;
             }
-            if !arrived && short * self.rise < 0.0 {
+            if before {
                 low = (time, place);
-            } else {
-                high = time;
             }
             time -= short / slope;
         }

@@ -22,6 +22,7 @@ pub use section::{Direction, Section, Surface};
 pub use span::{Met, once_around, until};
 
 use crate::flow::{self, FlowError};
+use crate::linear::balanced;
 use crate::motion::{Flow, Place};
 
 /// The longest time for which a motion from `place` should be followed at once.
@@ -35,7 +36,8 @@ pub(crate) fn longest(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> 
 /// A time in which the motion linearised at `place` turns by about a radian, and its drive not more often than can be
 /// followed at once.
 pub(crate) fn radian(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
-    let jacobian = flow.velocity(place)?.jacobian;
+    // In units that make it small: a pressure in pascals would turn in no time.
+    let jacobian = balanced(&flow.velocity(place)?.jacobian);
     let rows = jacobian.row_iter();
     let norm = rows
         .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())

@@ -2,6 +2,8 @@
 
 /// How many shades there are for values.
 pub const SHADES: usize = 9;
+/// Colours of series: from there on they come again.
+pub const COLOURS: usize = 7;
 
 /// Points to draw and the way to draw them.
 #[derive(Debug, Clone, PartialEq)]

@@ -20,7 +20,7 @@ mod written;
 use std::io;
 use std::path::PathBuf;
 
-pub use curve::{Curve, Marker, SHADES, Shape};
+pub use curve::{COLOURS, Curve, Marker, SHADES, Shape};
 pub use figure::{Axis, Figure, Inset, Panel};
 pub use manuscript::Manuscript;
 pub use traced::{Coordinate, traced};

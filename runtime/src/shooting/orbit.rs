@@ -4,8 +4,9 @@ use nalgebra::DVector;
 
 use super::division::Division;
 use super::guess::Guess;
+use super::lows::section;
 use super::pin::{Pin, through};
-use super::shot::{Shot, section, usual};
+use super::shot::{Shot, usual};
 use crate::bifurcation::{Floquet, floquet};
 use crate::field::Work;
 use crate::motion::{Event, Family, Place, Segment, most_stuck};

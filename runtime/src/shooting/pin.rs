@@ -65,6 +65,17 @@ impl Pin {
         terms.map(|(c, x)| c * x).sum()
     }
 
+    /// Shifts a state to where c·x is what it is for another, if that may be shifted.
+    pub(super) fn slide(&self, state: &mut [f64], to: &[f64]) {
+        if let Some((_, direction)) = &self.direction {
+            let along = (self.of(to) - self.of(state)) / self.of(direction);
+            state
+                .iter_mut()
+                .zip(direction)
+                .for_each(|(y, d)| *y += along * d);
+        }
+    }
+
     /// The usual magnitude of c·x.
     pub(super) fn unit(&self, magnitude: &[f64]) -> f64 {
         let terms = self.combination.iter().zip(magnitude);

@@ -213,7 +213,9 @@ impl ZeroProblem for OrbitProblem {
         }
         let moved = calmer.map(Division::whole);
         let present = moved.clone().unwrap_or_else(|| self.division(z, shot));
-        let division = self.divided(&present, r, shot, crawls)?.or(moved);
+        // Another division is easier to shoot from: where none can be followed, that is no reason to refuse the orbit.
+        let divided = self.divided(&present, r, shot, crawls);
+        let division = divided.ok().flatten().or(moved);
         self.float(
             division
                 .as_ref()

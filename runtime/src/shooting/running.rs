@@ -15,43 +15,24 @@ use crate::continuation::Linearisation;
 impl OrbitProblem {
     /// Lets a motion that runs on gain what it does along each direction of any shift.
     pub(super) fn run(&self, at: &mut Linearisation<Shot>) {
-        if self.shift.is_none() {
+        let Some(mut shift) = at.extra.shift.take() else {
             return;
-        }
-        for free in self.pins.iter().filter_map(|pin| pin.direction.as_ref()) {
-            let along = self.release(at, free);
-            let shift = at.extra.shift.iter_mut().flatten();
-            shift.zip(&free.1).for_each(|(gain, d)| *gain += along * d);
-        }
+        };
+        run(
+            &self.pins,
+            (self.closing(), &self.magnitude),
+            at,
+            &mut shift,
+        );
+        at.extra.shift = Some(shift);
         at.extra.closure = at.residual.rows(0, at.residual.len() - 1).norm();
-    }
-
-    /// Takes what the states gain along a direction out of the equations of closing, and says how much that is. The equation
-    /// of its state is empty then.
-    fn release(&self, at: &mut Linearisation<Shot>, (pivot, direction): &Free) -> f64 {
-        let (begin, magnitude) = (self.closing(), &self.magnitude);
-        let head = direction[*pivot] / magnitude[*pivot];
-        let (gain, rate) = (at.residual[begin + pivot], at.design[begin + pivot]);
-        let slopes = at.jacobian.row(begin + pivot).clone_owned();
-        for (j, d) in direction.iter().enumerate() {
-            let share = d / magnitude[j] / head;
-            let share = if j == *pivot { 1.0 } else { share };
-            at.residual[begin + j] -= share * gain;
-            at.design[begin + j] -= share * rate;
-            let rest = at.jacobian.row(begin + j) - &slopes * share;
-            at.jacobian.set_row(begin + j, &rest);
-        }
-        gain / head
     }
 
     /// Over the equations, where the condition of a pin stands: as its u says, or, where the motion runs on, in the equation
     /// that was taken out.
     pub(super) fn holds(&self, pin: &Pin) -> DVector<f64> {
         match &pin.direction {
-            Some((pivot, _)) if self.shift.is_some() => {
-                let row = self.closing() + pivot;
-                DVector::from_fn(pin.left.len(), |i, _| f64::from(i == row))
-            }
+            Some((pivot, _)) if self.shift.is_some() => row(self.closing() + pivot, pin.left.len()),
             _ => pin.left.clone(),
         }
     }
@@ -60,4 +41,44 @@ impl OrbitProblem {
     fn closing(&self) -> usize {
         (self.modes.len() - 1) * self.order()
     }
+}
+
+/// Takes what the states gain along the directions of pins out of the equations of closing, the first of which is `begin`, over
+/// these magnitudes, and adds it to the shift.
+pub(super) fn run<Extra>(
+    pins: &[Pin],
+    (begin, magnitude): (usize, &[f64]),
+    at: &mut Linearisation<Extra>,
+    shift: &mut [f64],
+) {
+    for free in pins.iter().filter_map(|pin| pin.direction.as_ref()) {
+        let along = release((begin, magnitude), at, free);
+        let gains = shift.iter_mut().zip(&free.1);
+        gains.for_each(|(gain, d)| *gain += along * d);
+    }
+}
+
+/// The same of one direction, and how much that is. The equation of its state is empty then.
+fn release<Extra>(
+    (begin, magnitude): (usize, &[f64]),
+    at: &mut Linearisation<Extra>,
+    (pivot, direction): &Free,
+) -> f64 {
+    let head = direction[*pivot] / magnitude[*pivot];
+    let (gain, rate) = (at.residual[begin + pivot], at.design[begin + pivot]);
+    let slopes = at.jacobian.row(begin + pivot).clone_owned();
+    for (j, d) in direction.iter().enumerate() {
+        let share = d / magnitude[j] / head;
+        let share = if j == *pivot { 1.0 } else { share };
+        at.residual[begin + j] -= share * gain;
+        at.design[begin + j] -= share * rate;
+        let rest = at.jacobian.row(begin + j) - &slopes * share;
+        at.jacobian.set_row(begin + j, &rest);
+    }
+    gain / head
+}
+
+/// This one of so many equations.
+pub(super) fn row(index: usize, equations: usize) -> DVector<f64> {
+    DVector::from_fn(equations, |i, _| f64::from(i == index))
 }

@@ -60,9 +60,20 @@ impl Orbit {
     pub(super) fn apart(&self, other: &Self) -> f64 {
         let magnitude = self.magnitude();
         let period = (other.period / self.period - 1.0).abs();
-        apart(&self.max, &other.max, &magnitude)
-            .max(apart(&self.min, &other.min, &magnitude))
-            .max(period)
+        let [a, b] = [self, other].map(Self::extents);
+        let ends = a.iter().zip(&b);
+        let ends = ends.map(|(a, b)| apart(a, b, &magnitude));
+        ends.fold(period, f64::max)
+    }
+
+    /// Least and largest values of the states; of one that runs on, what it gains once around.
+    fn extents(&self) -> [Vec<f64>; 2] {
+        let mut ends = [self.min.clone(), self.max.clone()];
+        let gains = self.shift.iter().flatten().enumerate();
+        for (j, gain) in gains.filter(|(_, gain)| **gain != 0.0) {
+            (ends[0][j], ends[1][j]) = (0.0, *gain);
+        }
+        ends
     }
 
     /// The same, r relative to itself beside them.
@@ -78,7 +89,12 @@ impl Orbit {
         a.max(b) <= (BETWEEN * whole).max(errors)
     }
 
+    /// How far apart two points are, but for where the motion runs on.
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
-        apart(p, q, &self.magnitude())
+        let mut q = q.to_vec();
+        for pin in self.pins.iter().filter(|_| self.shift.is_some()) {
+            pin.slide(&mut q, p);
+        }
+        apart(p, &q, &self.magnitude())
     }
 }

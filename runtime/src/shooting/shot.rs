@@ -12,7 +12,7 @@ use crate::motion::{
 };
 
 /// Whether two times are the same instant of a period.
-const INSTANT: f64 = 1e-6;
+pub(super) const INSTANT: f64 = 1e-6;
 /// One evaluation of the problem: the motion once around.
 #[derive(Debug, Clone)]
 pub struct Shot {
@@ -34,12 +34,6 @@ pub struct Shot {
     pub pins: Vec<Pin>,
     /// What the states gain once around a motion that runs on.
     pub shift: Option<Vec<f64>>,
-}
-
-/// The state whose minima are the section: the first that does not run on; with a drive, its phase.
-pub(super) fn section(drive: Option<usize>, shift: Option<&[f64]>) -> usize {
-    let closes = |shift: &[f64]| shift.iter().position(|gain| *gain == 0.0);
-    drive.or_else(|| shift.and_then(closes)).unwrap_or(0)
 }
 
 /// Half the extent of each state; `fallback` where it has none. Where states gain a shift once around, they swing about what
@@ -184,6 +178,12 @@ impl Shot {
         }
     }
 
+    /// Whether a time is that of the start.
+    pub(super) fn is_start(&self, time: f64) -> bool {
+        let turns = time / self.period;
+        (turns - turns.round()).abs() <= INSTANT
+    }
+
     /// Whether a contact switches at that very time: the mode in which a motion comes back then is one of rounding.
     pub(super) fn switches_at(&self, time: f64) -> bool {
         self.switches_near(time, INSTANT)
@@ -205,45 +205,11 @@ impl Shot {
         (phi, determinant)
     }
 
-    fn section(&self) -> usize {
-        section(self.drive, self.shift.as_deref())
-    }
-
     /// What the states gain in this part of the period.
     pub(super) fn gain(&self, time: f64) -> Option<Vec<f64>> {
         let share = time / self.period;
         let gain = |shift: &Vec<f64>| shift.iter().map(|gain| share * gain).collect();
         self.shift.as_ref().map(gain)
-    }
-
-    /// The minima as they would be if nothing ran on: those of one lap are those of the next.
-    pub(super) fn points(&self) -> Vec<Vec<f64>> {
-        let still = |(time, mut state): (f64, Vec<f64>)| {
-            let run = self.shift.iter().flatten().zip(&mut state);
-            run.for_each(|(gain, y)| *y -= gain * time / self.period);
-            state
-        };
-        self.minima().map(still).collect()
-    }
-
-    /// Time and state of each minimum of the section's state in [0, T), the start included once if it is one; with a drive,
-    /// of each beginning of its phase.
-    pub(crate) fn minima(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
-        // What turns slowly may begin further from where it turns than an instant.
-        let off = self.off_section();
-        let near = (INSTANT * self.period).max(2.0 * off.unwrap_or(0.0));
-        let section = self.section();
-        let passages = self.passages.iter().zip(&self.begins);
-        let all = passages.flat_map(move |(passage, begin)| {
-            let minima = passage
-                .extrema
-                .iter()
-                .filter(move |e| e.index == section && !e.maximum);
-            minima.map(move |e| (begin + e.time, e.state.clone()))
-        });
-        let inside = all.filter(move |(time, _)| *time > near && *time < self.period - near);
-        let start = off.map(|_| (0.0, self.start.state.clone()));
-        start.into_iter().chain(inside)
     }
 
     /// The segment in which a time in the period lies.
@@ -264,31 +230,5 @@ impl Shot {
         let segment = self.segment(time);
         let modes = self.passages[segment].modes_within(time - self.begins[segment]);
         Place::known(flow, state, modes)
-    }
-
-    /// Whether the section's state is least at the start; with a drive, whether its phase begins there.
-    pub(super) fn starts_on_section(&self) -> bool {
-        self.off_section().is_some()
-    }
-
-    /// How far in time a start on the section is from where its state turns; `None` if it is not on it.
-    fn off_section(&self) -> Option<f64> {
-        if let Some(phase) = self.drive {
-            let turns = self.start.state[phase] / TAU;
-            return ((turns - turns.round()).abs() <= INSTANT).then_some(0.0);
-        }
-        let section = self.section();
-        let terms = self
-            .velocity
-            .jacobian
-            .row(section)
-            .transpose()
-            .component_mul(&self.velocity.f);
-        let (bend, size) = terms.iter().fold((0.0, 0.0), |(sum, size), term| {
-            (sum + term, size + term.abs())
-        });
-        let rate = self.velocity.f[section].abs();
-        let on = rate <= INSTANT * self.period * size && bend > 0.0;
-        on.then_some(rate / bend)
     }
 }

@@ -41,8 +41,10 @@ model! {
         state x = 0.0;
         state v = 0.0;
         param omega = 0.6;
+        param held = 0.5;
+        param level = 0.2;
         drive phi at omega;
-        friction F = CoulombStatic { static_level: 0.5, kinetic_level: 0.2 } opposing v;
+        friction F = CoulombStatic { static_level: held * level / 0.2, kinetic_level: level } opposing v;
         der(x) = v;
         der(v) = cos(phi) - x + F;
     }
@@ -166,6 +168,24 @@ fn both_halves_of_a_symmetric_orbit_begin_to_stick() {
     let last = found.points.last().expect("points");
     let word = last.word.as_deref().unwrap_or_default();
     assert_eq!(word.matches("stick").count(), 2, "{word}");
+}
+
+/// What holds the mass is asked for most at the phases 0 and π. With L for the level, 6/5 L at rest and ω = 1/2, it slides
+/// from −c at the phase 0 as x = A cos t + 4/3 cos t/2 − L to rest at c where cos t/2 = −1/(3 A): 2 L = 4/3 − 2/(9 A) with
+/// A = L − 4/3 − c. It lets go just at the peak where 6/5 L = 1 + c: 0.4 L² + 0.4 L = 2/3. There its multiplier has no bound;
+/// without the peak of the load it would stay where it is.
+#[test]
+fn friction_that_lets_go_at_the_peak_of_a_load_ends_a_branch() {
+    let given = [(Shaken::omega, 0.5), (Shaken::held, 0.24)];
+    let found = branch(&given, Shaken::level, (0.5, 1.2), |_| {});
+    let last = (0.16_f64 + 16.0 / 15.0).sqrt() / 0.8 - 0.5;
+    are(
+        &found,
+        &[("LP1", 8.0_f64.sqrt() / 3.0), ("AS1", last)],
+        1e-9,
+    );
+    assert_eq!(found.ended.word(), "adding-sliding");
+    assert!(found.ended.is_located(), "{}", found.ended.reason);
 }
 
 /// Two flips lie between two points of the branch, whatever the accuracy.

@@ -1,10 +1,13 @@
 //! Orbits but for a shift: angles that turn, bodies that crawl.
 
+use stickslip::continuation::Kind;
 use stickslip::field::Design;
 use stickslip::model;
-use stickslip::study::{Along, Case, Dynamics, OrbitRecord, StudyError, System};
+use stickslip::study::{
+    Along, Case, Diagram, Dynamics, Motion, OrbitRecord, Section, StudyError, Sweep, System,
+};
 use stickslip_models::friction::{Coulomb, Jenkins};
-use stickslip_models::press::Compliant;
+use stickslip_models::press::{Compliant, Rigid};
 
 model! {
     /// A pendulum under a torque, with a bearing that rubs.
@@ -160,7 +163,8 @@ fn a_capsule_crawls_as_it_does_in_its_own_frame() {
     let (whole, within) = (branch(&whole, omega[0]), branch(&within, omega[1]));
     assert!(whole.special.len() > 2 && whole.special.len() == within.special.len());
     for (a, b) in whole.special.iter().zip(&within.special) {
-        close(a.r, b.r, 1e-7);
+        assert_eq!(a.kind, b.kind);
+        close(a.r, b.r, 1e-9);
     }
     let (first, inner) = (&whole.points[0], &within.points[0]);
     assert_eq!(first.word, inner.word);
@@ -263,5 +267,75 @@ fn half_a_turn_is_no_period() {
     assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
     for orbit in &branch.points {
         close(orbit.period, turn, 1e-9);
+    }
+}
+
+model! {
+    /// A mole: a hammer within hits its shell, which rubs in the soil and gets on.
+    pub struct Mole {
+        state d = 0.0;
+        state vh = 0.0;
+        state vt = 0.0;
+        state deep = 0.0;
+        param restitution = 0.4;
+        param omega = 20.0 where omega > 0.0;
+        drive phi at omega;
+        press N = Rigid { restitution: restitution } closing 0.01 - d;
+        friction S = Coulomb { level: 15.0 } opposing vt;
+        der(d) = vh - vt;
+        der(vh) = 12.0 * cos(phi) - 400.0 * d - (vh - vt) - N;
+        der(vt) = (S + 2.0 + 400.0 * d + vh - vt + N - 12.0 * cos(phi)) / 3.0;
+        der(deep) = vt;
+    }
+}
+
+/// Where the second of its impacts vanishes, it hits a shell that sticks, and knocks it loose for as long as its speed lasts.
+#[test]
+fn an_impact_that_vanishes_knocks_loose_what_sticks() {
+    let system = System::of::<Mole, _>();
+    let found = system
+        .branch(&along(&system, Mole::restitution.index, 0.4, 1.0))
+        .unwrap();
+    let kinds: Vec<Kind> = found.special.iter().map(|one| one.kind).collect();
+    let wanted = [
+        Kind::Fold,
+        Kind::GrazingSliding,
+        Kind::Grazing,
+        Kind::AddingSliding,
+    ];
+    assert_eq!(kinds[..4], wanted);
+    assert_eq!(found.ended.word(), "reached-end");
+    let hits = |orbit: &OrbitRecord| orbit.word.as_ref().unwrap().matches("impact").count();
+    let [first, last] = [&found.points[0], found.points.last().unwrap()];
+    assert_eq!([hits(first), hits(last)], [2, 1]);
+    // Another motion leads to the same orbit.
+    let alone = system
+        .orbit(&along(&system, Mole::restitution.index, 1.0, 1.0))
+        .unwrap();
+    assert_eq!(hits(&alone), 1);
+    close(alone.max[1], last.max[1], 1e-8);
+    close(
+        alone.shift.as_ref().unwrap()[3],
+        last.shift.as_ref().unwrap()[3],
+        1e-8,
+    );
+}
+
+/// Where it rests on its stop as a value ends, the next cannot begin beside that: a wall is there.
+#[test]
+fn what_gets_on_is_periodic_in_a_diagram() {
+    let system = System::of::<Mole, _>();
+    let diagram = Diagram {
+        section: Section::default(),
+        sweep: Sweep::Up,
+        values: 3,
+        settle: 100,
+        points: 32,
+        lyapunov: None,
+    };
+    let case = along(&system, Mole::omega.index, 10.0, 40.0);
+    let record = system.diagram(&case, &diagram).unwrap();
+    for slice in &record.sweeps[0].slices {
+        assert_eq!(slice.motion, Motion::Periodic(1), "{}", slice.r);
     }
 }

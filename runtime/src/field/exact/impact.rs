@@ -99,6 +99,16 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         Ok(mapped(&push, |b| b * impulse))
     }
 
+    /// How fast the speeds of what sticks change along a direction.
+    pub(crate) fn rates_along(
+        &self,
+        state: &[f64; N],
+        modes: &Modes<M, N>,
+        direction: &[f64; N],
+    ) -> M::PerContact<f64> {
+        speed_rates::<M, f64, N>(&self.plain, state, modes, direction)
+    }
+
     /// How the friction of each contact grows with the reaction of a press: at speed 0, and at the speed that it has.
     pub(crate) fn grips(&self, state: &[f64; N], press: usize) -> M::PerContact<[f64; 2]> {
         grips::<M, N>(&self.directional, state, press)

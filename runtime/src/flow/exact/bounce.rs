@@ -121,6 +121,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
                 .field,
             gradient,
             design,
+            magnitude: system.magnitude,
         };
         let passed = saltation.reset(motion, &reset, strike.grazes);
         let found = passed.map_err(|rate| SensitivityUndefined::Grazing {

@@ -1,8 +1,9 @@
 //! Impacts with the friction that they cause: it sticks or slides as Coulomb's law says of impulses.
 
 use super::ExactFlow;
-use crate::field::exact::{Impact, Impulses, Mode, Modes};
-use crate::flow::FlowError;
+use crate::field::exact::{ExactField, Impact, Impulses, Mode, Modes};
+use crate::flow::{FlowError, Place};
+use crate::integrate::Carried;
 use crate::model::Model;
 
 /// Contacts under one press among which all combinations are searched.
@@ -66,19 +67,29 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         })
     }
 
-    /// What a unit speed of approach adds to the state at an impact that is as slow as may be: friction slides as it does.
+    /// What a unit speed of approach adds to the state at an impact that is as slow as may be: friction slides as it does, and
+    /// what is knocked loose sticks again in no time.
     ///
     /// # Errors
     /// The impulses are not unique, or push the wrong way.
-    pub(crate) fn kick(&self, state: &[f64; N], press: usize) -> Result<[f64; N], FlowError> {
+    pub(crate) fn kick(
+        &self,
+        at: &Place<N, Modes<M, N>>,
+        press: usize,
+    ) -> Result<[f64; N], FlowError> {
+        let (system, state) = (&self.system, &at.state);
         let rubbing = self.rubbing(state, press, 0.0)?;
         let mut modes = taking_part(press, &rubbing, 0);
-        let speeds = self.system.speeds(state);
+        let speeds = system.speeds(state);
         for (contact, _) in &rubbing {
             let speed = speeds.as_ref()[*contact];
             modes.set(*contact, Mode::sliding(speed));
         }
-        Ok(self.system.kick(state, press, &modes)?)
+        let mut kick = system.kick(state, press, &modes)?;
+        let field = ExactField::new(system, at.mode, state)?;
+        let off = field.correction(state, &system.rates_along(state, &at.mode, &kick));
+        kick.add(-1.0, &off);
+        Ok(kick)
     }
 
     /// The contacts that rub under a press, and how their friction grows with its force.

@@ -151,6 +151,7 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
                 after,
                 gradient,
                 design,
+                magnitude: system.magnitude,
             };
             let time = self.time;
             let passed = saltation.apply(motion, self.strike.grazes);

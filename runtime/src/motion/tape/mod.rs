@@ -165,7 +165,7 @@ impl Flow for TapedFlow {
         velocity(at: &Place) -> Result<Velocity, FlowError>;
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
         loosening(state: &[f64], contact: usize) -> f64;
-        kick(state: &[f64], contact: usize) -> Result<Option<Vec<f64>>, FlowError>;
+        kick(at: &Place, contact: usize) -> Result<Option<Vec<f64>>, FlowError>;
         margins(at: &Place) -> Vec<(usize, f64)>;
         speeds(state: &[f64]) -> Vec<f64>;
         stop(state: usize) -> f64;

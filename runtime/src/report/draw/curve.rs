@@ -3,12 +3,12 @@
 use super::element::{filled, path};
 use super::smooth::{Knot, smooth};
 use super::view::View;
-use crate::report::curve::{Curve, Marker, SHADES, Shape};
+use crate::report::curve::{COLOURS, Curve, Marker, SHADES, Shape};
 use crate::report::text::number;
 
 /// Black and three colours of Okabe and Ito, then such as stand out on white paper and differ from them and from each
 /// other to every kind of colour blindness.
-const COLOURS: [&str; 7] = [
+const COLOUR: [&str; COLOURS] = [
     "#000000", "#0072B2", "#D55E00", "#009E73", "#771C64", "#564F00", "#3902D4",
 ];
 /// Shades from small values to large ones, of nearly equal steps to every eye, also in grey: Matplotlib's `inferno` as far as
@@ -129,9 +129,9 @@ fn round(colour: &str, size: f64) -> String {
 
 /// The colour and the dashes of a series; as many differ as there are pairs of both.
 const fn look(series: usize) -> (&'static str, &'static str) {
-    let round = series / COLOURS.len();
+    let round = series / COLOURS;
     (
-        COLOURS[series % COLOURS.len()],
+        COLOUR[series % COLOURS],
         DASHES[(series + round) % DASHES.len()],
     )
 }
@@ -176,7 +176,7 @@ mod tests {
 
     #[test]
     fn every_colour_stands_out_on_white() {
-        for colour in COLOURS.into_iter().chain(SHADING) {
+        for colour in COLOUR.into_iter().chain(SHADING) {
             assert!(contrast(colour, "#ffffff") >= 3.0, "{colour}");
         }
         assert!(contrast("#ffffff", "#000000") > 20.9);

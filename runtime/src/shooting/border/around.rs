@@ -58,7 +58,7 @@ impl<'a> Around<'a> {
         let switches = all.filter(|i| orbit.events[*i].kind.is_switch());
         Self {
             orbit,
-            symmetry: orbit.mirrored(flow),
+            symmetry: orbit.mirrored(flow).filter(|_| orbit.shift.is_none()),
             ends,
             switches: switches.collect(),
         }
@@ -181,7 +181,7 @@ impl<'a> Around<'a> {
             return Some(Change::at_once([before, after], Vec::new()));
         }
         if matches!(event.kind, EventKind::Impact { .. }) {
-            return Some(Change::at_once([before, after], vec![index]));
+            return self.restored(index, before);
         }
         let own = before.get(event.contact);
         if drops {
@@ -190,7 +190,7 @@ impl<'a> Around<'a> {
             return touches.then(|| Change::at_once([before, after], vec![index]));
         }
         if own == Some(&Mode::Rest) {
-            return self.lifted(index, before);
+            return self.restored(index, before);
         }
         let next = self.next(index)?;
         let back = self.around(&self.orbit.events[next])?[1];
@@ -198,20 +198,18 @@ impl<'a> Around<'a> {
         (back == &modes[0]).then(|| Change::at_once(modes, vec![index, next]))
     }
 
-    /// What belongs to a reaction that vanishes: the flight, and the impacts after it, until the gap is closed again.
-    fn lifted(&self, index: usize, before: Modes) -> Option<Change> {
+    /// What belongs to an impact, or to a reaction that vanishes: all until the modes are as they were. An impact may knock
+    /// loose what sticks; after a flight others follow until the gap is closed again.
+    fn restored(&self, index: usize, before: Modes) -> Option<Change> {
         let mut own = vec![index];
         let mut last = index;
         while own.len() <= self.switches.len() {
+            let [_, after] = self.around(&self.orbit.events[last])?;
+            if *after == before {
+                return Some(Change::at_once([before.clone(), before], own));
+            }
             last = self.next(last)?;
             own.push(last);
-            let after = self
-                .around(&self.orbit.events[last])
-                .map(|[_, after]| after);
-            if after == Some(&before) {
-                let modes = [before.clone(), before];
-                return (last != index).then(|| Change::at_once(modes, own));
-            }
         }
         None
     }

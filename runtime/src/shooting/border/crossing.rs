@@ -246,8 +246,8 @@ fn set_out(
         place: sides.start.clone(),
         period: orbit.period,
         magnitude: branch.problem.magnitude.clone(),
-        pins: Vec::new(),
-        shift: None,
+        pins: sides.runs.pins.clone(),
+        shift: sides.runs.shift.clone(),
         division: None,
     };
     let family = branch.problem.family.clone();

@@ -50,9 +50,6 @@ pub(in crate::shooting) fn edge(
     work: &mut Work,
     (wanted, fits): (impl Fn(&Border) -> bool, impl Fn(&Edge) -> bool),
 ) -> Option<Edge> {
-    if !orbit.pins.is_empty() || orbit.shift.is_some() {
-        return None;
-    }
     let flow = family.at(orbit.r).ok()?;
     let near = borders(flow.as_ref(), orbit).ok()?;
     near.into_iter()
@@ -80,13 +77,13 @@ fn converge(
     let at =
         |border: Border, share: f64| BorderProblem::new(sharpened(share), orbit, border, scales);
     let [first, again, last] = SHARPER;
-    let mut problem = at(border, first);
+    let mut problem = at(border, first)?;
     let z = problem.unknowns(orbit.r);
     let mut loose = correct_at(&mut problem, z.clone(), 0.0, accuracy);
     *work += problem.work;
     let mut next = again;
     if loose.as_ref().is_err_and(is_noise) {
-        problem = at(problem.border, again);
+        problem = at(problem.border, again)?;
         loose = correct_at(&mut problem, z, 0.0, accuracy);
         *work += problem.work;
         next = last;
@@ -96,7 +93,7 @@ fn converge(
     if !shot.least || (shot.period / orbit.period).ln().abs() > 1.0 {
         return None;
     }
-    let mut problem = at(problem.border, next);
+    let mut problem = at(problem.border, next)?;
     let (z, error) = measured(&mut problem, &loose.z, accuracy, orbit.r);
     let found = read(&mut problem, family, orbit, &z, error);
     *work += problem.work;
@@ -143,9 +140,11 @@ fn read(
     let flow = family.with_magnitude(&near.magnitude()).at(r).ok()?;
     // The slopes of what vanishes, up to a positive factor each.
     let slopes = at.jacobian.rows(order, 2).into_owned();
-    let sides = Sides::of(problem, flow.as_ref(), (state, period), &slopes).ok()?;
+    let runs = &at.extra.runs;
+    let sides = Sides::of(problem, flow.as_ref(), (state, period), (&slopes, runs)).ok()?;
     let border = problem.border.clone();
-    let mut passage = once(&*flow, &border, (&sides.start, state), period).ok()?;
+    let later = runs.later(state);
+    let mut passage = once(&*flow, &border, (&sides.start, &later), period).ok()?;
     passage.derivatives = Some(sides.map(border.happens));
     let residual = at.residual.norm();
     let shot = Shot {
@@ -156,8 +155,8 @@ fn read(
         period,
         drive: flow.phase(),
         closure: residual,
-        pins: Vec::new(),
-        shift: None,
+        pins: sides.runs.pins.clone(),
+        shift: sides.runs.shift.clone(),
     };
     let z = OrbitProblem::unknowns(std::slice::from_ref(&sides.start), period);
     let solution = Solution {
@@ -196,7 +195,8 @@ impl Edge {
         let zeros = self.zeros(near, happens);
         let accuracy = near.error_estimate;
         let velocity = &self.sides.velocity;
-        let judged = || floquet(&map.state, velocity, None, zeros, &[], 0, accuracy);
+        let neutral = self.sides.runs.pins.len();
+        let judged = || floquet(&map.state, velocity, None, zeros, &[], neutral, accuracy);
         let mut orbit = self.orbit.clone();
         // Where force drops, or an impact begins, the map has no limit.
         orbit.floquet = if self.border.drops || self.sides.is_unbounded(happens) {

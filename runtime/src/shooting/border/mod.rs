@@ -15,6 +15,7 @@ mod located;
 mod mirror;
 mod once;
 mod problem;
+mod runs;
 mod sheet;
 mod sides;
 

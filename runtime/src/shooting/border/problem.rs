@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector};
 
 use super::candidate::{BRIEF, Border, Condition};
+use super::runs::Runs;
 use super::sheet::Sheet;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
@@ -30,6 +31,8 @@ pub struct BorderProblem<S> {
     scales: [f64; 2],
     /// Usual magnitude of the period.
     period: f64,
+    /// What is neutral where the motion runs on.
+    runs: Runs,
     /// Work of all evaluations.
     pub work: Work,
 }
@@ -49,16 +52,17 @@ impl Round {
 }
 
 impl<S: Sheet> BorderProblem<S> {
-    /// The problem near an orbit that is near a border.
-    pub fn new(sheet: S, orbit: &Orbit, border: Border, scales: [f64; 2]) -> Self {
-        Self {
+    /// The problem near an orbit that is near a border; `None` if something is neutral besides where a motion runs on.
+    pub fn new(sheet: S, orbit: &Orbit, border: Border, scales: [f64; 2]) -> Option<Self> {
+        Some(Self {
+            runs: Runs::of(orbit)?.through(&border.state),
             sheet,
             border,
             magnitude: orbit.magnitude(),
             scales,
             period: orbit.period,
             work: Work::default(),
-        }
+        })
     }
 
     /// The unknowns from which to converge.
@@ -199,6 +203,8 @@ pub struct BorderShot {
     pub least: bool,
     /// The rate at which a force that could hold the contact comes from its limit, at an edge.
     pub inwards: f64,
+    /// What is neutral where the motion runs on.
+    pub(super) runs: Runs,
 }
 
 impl<S: Sheet> ZeroProblem for BorderProblem<S> {
@@ -240,12 +246,13 @@ impl<S: Sheet> ZeroProblem for BorderProblem<S> {
                 rate: touch[1],
                 least,
                 inwards,
+                runs: self.runs.clone(),
             },
         };
         let derivatives = round.derivatives();
         for i in 0..order {
             let unit = self.magnitude[i];
-            let mut gap = round.back.0.state[i] - state[i];
+            let mut gap = round.back.0.state[i] - state[i] - self.runs.gain(i);
             if flow.phase() == Some(i) {
                 gap -= TAU * (gap / TAU).round();
             }
@@ -258,6 +265,8 @@ impl<S: Sheet> ZeroProblem for BorderProblem<S> {
             linearisation.jacobian[(i, order + 1)] = derivatives.design[i] / unit;
             linearisation.design[i] = across[i] / unit;
         }
+        let runs = self.runs.hold(&mut linearisation, state, &self.magnitude);
+        linearisation.extra.runs = runs;
         for (row, value) in touch.into_iter().enumerate() {
             let weight = (0..order).map(|j| (slopes[(row, j)] * self.magnitude[j]).abs());
             let unit = weight.sum::<f64>().max(f64::MIN_POSITIVE);

@@ -16,6 +16,8 @@ use nalgebra::{DMatrix, DVector};
 use super::arrival::{Arrival, along};
 use super::candidate::{Border, Condition};
 use super::problem::{BorderProblem, chain};
+use super::runs::Runs;
+use crate::continuation::Linearisation;
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::linear::svd;
@@ -34,6 +36,8 @@ pub(super) struct Sides {
     turn: f64,
     /// The side on which the event does not happen, and that on which it does.
     maps: [Derivatives; 2],
+    /// What is neutral where the motion runs on.
+    pub(super) runs: Runs,
     /// How the number that decides between the sides depends on the start, and on r.
     pub(super) number: (DVector<f64>, f64),
     /// Its sign on both sides.
@@ -52,7 +56,7 @@ impl Sides {
         problem: &mut BorderProblem<Family>,
         flow: &dyn Flow,
         (state, period): (&[f64], f64),
-        slopes: &DMatrix<f64>,
+        (slopes, runs): (&DMatrix<f64>, &Runs),
     ) -> Result<Self, FlowError> {
         let round = problem.round(flow, state, period)?;
         let border = &problem.border;
@@ -92,6 +96,7 @@ impl Sides {
             turn: border.turn(),
             velocity: flow.velocity(&start)?.f,
             maps: leaps.map(|leap| arrival.through(&leap, &round)),
+            runs: runs.through(&start.state),
             start,
             number,
             signs: [-happens, happens],
@@ -155,14 +160,24 @@ impl Sides {
     ) -> DMatrix<f64> {
         let (map, order) = (&self.maps[usize::from(happens)], self.velocity.len());
         let n = order + 1;
+        let slope = |i: usize, j: usize| match j {
+            j if j < order => map.state[(i, j)] - f64::from(i == j),
+            _ => self.turn * self.velocity[i],
+        };
+        let mut closing = Linearisation {
+            residual: DVector::zeros(order),
+            jacobian: DMatrix::from_fn(order, n, |i, j| slope(i, j) / scale[i]),
+            design: DVector::from_fn(order, |i, _| map.design[i] / scale[i]),
+            extra: (),
+        };
+        let magnitude = &scale.as_slice()[..order];
+        self.runs.hold(&mut closing, &self.start.state, magnitude);
         let mut matrix = DMatrix::zeros(n + 1, n + 1);
         for i in 0..order {
-            for j in 0..order {
-                let own = f64::from(i == j);
-                matrix[(i, j)] = (map.state[(i, j)] - own) * scale[j] / scale[i];
+            for j in 0..n {
+                matrix[(i, j)] = closing.jacobian[(i, j)] * scale[j];
             }
-            matrix[(i, order)] = self.turn * self.velocity[i] * scale[order] / scale[i];
-            matrix[(i, n)] = map.design[i] * r_scale / scale[i];
+            matrix[(i, n)] = closing.design[i] * r_scale;
             matrix[(order, i)] = phase[i] * scale[i];
         }
         let size = matrix.row(order).norm();
@@ -228,10 +243,10 @@ impl Passing<'_> {
         if border.condition != Condition::Touch || border.before() != Mode::Open {
             return Ok(None);
         }
-        let Some(kick) = flow.kick(self.state, border.contact)? else {
+        let coming = border.coming(self.state);
+        let Some(kick) = flow.kick(&coming, border.contact)? else {
             return Ok(None);
         };
-        let coming = border.coming(self.state);
         let (field, step) = (flow.velocity(&coming)?.f, BEFORE * self.period);
         let mut later = coming.clone();
         for (x, f) in later.state.iter_mut().zip(field.iter()) {

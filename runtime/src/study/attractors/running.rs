@@ -14,6 +14,8 @@ use crate::shooting::{changes_nothing, slides};
 const LONGEST: usize = 8;
 /// Returns that agree to this, in usual sizes, have settled.
 const SETTLED: f64 = 1e-9;
+/// Returns that agree to this may be about to settle.
+const NEAR: f64 = 1e-6;
 /// A state that advances less, in usual sizes, does not run.
 const RUNS: f64 = 1e-5;
 /// Accuracy at which its multipliers are computed.
@@ -28,11 +30,18 @@ pub(super) fn running(
     section: usize,
     crossings: &[Crossing],
 ) -> Result<Option<Attractor>, FlowError> {
-    let Some((count, shift)) =
-        (1..=LONGEST).find_map(|k| Some((k, advance(ground, k, crossings)?)))
-    else {
+    let settled = |k: usize| Some((k, advance(ground, (k, SETTLED), crossings)?));
+    let Some((count, shift)) = (1..=LONGEST).find_map(settled) else {
         return Ok(None);
     };
+    // What settles to and fro comes back after two turns before it does after one.
+    let parts = (1..count).filter(|k| count.is_multiple_of(*k));
+    if parts
+        .map(|k| advance(ground, (k, NEAR), crossings))
+        .any(|part| part.is_some())
+    {
+        return Ok(None);
+    }
     if !changes_nothing(ground.flow.as_ref(), &shift, &ground.usual) {
         return Ok(None);
     }
@@ -77,8 +86,12 @@ pub(super) fn steady(
     ))
 }
 
-/// What the states gain in the last two times `count` crossings alike, if some do.
-fn advance(ground: &Ground<'_>, count: usize, crossings: &[Crossing]) -> Option<Vec<f64>> {
+/// What the states gain in the last two times `count` crossings alike to this closeness, if some do.
+fn advance(
+    ground: &Ground<'_>,
+    (count, closeness): (usize, f64),
+    crossings: &[Crossing],
+) -> Option<Vec<f64>> {
     let from = |back: usize| {
         crossings
             .len()
@@ -91,13 +104,13 @@ fn advance(ground: &Ground<'_>, count: usize, crossings: &[Crossing]) -> Option<
         let gain = |j: usize| later[j] - before[j];
         // A phase that turns is where it was; what gains no more than it has settled gains nothing.
         let runs = |j: usize| ground.flow.phase() != Some(j) && gain(j).abs() > RUNS * usual[j];
-        let settled = (0..usual.len()).all(|j| runs(j) || gain(j).abs() <= SETTLED * usual[j]);
+        let settled = (0..usual.len()).all(|j| runs(j) || gain(j).abs() <= closeness * usual[j]);
         let gain = |j: usize| if runs(j) { gain(j) } else { 0.0 };
         settled.then(|| (0..usual.len()).map(gain).collect::<Vec<f64>>())
     };
     let (new, old) = (gain(a, b)?, gain(b, c)?);
     let runs = new.iter().any(|gain| *gain != 0.0);
-    (runs && apart(&new, &old, &ground.usual) <= SETTLED).then_some(new)
+    (runs && apart(&new, &old, &ground.usual) <= closeness).then_some(new)
 }
 
 /// The motion between the first and the last of these crossings.
@@ -116,6 +129,7 @@ fn read(
     };
     let passage = flow.advance(&place, period, want)?;
     let velocity = flow.velocity(&place)?.f;
+    let slides = slides(flow, &shift, &ground.usual);
     let mut found = Attractor::bare(Class::Running, state, None);
     for extremum in &passage.extrema {
         for (j, y) in extremum.state.iter().enumerate() {
@@ -137,7 +151,7 @@ fn read(
             Some(derivatives.determinant),
             zeros,
             &derivatives.factors,
-            0,
+            usize::from(slides),
             SHARP,
         );
         found = found.judged(&floquet.multipliers, floquet.stability);
@@ -151,7 +165,7 @@ fn read(
     found.section = section;
     found.modes = place.modes;
     found.period = Some(period);
-    found.slides = slides(flow, &shift, &ground.usual);
+    found.slides = slides;
     found.shift = Some(shift);
     Ok(found)
 }

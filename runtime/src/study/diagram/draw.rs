@@ -34,8 +34,8 @@ impl System {
         };
         let values = diagram.all(along);
         let one = |hand: &mut Hand, number: usize, known: Option<Slice>| {
-            let slice =
-                known.unwrap_or_else(|| cut.slice(values[number], &hand.state, &hand.scale));
+            let new = || cut.slice(values[number], hand.starts(), &hand.scale);
+            let slice = known.unwrap_or_else(new);
             hand.take(&slice);
             slice
         };

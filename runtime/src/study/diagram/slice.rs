@@ -68,9 +68,10 @@ pub(super) struct Cut<'a> {
 }
 
 impl Cut<'_> {
-    /// The slice at r, in the family's own count, from `start`; states are measured against `scale`.
-    pub(super) fn slice(&self, r: f64, start: &[f64], scale: &[f64]) -> Slice {
-        match self.seen(r, start, scale) {
+    /// The slice at r, in the family's own count, from the first of these starts at which a motion can begin; states are
+    /// measured against `scale`.
+    pub(super) fn slice(&self, r: f64, starts: [&[f64]; 2], scale: &[f64]) -> Slice {
+        match self.seen(r, starts, scale) {
             Ok((seen, lyapunov)) => Slice {
                 different: seen.different,
                 silence: seen.silence,
@@ -105,12 +106,13 @@ impl Cut<'_> {
     fn seen(
         &self,
         r: f64,
-        start: &[f64],
+        [start, other]: [&[f64]; 2],
         scale: &[f64],
     ) -> Result<(Watched, Option<Result<Lyapunov, String>>), FlowError> {
         let flow = self.family.with_magnitude(scale).at(r)?;
         let usual = usual(start, scale);
-        let seen = Watched::from(&*flow, flow.place(start)?, self.diagram, &usual)?;
+        let place = flow.place(start).or_else(|_| flow.place(other))?;
+        let seen = Watched::from(&*flow, place, self.diagram, &usual)?;
         let exponent = match self.diagram.lyapunov {
             Some(laps) => self.exponent(&*flow, &seen, laps)?,
             None => None,

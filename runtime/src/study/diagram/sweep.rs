@@ -10,7 +10,9 @@ const NUDGE: f64 = 1e-6;
 /// What a value of a sweep begins with, and hands on to the next.
 pub(super) struct Hand {
     /// Where it begins.
-    pub(super) state: Vec<f64>,
+    state: Vec<f64>,
+    /// Where the value before has ended: a wall may be beside that.
+    end: Vec<f64>,
     /// How large its states usually are.
     pub(super) scale: Vec<f64>,
     /// Whether a motion has shown that.
@@ -21,9 +23,15 @@ impl Hand {
     pub(super) fn new(start: &[f64]) -> Self {
         Self {
             state: start.to_vec(),
+            end: start.to_vec(),
             scale: magnitude(start),
             known: false,
         }
+    }
+
+    /// Where it begins, or, if it cannot, where it does instead.
+    pub(super) fn starts(&self) -> [&[f64]; 2] {
+        [&self.state, &self.end]
     }
 
     /// Takes over from a slice; what has failed hands on nothing.
@@ -36,6 +44,7 @@ impl Hand {
             self.scale.clone_from(&half);
             self.known = true;
         }
+        self.end.clone_from(&slice.end);
         for (j, end) in slice.end.iter().enumerate() {
             self.scale[j] = self.scale[j].max(half[j]);
             self.state[j] = end + NUDGE * self.scale[j];

@@ -8,6 +8,7 @@ use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};
 use crate::poincare::{Crossings, Horizon, Reason, Silence, approaches, recurrence};
+use crate::shooting::Shifts;
 
 /// Points of a section that agree to this share of the motion's extent are one.
 const SAME_POINT: f64 = 1e-5;
@@ -140,7 +141,16 @@ fn counted(
     extent: &[f64],
 ) -> Result<(Motion, usize), FlowError> {
     let phase = flow.phase();
-    let count = recurrence(points, extent, phase, SAME_POINT);
+    let came = recurrence(points, extent, phase, SAME_POINT);
+    let still = came
+        .is_none()
+        .then(|| still(flow, points, extent))
+        .flatten();
+    let (points, extent) = match &still {
+        Some((points, extent)) => (points.as_slice(), extent.as_slice()),
+        None => (points, extent),
+    };
+    let count = came.or_else(|| recurrence(points, extent, phase, SAME_POINT));
     // What settles to and fro is near to a return after two turns before it is after one.
     if approaches(points, extent, phase, count) {
         return Ok((Motion::Settling, points.len()));
@@ -150,6 +160,35 @@ fn counted(
     };
     let turns = turns(flow, place, times, count)?;
     Ok((Motion::Periodic(turns), count))
+}
+
+/// The points of a motion that runs on as they would be if it did not, and what they are measured against: where it runs, what
+/// it gains from one to the next. `None` if it does not.
+fn still(
+    flow: &dyn Flow,
+    points: &[Vec<f64>],
+    extent: &[f64],
+) -> Option<(Vec<Vec<f64>>, Vec<f64>)> {
+    let moves = |extent: &f64| if *extent > 0.0 { *extent } else { 1.0 };
+    let usual: Vec<f64> = extent.iter().map(moves).collect();
+    let shifts = Shifts::of(flow, &usual);
+    let first = points.first().filter(|_| !shifts.is_empty())?;
+    let mut gains = vec![0.0_f64; extent.len()];
+    for pair in points.windows(2) {
+        let shift = shifts.between(&pair[0], &pair[1]);
+        let larger = gains.iter_mut().zip(&shift);
+        larger.for_each(|(most, gain)| *most = most.max(gain.abs()));
+    }
+    if gains.iter().all(|gain| *gain == 0.0) {
+        return None;
+    }
+    let home = |point: &Vec<f64>| {
+        let shift = shifts.between(first, point);
+        point.iter().zip(&shift).map(|(y, gain)| y - gain).collect()
+    };
+    let sizes = gains.iter().zip(extent);
+    let sizes = sizes.map(|(gain, extent)| if *gain > 0.0 { *gain } else { *extent });
+    Some((points.iter().map(home).collect(), sizes.collect()))
 }
 
 /// The n of a motion that comes back after this many points: of a driven one, how often the drive turns meanwhile.

@@ -205,6 +205,7 @@ impl<'a, M: Model<N>, const N: usize> Walk<'a, M, N> {
             after: system.snapshot(&after.state, &after.mode)?.field,
             gradient,
             design,
+            magnitude: system.magnitude,
         })
     }
 }

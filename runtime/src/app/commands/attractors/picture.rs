@@ -4,11 +4,13 @@ use super::branches;
 use crate::app::axis::{along_axis, axis};
 use crate::app::text::brief;
 use crate::model::ModelInfo;
-use crate::report::{Axis, Curve, Figure, Marker, Panel};
+use crate::report::{Axis, COLOURS, Curve, Figure, Marker, Panel};
 use crate::study::{Along, AttractorsRecord, Class, FollowedRecord, Survey};
 
 /// Starts that are drawn at most: the first ones fill the region evenly, too.
 const DRAWN: usize = 20_000;
+/// How they are drawn, where there are more motions than colours.
+const MARKERS: [Marker; 4] = [Marker::Dot, Marker::Plus, Marker::Cross, Marker::Triangle];
 
 pub(super) fn picture(
     info: &ModelInfo,
@@ -65,7 +67,8 @@ fn basins(
             brief(&one.attractor.name()),
             100.0 * one.share
         );
-        Curve::points(label, number + 1, Marker::Dot, points)
+        let marker = MARKERS[(number / (COLOURS - 1)) % MARKERS.len()];
+        Curve::points(label, 1 + number % (COLOURS - 1), marker, points)
     });
     let resting = found
         .iter()

@@ -4,11 +4,11 @@ use crate::app::axis::along_axis;
 use crate::app::text::{brief, label, number, timed};
 use crate::field::Design;
 use crate::model::ModelInfo;
-use crate::report::{Axis, Curve, Figure, Panel, SHADES};
+use crate::report::{Axis, COLOURS, Curve, Figure, Panel, SHADES};
 use crate::study::{Asked, Grid, MapRecord, Quantity};
 
-/// Kinds that have a colour of their own.
-const KINDS: usize = 12;
+/// Kinds that have a colour of their own: black is for the others.
+const KINDS: usize = COLOURS - 1;
 /// Digits of the ends of shades.
 const DIGITS: usize = 3;
 
