@@ -72,14 +72,17 @@ pub(in crate::shooting) fn cross(
     Some(Crossing { located, beyond })
 }
 
-/// Whether the last orbit is nearer to another one than those were from which the branch came.
+/// Whether the last orbit is nearer to another one than those were from which the branch came: of those before a border it says
+/// nothing that it comes from there.
 fn comes_near(orbits: &[Orbit], to: &Orbit) -> bool {
     let Some((last, before)) = orbits.split_last() else {
         return false;
     };
     let away = last.away(to);
     let far = |orbit: &&Orbit| orbit.away(last) > away;
-    let earlier = before.iter().rev().find(far);
+    let here = before.iter().rev();
+    let mut here = here.take_while(|orbit| orbit.has_word_of(last, 1));
+    let earlier = here.find(far);
     earlier.is_some_and(|earlier| earlier.away(to) > away)
 }
 
