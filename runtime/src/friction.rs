@@ -1,7 +1,5 @@
 //! Friction laws and the rules that decide what a contact's force is.
 
-use std::ops::Neg;
-
 use crate::memory::{Answer, AnswerSlopes, MemoryLaw};
 use crate::model::{Bounds, ParameterError, Unit};
 use crate::press::{GapSlopes, PressLaw, pressing, pressing_slopes};
@@ -117,7 +115,7 @@ pub trait SlopeRule {
 }
 
 /// A friction force, as it stands in the equations, and its derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceSlopes {
     /// The force.
     pub force: f64,
@@ -127,20 +125,6 @@ pub struct ForceSlopes {
     pub along: f64,
     /// Its derivative with respect to the design variable where the rule itself depends on it.
     pub by_design: f64,
-}
-
-impl Neg for ForceSlopes {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        Self {
-            force: -self.force,
-            by_speed: -self.by_speed,
-            along: -self.along,
-            by_design: -self.by_design,
-        }
-    }
 }
 
 /// A friction law as data.

@@ -192,28 +192,6 @@ fn continued<D: Scalar, L: PressLaw<D>>(law: &L, depth: D, rate: D) -> D {
     }
 }
 
-/// The force of a press that is closed, as [`Pressed`] has it, with its derivatives.
-#[inline]
-pub(crate) fn closed_slopes<L: PressLaw<f64>>(
-    law: &L,
-    along: &L,
-    gap: f64,
-    gap_rate: f64,
-) -> GapSlopes {
-    let (depth, rate) = (-gap, -gap_rate);
-    let there = law.slopes(along, depth.abs(), rate);
-    if depth >= 0.0 {
-        return GapSlopes::of(there);
-    }
-    let still = law.slopes(along, 0.0, rate);
-    GapSlopes::of(PressSlopes {
-        force: still.force * 2.0 - there.force,
-        by_depth: there.by_depth,
-        by_rate: still.by_rate * 2.0 - there.by_rate,
-        along: still.along * 2.0 - there.along,
-    })
-}
-
 /// The force of a press where no mode decides it: as the law says while the gap is closed, and never pulling.
 #[inline]
 pub(crate) fn pressing<D: Scalar, L: PressLaw<D>>(law: &L, gap: D, gap_rate: D) -> D {
@@ -236,7 +214,13 @@ pub(crate) fn pressing_slopes<L: PressLaw<f64>>(
 ) -> GapSlopes {
     let slopes = law.slopes(along, -gap, -gap_rate);
     if gap < 0.0 && slopes.force > 0.0 {
-        GapSlopes::of(slopes)
+        GapSlopes {
+            force: slopes.force,
+            by_gap: -slopes.by_depth,
+            by_rate: -slopes.by_rate,
+            along: slopes.along,
+            by_design: 0.0,
+        }
     } else {
         GapSlopes::default()
     }
@@ -255,18 +239,4 @@ pub struct GapSlopes {
     pub along: f64,
     /// Its derivative with respect to the design variable where the rule itself depends on it.
     pub by_design: f64,
-}
-
-impl GapSlopes {
-    /// From those by the penetration, which grows as the gap closes.
-    #[inline]
-    fn of(slopes: PressSlopes<f64>) -> Self {
-        Self {
-            force: slopes.force,
-            by_gap: -slopes.by_depth,
-            by_rate: -slopes.by_rate,
-            along: slopes.along,
-            by_design: 0.0,
-        }
-    }
 }

@@ -86,9 +86,8 @@ impl<const N: usize> Carried<N> for [f64; N] {
 fn lengths<const N: usize>(tangent: &[[f64; N]; N], sizes: &[f64; N]) -> [f64; N] {
     let mut lengths = [0.0; N];
     for (row, size) in tangent.iter().zip(sizes) {
-        let per = size.recip();
         for (length, entry) in lengths.iter_mut().zip(row) {
-            *length += (entry * per).powi(2);
+            *length += (entry / size).powi(2);
         }
     }
     lengths

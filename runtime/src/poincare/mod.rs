@@ -21,9 +21,14 @@ pub use recurrence::{approaches, recurrence};
 pub use section::{Direction, Section, Surface};
 pub use span::{Met, once_around, until};
 
+use nalgebra::DMatrix;
+
 use crate::flow::{self, FlowError};
 use crate::linear::balanced;
 use crate::motion::{Flow, Place};
+
+/// Norm of a Jacobian over that in the units that make it least, above which its units are mixed.
+const MIXED: f64 = 1e3;
 
 /// The longest time for which a motion from `place` should be followed at once.
 pub(crate) fn longest(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
@@ -36,13 +41,18 @@ pub(crate) fn longest(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> 
 /// A time in which the motion linearised at `place` turns by about a radian, and its drive not more often than can be
 /// followed at once.
 pub(crate) fn radian(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
-    // In units that make it small: a pressure in pascals would turn in no time.
-    let jacobian = balanced(&flow.velocity(place)?.jacobian);
-    let rows = jacobian.row_iter();
-    let norm = rows
-        .map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>())
-        .fold(0.0, f64::max);
+    let jacobian = flow.velocity(place)?.jacobian;
+    let (plain, least) = (size(&jacobian), size(&balanced(&jacobian)));
+    // Any units bound it, and a shorter look first misses nothing; but a pressure in pascals would turn in no time.
+    let norm = if plain > MIXED * least { least } else { plain };
     Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 }.min(longest(flow, place)?))
+}
+
+/// The largest sum over a row.
+fn size(matrix: &DMatrix<f64>) -> f64 {
+    let rows = matrix.row_iter();
+    let sums = rows.map(|row| row.iter().map(|slope| slope.abs()).sum::<f64>());
+    sums.fold(0.0, f64::max)
 }
 
 #[cfg(test)]

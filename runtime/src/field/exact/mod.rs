@@ -2,6 +2,7 @@
 
 mod affine;
 mod closed;
+mod columns;
 mod constants;
 mod error;
 mod impact;
@@ -15,6 +16,8 @@ mod solve;
 mod strip;
 mod system;
 mod tied;
+
+use num_dual::Dual64;
 
 use super::{Field, Linear, LinearField, memory};
 use crate::integrate::Tolerance;
@@ -182,8 +185,14 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
     /// The derivatives without the sticking forces.
     #[inline(always)]
     fn linearise_free(&self, y: &[f64; N]) -> Linear<N> {
-        let (system, mut rule) = (self.system, Sliding::<M, N>::new(self.modes.as_slice()));
-        M::linearise(&system.plain, &system.seeds, *y, &mut rule)
+        let system = self.system;
+        system.columns.linearise(
+            |seed| {
+                let state = crate::scalar::filled(|i| Dual64::new(y[i], seed[i]));
+                self.free(&system.directional, state)
+            },
+            || self.free(&system.turned, mapped(y, Dual64::from)),
+        )
     }
 
     /// The derivatives where contacts stick: a call of its own, as [`Self::bound`] is.

@@ -3,9 +3,9 @@
 use std::marker::PhantomData;
 
 use super::mode::{Mode, Modes};
-use crate::friction::{ContactRule, ForceSlopes, FrictionLaw, SlopeRule};
+use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
-use crate::press::{GapSlopes, PressLaw, Pressed, closed_slopes};
+use crate::press::{PressLaw, Pressed};
 use crate::scalar::{Inline, Scalar};
 
 /// Forces by their laws, none where a contact sticks or is at rest: all that the field needs, which is asked most.
@@ -40,45 +40,6 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Sliding<'_, M, N
         match self.modes.get(contact) {
             Some(Mode::Closed) if !L::INFO.is_rigid() => Pressed::new(law, gap, rate).force,
             _ => D::from(0.0),
-        }
-    }
-}
-
-impl<M: Model<N>, const N: usize> SlopeRule for Sliding<'_, M, N> {
-    #[inline]
-    fn force<L: FrictionLaw<f64>>(
-        &mut self,
-        contact: usize,
-        law: &L,
-        along: &L,
-        speed: f64,
-    ) -> ForceSlopes {
-        match self.modes.get(contact) {
-            Some(Mode::SlideForward) => -slip_slopes(law, along, speed),
-            Some(Mode::SlideBackward) => {
-                let slopes = slip_slopes(law, along, -speed);
-                ForceSlopes {
-                    by_speed: -slopes.by_speed,
-                    ..slopes
-                }
-            }
-            Some(&mode) if const { Modes::<M, N>::PRESSED } => held_slopes(mode, law, along),
-            _ => ForceSlopes::default(),
-        }
-    }
-
-    #[inline]
-    fn press<L: PressLaw<f64>>(
-        &mut self,
-        contact: usize,
-        law: &L,
-        along: &L,
-        gap: f64,
-        rate: f64,
-    ) -> GapSlopes {
-        match self.modes.get(contact) {
-            Some(Mode::Closed) if !L::INFO.is_rigid() => closed_slopes(law, along, gap, rate),
-            _ => GapSlopes::default(),
         }
     }
 }
@@ -122,7 +83,7 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
         };
         let force = match mode {
             Mode::Stick => self.given.as_ref()[contact],
-            _ => ContactRule::force(&mut Sliding::<M, N>::new(self.modes), contact, law, speed),
+            _ => Sliding::<M, N>::new(self.modes).force(contact, law, speed),
         };
         self.speed.as_mut()[contact] = speed;
         self.force.as_mut()[contact] = force;
@@ -167,21 +128,6 @@ fn held<D: Scalar, L: FrictionLaw<D>>(mode: Mode, law: &L) -> D {
     }
 }
 
-/// [`held`] with its derivatives.
-fn held_slopes<L: FrictionLaw<f64>>(mode: Mode, law: &L, along: &L) -> ForceSlopes {
-    let limit = law.slopes(along, 0.0);
-    let (force, along) = match mode {
-        Mode::PinnedForward => (-limit.stick, -limit.stick_along),
-        Mode::PinnedBackward => (limit.stick, limit.stick_along),
-        _ => (0.0, 0.0),
-    };
-    ForceSlopes {
-        force,
-        along,
-        ..ForceSlopes::default()
-    }
-}
-
 /// slip(s), continued to s < 0 by reflection in the point (0, slip(0)): stages that overshoot a surface
 /// then meet neither a kink in the first derivative nor a pole of the law.
 #[inline]
@@ -190,27 +136,5 @@ fn slip<D: Scalar, L: FrictionLaw<D>>(law: &L, speed: D) -> D {
         law.slip(speed)
     } else {
         law.slip(D::from(0.0)) * 2.0 - law.slip(-speed)
-    }
-}
-
-/// [`slip`] with its derivatives: those of the force of a contact that slides forward at this speed.
-#[inline]
-fn slip_slopes<L: FrictionLaw<f64>>(law: &L, along: &L, speed: f64) -> ForceSlopes {
-    let there = law.slopes(along, speed.abs());
-    let (slip, slip_along) = if speed >= 0.0 {
-        (there.slip, there.slip_along)
-    } else {
-        let still = law.slopes(along, 0.0);
-        let mirrored = |still: f64, there: f64| still * 2.0 - there;
-        (
-            mirrored(still.slip, there.slip),
-            mirrored(still.slip_along, there.slip_along),
-        )
-    };
-    ForceSlopes {
-        force: slip,
-        by_speed: there.slip_by_speed,
-        along: slip_along,
-        by_design: 0.0,
     }
 }

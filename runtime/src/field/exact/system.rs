@@ -3,6 +3,7 @@
 use num_dual::Dual64;
 
 use super::affine::{Affine, Snapshot, Square, speed_rates};
+use super::columns::Columns;
 use super::constants::Constants;
 use super::error::{ContactError, opposing, singular};
 use super::load::bent;
@@ -33,8 +34,7 @@ pub struct ExactSystem<M: Model<N>, const N: usize> {
     pub(super) directional: M::Params<Dual64>,
     /// The parameters moving with the design variable.
     pub(super) turned: M::Params<Dual64>,
-    /// Derivatives of the parameters with respect to the design variable.
-    pub(super) seeds: M::Params<f64>,
+    pub(super) columns: Columns<N>,
     pub(super) lanes: M::Params<M::Lanes>,
     pub(super) constants: Option<Constants<M, N>>,
     /// Usual magnitudes of the states: what errors are measured against where they pass through zero.
@@ -60,7 +60,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
         Self {
             plain,
             directional: Inline::from_fn(|i| Dual64::from(values[i])),
-            seeds: Inline::from_fn(|i| f64::from(design == Some(i))),
+            columns: Columns::of::<M>(design.is_some()),
             constants: Constants::find(&lanes),
             lanes,
             magnitude: memory::bounded::<M, N>(&plain, [1.0; N]),
@@ -157,7 +157,10 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
 
     /// Whether there is a design variable.
     pub(crate) fn is_designed(&self) -> bool {
-        self.seeds.as_ref().iter().any(|seed| *seed != 0.0)
+        self.turned
+            .as_ref()
+            .iter()
+            .any(|parameter| parameter.eps != 0.0)
     }
 
     /// The values of the parameters.
