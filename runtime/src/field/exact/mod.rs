@@ -229,7 +229,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
 /// Takes out of `column`, f or a derivative of it, what the sticking force takes out: column − lever (w_y column).
 ///
 /// The lever of one contact moves no other, so that they may follow each other. Nothing is left of a speed that is a state.
-#[inline]
+#[inline(always)]
 fn hold<const N: usize>(column: &mut [f64; N], gradient: &Strip<N>, lever: &Strip<N>) {
     let rate = gradient.dot(column);
     lever.add_to(column, -rate);
@@ -317,7 +317,7 @@ pub(crate) fn linear_of<L: Lanes<N>, const N: usize>(field: &[L; N]) -> Linear<N
 
 impl<const N: usize> Linear<N> {
     /// [`hold`] for f, every column of the Jacobian, and the design column.
-    #[inline]
+    #[inline(always)]
     fn hold(&mut self, gradient: &Strip<N>, lever: &Strip<N>) {
         hold(&mut self.f, gradient, lever);
         hold(&mut self.design, gradient, lever);
