@@ -50,8 +50,8 @@ impl<P: Watched> Change<P> {
         let sides = [&self.before, &self.after];
         let zeros = sides.map(|side| margin::vanishes(side, [low, high]));
         let bracket = (middle, 0.5 * (high - low).abs());
-        let all = zeros.into_iter().flatten().chain([bracket]);
-        let (r, error) = all.fold(bracket, |a, b| if b.1 < a.1 { b } else { a });
+        let zeros = zeros.into_iter().flatten();
+        let (r, error) = zeros.fold(bracket, |a, b| if b.1 < a.1 { b } else { a });
         (r, error + least)
     }
 
