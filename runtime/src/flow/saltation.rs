@@ -15,9 +15,6 @@ pub(super) trait Tracked<const N: usize>: Carried<N> {
     /// A motion that begins here.
     fn begin(state: [f64; N]) -> Self;
 
-    /// The state, to be corrected by rounding errors.
-    fn state_mut(&mut self) -> &mut [f64; N];
-
     /// The derivatives, if they are carried.
     fn motion(&mut self) -> Option<&mut Motion<N>>;
 }
@@ -25,10 +22,6 @@ pub(super) trait Tracked<const N: usize>: Carried<N> {
 impl<const N: usize> Tracked<N> for [f64; N] {
     fn begin(state: [f64; N]) -> Self {
         state
-    }
-
-    fn state_mut(&mut self) -> &mut [f64; N] {
-        self
     }
 
     fn motion(&mut self) -> Option<&mut Motion<N>> {
@@ -39,10 +32,6 @@ impl<const N: usize> Tracked<N> for [f64; N] {
 impl<const N: usize> Tracked<N> for Motion<N> {
     fn begin(state: [f64; N]) -> Self {
         Self::from(state)
-    }
-
-    fn state_mut(&mut self) -> &mut [f64; N] {
-        &mut self.state
     }
 
     fn motion(&mut self) -> Option<&mut Motion<N>> {

@@ -1,7 +1,7 @@
 //! What an explicit step carries along: the state alone, or the state with its tangents.
 
 use super::Propagator;
-use super::control::{combined, ratio};
+use super::control::combined_over;
 use crate::field::{Field, Work};
 
 /// States from which on entries of a Jacobian are looked at before their row is multiplied: most are zero there, while
@@ -21,6 +21,9 @@ pub trait Carried<const N: usize>: Copy {
 
     /// The state.
     fn state(&self) -> &[f64; N];
+
+    /// The state, to be corrected by rounding errors.
+    fn state_mut(&mut self) -> &mut [f64; N];
 
     /// Puts the slope here into `slope`, and counts it in `work`: in place, as one with tangents is large and is made a
     /// thousand times a period.
@@ -56,6 +59,11 @@ impl<const N: usize> Carried<N> for [f64; N] {
     }
 
     #[inline]
+    fn state_mut(&mut self) -> &mut [f64; N] {
+        self
+    }
+
+    #[inline]
     fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self) {
         work.evaluations += 1;
         field.with_f(self, |f| *slope = f);
@@ -83,11 +91,13 @@ impl<const N: usize> Carried<N> for [f64; N] {
 }
 
 /// The squares of the lengths of the columns, in states of these sizes.
+#[inline]
 fn lengths<const N: usize>(tangent: &[[f64; N]; N], sizes: &[f64; N]) -> [f64; N] {
     let mut lengths = [0.0; N];
     for (row, size) in tangent.iter().zip(sizes) {
+        let per_size = size.recip();
         for (length, entry) in lengths.iter_mut().zip(row) {
-            *length += (entry / size).powi(2);
+            *length += (entry * per_size).powi(2);
         }
     }
     lengths
@@ -174,6 +184,11 @@ impl<const N: usize> Carried<N> for Motion<N> {
         &self.state
     }
 
+    #[inline]
+    fn state_mut(&mut self) -> &mut [f64; N] {
+        &mut self.state
+    }
+
     /// Φ' = J Φ and p' = J p + f_r.
     #[inline]
     fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self) {
@@ -210,8 +225,8 @@ impl<const N: usize> Carried<N> for Motion<N> {
             lengths(&fifth.tangent, sizes),
             lengths(&third.tangent, sizes),
         );
-        let stray = |j: usize| ratio(combined(fifth[j], third[j], 1), before[j].sqrt());
-        (0..N).map(stray).fold(0.0, f64::max)
+        let stray = |j: usize| combined_over(fifth[j], third[j], before[j]);
+        (0..N).map(stray).fold(0.0, f64::max).sqrt()
     }
 
     fn is_finite(&self) -> bool {

@@ -33,15 +33,8 @@ pub struct Stepper<'f, F, V, const N: usize> {
 impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
     /// Begins at `from`; the first step length is guessed from the field, for an interval `span`.
     ///
-    /// # Errors
-    /// `NotFinite` if the state or its slope is not.
-    pub fn new(
-        field: &'f F,
-        settings: Settings,
-        from: V,
-        time: f64,
-        span: f64,
-    ) -> Result<Self, IntegrationError> {
+    /// Whether a motion can begin there, [`Stepper::check_start`] says: a result that is handed on would be copied.
+    pub fn new(field: &'f F, settings: Settings, from: V, time: f64, span: f64) -> Self {
         let mut stepper = Self {
             field,
             settings,
@@ -57,10 +50,19 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
             work: Work::default(),
         };
         from.slope(field, &mut stepper.work, &mut stepper.slopes[0]);
-        if !(from.is_finite() && stepper.slopes[0].is_finite()) {
-            return Err(stepper.not_finite());
+        stepper
+    }
+
+    /// Whether a motion can begin here.
+    ///
+    /// # Errors
+    /// `NotFinite` if the state or its slope is not.
+    pub fn check_start(&self) -> Result<(), IntegrationError> {
+        if self.from.is_finite() && self.slopes[0].is_finite() {
+            Ok(())
+        } else {
+            Err(self.not_finite())
         }
-        Ok(stepper)
     }
 
     /// Where the step begins.
@@ -177,16 +179,16 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
 
     /// Takes the end of the step as the beginning of the next.
     pub fn commit(&mut self) {
-        self.commit_at(self.end);
-    }
-
-    /// Takes `place`, a correction of the end by rounding errors only, as the beginning of the next step.
-    pub fn commit_at(&mut self, place: V) {
         self.work.steps += 1;
         self.time += self.length;
-        self.from = place;
-        self.end = place;
+        self.from = self.end;
         self.slopes[0] = self.slopes[12];
+    }
+
+    /// The same without `drift`, a rounding error of the end.
+    pub fn commit_without(&mut self, drift: &[f64; N]) {
+        self.end.state_mut().add(-1.0, drift);
+        self.commit();
     }
 
     fn trial(&mut self, length: f64) {

@@ -95,8 +95,9 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         for contact in modes.sticking() {
             self.input.as_ref()[contact].add_to(&mut field, force.as_ref()[contact]);
         }
-        for state in self.still(modes) {
-            field[state] = D::from(0.0);
+        // They do not change at all, and a rounding error of the forces would be all that moves.
+        for contact in modes.sticking() {
+            self.gradient.as_ref()[contact].clear_only(&mut field);
         }
         Some(Snapshot {
             field,
@@ -106,8 +107,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         })
     }
 
-    /// The states that are themselves the speeds of contacts that stick: they do not change at all, and a rounding error of
-    /// the forces would be all that moves.
+    /// The states that are themselves the speeds of contacts that stick.
     fn still(&self, modes: &Modes<M, N>) -> impl Iterator<Item = usize> {
         let gradients = self.gradient.as_ref();
         modes

@@ -34,6 +34,24 @@ impl<const N: usize> Strip<N> {
         (self.first + 1 == self.end).then_some(self.first)
     }
 
+    /// Clears the one state that it reads, if it reads one only: where there are few, none is chosen by its number, which
+    /// would keep a small vector out of the registers.
+    #[inline]
+    pub(crate) fn clear_only<D: Scalar>(&self, vector: &mut [D; N]) {
+        let Some(only) = self.only() else {
+            return;
+        };
+        if N <= FEW {
+            for (state, x) in vector.iter_mut().enumerate() {
+                if state == only {
+                    *x = D::from(0.0);
+                }
+            }
+        } else {
+            vector[only] = D::from(0.0);
+        }
+    }
+
     #[inline]
     fn stretch(&self) -> Range<usize> {
         if N <= FEW { 0..N } else { self.first..self.end }

@@ -20,7 +20,11 @@ const GRADED: f64 = 0.5;
 
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// The longest step worth trying: a little beyond the predicted stop of any sliding contact.
-    pub(super) fn approach(&mut self, stepper: &Steps<'_, 'f, M, V, N>) -> f64 {
+    pub(super) fn approach(
+        &mut self,
+        stepper: &Steps<'_, 'f, M, V, N>,
+        speeds: &M::PerContact<f64>,
+    ) -> f64 {
         let (system, mut limit) = (&self.flow.system, f64::INFINITY);
         if const { Modes::<M, N>::PRESSED } {
             limit = self.graded(stepper);
@@ -29,7 +33,6 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         else {
             return limit;
         };
-        let speeds = system.speeds(stepper.from().state());
         let (rates, length) = &mut self.rates;
         let modes = self.modes.as_slice().iter().enumerate();
         for (i, mode) in modes.filter(|(i, _)| system.is_straight(*i) && !system.is_idle(*i)) {

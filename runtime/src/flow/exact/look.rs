@@ -9,54 +9,44 @@ use crate::integrate::event::polish;
 use crate::integrate::{Dense, IntegrationError};
 use crate::model::Model;
 
-/// A step's dense output, the first fall of a guard along it, and where guards came near to falling.
-pub(super) type Look<const N: usize> = (Dense<N>, Option<Sighting>, Vec<Sighting>);
-
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
-    /// Makes a step, so short that its dense output leaves no doubt whether a guard falls.
-    pub(super) fn look(
-        &mut self,
+    /// Makes a step at most `limit` long.
+    pub(super) fn reach(
+        &self,
         stepper: &mut Steps<'_, 'f, M, V, N>,
-    ) -> Result<Look<N>, FlowError> {
-        let mut limit = self.approach(stepper).min(self.span - self.time);
-        loop {
-            stepper
-                .attempt(limit)
-                .map_err(|error| self.explain(error))?;
-            stepper.stop_at_corner()?;
-            let dense = stepper.dense();
-            // Between finite ends the way may overflow, and no event would be seen on it.
-            if dense.state(0.5).iter().any(|number| !number.is_finite()) {
-                return Err(self.explain(IntegrationError::NotFinite {
-                    time: self.time,
-                    state: self.carried.state().to_vec().into(),
-                }));
-            }
-            let mut nearest = Vec::new();
-            match self.watch(stepper, &dense, &mut nearest)? {
-                Some(fall) => return Ok((dense, fall, nearest)),
-                None => limit = 0.5 * stepper.length(),
-            }
-        }
+        limit: f64,
+    ) -> Result<(), FlowError> {
+        stepper
+            .attempt(limit)
+            .map_err(|error| self.explain(error))?;
+        Ok(stepper.stop_at_corner()?)
     }
 
     /// The first fall of a guard along the step, if any falls; `None` if that cannot be told.
-    fn watch(
+    pub(super) fn watch(
         &self,
         stepper: &Steps<'_, 'f, M, V, N>,
+        speeds: &M::PerContact<f64>,
         dense: &Dense<N>,
         nearest: &mut Vec<Sighting>,
     ) -> Result<Option<Option<Sighting>>, FlowError> {
+        // Between finite ends the way may overflow, and no event would be seen on it.
+        if dense.state(0.5).iter().any(|number| !number.is_finite()) {
+            return Err(self.explain(IntegrationError::NotFinite {
+                time: self.time,
+                state: self.carried.state().to_vec().into(),
+            }));
+        }
+        nearest.clear();
         let system = &self.flow.system;
-        let speeds = system.speeds(stepper.from().state());
-        let scales = stepper.terms_of_speeds(system, &speeds);
+        let scales = stepper.terms_of_speeds(system, speeds);
         let mut watch = Watch {
             system,
             modes: &self.modes,
             dense,
             blur: stepper.blur(),
             scales: scales.as_ref().unwrap_or(&self.scales),
-            speeds: &speeds,
+            speeds,
             departure: &self.departure,
             fall: None,
             doubtful: false,

@@ -14,7 +14,7 @@ use crate::flow::{
     Segment, Want,
 };
 use crate::integrate::linear::Blur;
-use crate::integrate::{Carried, IntegrationError, Motion};
+use crate::integrate::{IntegrationError, Motion};
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -164,7 +164,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let sharp = (settings.tolerance, blur);
         let linear = known.and_then(|known| known.along(&field, sharp, enough));
         let rest = (self.time, span);
-        let mut stepper = Steps::begin(&field, linear.as_deref(), settings, self.carried, rest)?;
+        let mut stepper = Steps::begin(&field, linear.as_deref(), settings, self.carried, rest);
+        stepper.check_start()?;
         let mut strike = None;
         let mut since = (0_u64, self.time);
         while strike.is_none() && self.goes_on() {
@@ -187,13 +188,25 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         }
     }
 
-    /// One step, shortened to the first event in it.
+    /// One step, so short that its dense output leaves no doubt whether a guard falls, and shortened to the first event in it.
     fn step(
         &mut self,
         stepper: &mut Steps<'_, 'f, M, V, N>,
         field: &ExactField<'f, M, N>,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
-        let (mut dense, fall, nearest) = self.look(stepper)?;
+        let speeds = self.flow.system.speeds(stepper.from().state());
+        let rest = self.span - self.time;
+        let mut limit = self.approach(stepper, &speeds).min(rest);
+        let mut nearest = Vec::new();
+        // Not a function of its own: what it would hand back is large.
+        let (mut dense, fall) = loop {
+            self.reach(stepper, limit)?;
+            let dense = stepper.dense();
+            match self.watch(stepper, &speeds, &dense, &mut nearest)? {
+                Some(fall) => break (dense, fall),
+                None => limit = 0.5 * stepper.length(),
+            }
+        };
         let mut strike = None;
         let whole = stepper.length();
         let left = leaves::<M, N>(self.flow.system.values(), &|theta| dense.state(theta));
@@ -213,32 +226,32 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         }
         self.note_nearest(stepper, whole, &nearest)?;
         self.observe(stepper, &dense);
-        let last = strike.is_none() && self.time + stepper.length() >= self.span;
-        self.time = if last {
-            self.span
-        } else {
-            self.time + stepper.length()
-        };
-        self.departure = Inline::from_fn(|_| Departure::default());
-        self.rates.1 = if strike.is_none() {
-            stepper.length()
-        } else {
-            f64::NAN
-        };
-        let mut end = stepper.arrived()?;
-        let drift = field.drift(end.state());
-        end.state_mut().add(-1.0, &drift);
+        self.arrive(stepper, field, strike.is_some())?;
+        Ok(strike)
+    }
+
+    /// Goes on to the end of the step, which is `struck` by an event or not.
+    fn arrive(
+        &mut self,
+        stepper: &mut Steps<'_, 'f, M, V, N>,
+        field: &ExactField<'f, M, N>,
+        struck: bool,
+    ) -> Result<(), FlowError> {
         let length = stepper.length();
+        let last = !struck && self.time + length >= self.span;
+        self.time = if last { self.span } else { self.time + length };
+        self.departure = Inline::from_fn(|_| Departure::default());
+        self.rates.1 = if struck { f64::NAN } else { length };
         self.longest = self.longest.max(length);
-        stepper.commit_at(end);
-        self.carried = end;
-        if strike.is_none() {
+        stepper.commit_without(&field.drift(stepper.end()))?;
+        self.carried = *stepper.from();
+        if !struck {
             let place = Place {
-                state: *end.state(),
+                state: *stepper.from().state(),
                 mode: self.modes,
             };
             self.calm.offer(self.time, length, place);
         }
-        Ok(strike)
+        Ok(())
     }
 }

@@ -31,11 +31,16 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         settings: Settings,
         from: V,
         (time, span): (f64, f64),
-    ) -> Result<Self, IntegrationError> {
-        Ok(match linear {
-            Some(flow) => Self::Linear(LinearStepper::new(flow, settings.steps, from, time)?),
-            None => Self::Explicit(Stepper::new(field, settings, from, time, span)?),
-        })
+    ) -> Self {
+        match linear {
+            Some(flow) => Self::Linear(LinearStepper::new(flow, settings.steps, from, time)),
+            None => Self::Explicit(Stepper::new(field, settings, from, time, span)),
+        }
+    }
+
+    /// Whether a motion can begin where they do.
+    pub(super) fn check_start(&self) -> Result<(), IntegrationError> {
+        either!(self, stepper => stepper.check_start())
     }
 
     pub(super) fn from(&self) -> &V {
@@ -47,14 +52,6 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         match self {
             Self::Linear(stepper) => stepper.end(),
             Self::Explicit(stepper) => stepper.end().state(),
-        }
-    }
-
-    /// The end of the step with all that is carried, once it is as long as it stays.
-    pub(super) fn arrived(&self) -> Result<V, IntegrationError> {
-        match self {
-            Self::Linear(stepper) => stepper.arrived(),
-            Self::Explicit(stepper) => Ok(*stepper.end()),
         }
     }
 
@@ -150,8 +147,14 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         }))
     }
 
-    /// Takes `place`, the corrected end of the step, as the beginning of the next.
-    pub(super) fn commit_at(&mut self, place: V) {
-        either!(self, stepper => stepper.commit_at(place));
+    /// Takes the end of the step without `drift`, a rounding error of it, as the beginning of the next.
+    pub(super) fn commit_without(&mut self, drift: &[f64; N]) -> Result<(), IntegrationError> {
+        match self {
+            Self::Linear(stepper) => stepper.commit_without(drift),
+            Self::Explicit(stepper) => {
+                stepper.commit_without(drift);
+                Ok(())
+            }
+        }
     }
 }

@@ -50,7 +50,8 @@ pub fn integrate<F: Field<N>, V: Carried<N>, const N: usize>(
     work: &mut Work,
     mut observe: impl FnMut(&mut Stepper<'_, F, V, N>) -> ControlFlow<()>,
 ) -> Result<V, IntegrationError> {
-    let mut stepper = Stepper::new(field, settings, from, 0.0, span)?;
+    let mut stepper = Stepper::new(field, settings, from, 0.0, span);
+    stepper.check_start()?;
     let mut outcome = Ok(());
     while outcome.is_ok() && stepper.time() < span {
         outcome = stepper

@@ -50,7 +50,7 @@ fn tight(relative: f64) -> Settings {
 }
 
 fn error_after(steps: u32, span: f64) -> f64 {
-    let mut stepper = Stepper::new(&FIELD, tight(1e-6), START, 0.0, span).unwrap();
+    let mut stepper = Stepper::new(&FIELD, tight(1e-6), START, 0.0, span);
     for _ in 0..steps {
         stepper.shorten(span / f64::from(steps)).unwrap();
         stepper.commit();
@@ -74,7 +74,7 @@ fn steps_converge_with_order_8() {
 #[test]
 fn dense_output_converges_with_order_8_inside_a_step() {
     let local = |length: f64| {
-        let mut stepper = Stepper::new(&FIELD, tight(1e-6), START, 0.0, 1.0).unwrap();
+        let mut stepper = Stepper::new(&FIELD, tight(1e-6), START, 0.0, 1.0);
         stepper.shorten(length).unwrap();
         let dense = stepper.dense();
         let thetas = [0.1, 0.3, 0.55, 0.8, 0.95];
@@ -94,7 +94,7 @@ fn dense_output_converges_with_order_8_inside_a_step() {
 
 #[test]
 fn dense_output_meets_both_ends() {
-    let mut stepper = Stepper::new(&FIELD, tight(1e-9), START, 0.0, 1.0).unwrap();
+    let mut stepper = Stepper::new(&FIELD, tight(1e-9), START, 0.0, 1.0);
     stepper.attempt(1.0).unwrap();
     let dense = stepper.dense();
     assert_eq!(dense.state(0.0), START);
@@ -137,7 +137,7 @@ fn errors_follow_the_tolerance() {
 
 #[test]
 fn the_step_map_is_the_step() {
-    let mut stepper = Stepper::new(&FIELD, tight(1e-9), START, 0.0, 1.0).unwrap();
+    let mut stepper = Stepper::new(&FIELD, tight(1e-9), START, 0.0, 1.0);
     stepper.attempt(1.0).unwrap();
     let end = stepper.step_map(0.31);
     stepper.shorten(0.31).unwrap();

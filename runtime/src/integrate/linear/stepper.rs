@@ -29,17 +29,9 @@ pub(crate) struct LinearStepper<'f, V, const N: usize> {
 
 impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
     /// Begins at `from`.
-    ///
-    /// # Errors
-    /// `NotFinite` if the state is not.
-    pub(crate) fn new(
-        flow: &'f LinearFlow<N>,
-        budget: u64,
-        from: V,
-        time: f64,
-    ) -> Result<Self, IntegrationError> {
+    pub(crate) fn new(flow: &'f LinearFlow<N>, budget: u64, from: V, time: f64) -> Self {
         let state = *from.state();
-        let stepper = Self {
+        Self {
             flow,
             budget,
             time,
@@ -50,11 +42,18 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
             dense: Dense::of_terms(state, 0.0, [[0.0; N]; TERMS]),
             series: None,
             work: Work::default(),
-        };
-        if from.is_finite() {
-            Ok(stepper)
+        }
+    }
+
+    /// Whether a motion can begin here.
+    ///
+    /// # Errors
+    /// `NotFinite` if the state is not.
+    pub(crate) fn check_start(&self) -> Result<(), IntegrationError> {
+        if self.from.is_finite() {
+            Ok(())
         } else {
-            Err(stepper.not_finite())
+            Err(self.not_finite())
         }
     }
 
@@ -141,7 +140,7 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
     ///
     /// # Errors
     /// `NotFinite` if they are not.
-    pub(crate) fn arrived(&self) -> Result<V, IntegrationError> {
+    fn arrived(&self) -> Result<V, IntegrationError> {
         let (flow, length) = (self.flow, self.length);
         let end = self.from.led_to(self.end, || match flow.whole(length) {
             Some(jump) => jump.propagator(&flow.field, &self.start),
@@ -166,13 +165,18 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
         terms
     }
 
-    /// Takes `place`, a correction of the end by rounding errors only, as the beginning of the next step.
-    pub(crate) fn commit_at(&mut self, place: V) {
+    /// Takes the end of the step without `drift`, a rounding error of it, as the beginning of the next.
+    ///
+    /// # Errors
+    /// `NotFinite` if the derivatives are not.
+    pub(crate) fn commit_without(&mut self, drift: &[f64; N]) -> Result<(), IntegrationError> {
+        self.from = self.arrived()?;
+        self.from.state_mut().add(-1.0, drift);
         self.work.steps += 1;
         self.time += self.length;
-        self.from = place;
-        self.end = *place.state();
+        self.end = *self.from.state();
         self.start = (self.end, self.flow.field.wave(&self.end));
+        Ok(())
     }
 
     fn expand(&self, length: f64) -> Series<N> {
