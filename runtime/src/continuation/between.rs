@@ -1,6 +1,7 @@
 //! What lies between two neighbouring points of a branch, read as they are.
 
 use super::corrector::Failure;
+use super::kind::Kind;
 use super::link::Link;
 use super::path::{Border, Path};
 use super::reading::{ErrorOf, Reader, Reading};
@@ -73,5 +74,9 @@ impl<R: Reader> Path for Between<R> {
     fn border(&mut self, ends: [&R::Point; 2]) -> Option<Border<R::Point>> {
         let r_scale = self.link.r_scale();
         self.reader.border(&mut self.link.problem, ends, r_scale)
+    }
+
+    fn name(&mut self, ends: [&R::Point; 2]) -> Kind {
+        self.reader.name(&self.link.problem, ends)
     }
 }

@@ -109,6 +109,12 @@ pub trait Path {
     fn border(&mut self, _ends: [&Self::Point; 2]) -> Option<Border<Self::Point>> {
         None
     }
+
+    /// What the change between two points is called that are as near to it as they can be found, if it could not be found
+    /// as a point of its own: two events exchange their order, or a stretch begins between them.
+    fn name(&mut self, _ends: [&Self::Point; 2]) -> Kind {
+        Kind::VanishingSegment
+    }
 }
 
 /// A point between two regimes, found as a point of its own.

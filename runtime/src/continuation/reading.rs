@@ -6,6 +6,7 @@ use super::ZeroProblem;
 use super::branch::{Branch, Started};
 use super::crossing::Crossing;
 use super::ending::Ending;
+use super::kind::Kind;
 use super::located::Located;
 use super::monitor::Monitor;
 use super::path::{Border, Watched};
@@ -113,6 +114,11 @@ pub trait Reader: Clone {
         _r_scale: f64,
     ) -> Option<Border<Self::Point>> {
         None
+    }
+
+    /// What that is, of two points as near to it as they can be found, where it is no point that can be found.
+    fn name(&self, _problem: &Self::Problem, _ends: [&Self::Point; 2]) -> Kind {
+        Kind::VanishingSegment
     }
 
     /// Why the branch ends with the last of these points, if it does.

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::begin::begin;
-use super::border::{between, cross};
+use super::border::{between, cross, name};
 use super::bound::unbounded;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
@@ -162,6 +162,10 @@ impl Reader for Orbits {
         r_scale: f64,
     ) -> Option<Border<Orbit>> {
         between(problem, ends, r_scale, self.accuracy)
+    }
+
+    fn name(&self, problem: &OrbitProblem, ends: [&Orbit; 2]) -> Kind {
+        name(&problem.family, ends).unwrap_or(Kind::VanishingSegment)
     }
 
     fn explain(&self, orbits: &[Orbit]) -> Option<Located<Orbit>> {

@@ -184,11 +184,13 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 return;
             }
         } else if found.is_sharp() {
-            // What is no border is an exchange of two events: none lies between them where they meet.
-            let kind = Kind::VanishingSegment;
-            let (at, (r, error)) = match &found.meeting {
-                Some((at, error)) => (at, (at.point.r(), *error)),
-                None => (before, found.within(accuracy)),
+            // Where two events meet, no other lies between them.
+            let (kind, at, (r, error)) = match &found.meeting {
+                Some((at, error)) => (Kind::VanishingSegment, at, (at.point.r(), *error)),
+                None => {
+                    let kind = self.path.name([&before.point, &after.point]);
+                    (kind, before, found.within(accuracy))
+                }
             };
             self.located.push(Located {
                 r,
