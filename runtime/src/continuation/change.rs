@@ -45,14 +45,30 @@ impl<P: Watched> Change<P> {
     pub(super) fn within(&self, accuracy: f64) -> (f64, f64) {
         let [low, high] = self.nearest().map(|spot| spot.point.r());
         let middle = f64::midpoint(low, high);
-        // Each end is an orbit that is known to the accuracy.
-        let least = accuracy * middle.abs();
+        // Each end is an orbit that is known to the accuracy, and so are its events.
+        let least = accuracy * (middle.abs() + self.drift([low, high]));
         let sides = [&self.before, &self.after];
         let zeros = sides.map(|side| margin::vanishes(side, [low, high]));
         let bracket = (middle, 0.5 * (high - low).abs());
         let zeros = zeros.into_iter().flatten();
         let (r, error) = zeros.fold(bracket, |a, b| if b.1 < a.1 { b } else { a });
         (r, error + least)
+    }
+
+    /// How far r moves over as much as the whole of what is followed lasts, if with it the stretch changes that vanishes within
+    /// the bracket: by the nearest point that is far from it beside its width.
+    fn drift(&self, [low, high]: [f64; 2]) -> f64 {
+        let [before, after] = self.nearest().map(|spot| &spot.point);
+        let middle = f64::midpoint(low, high);
+        let away = |point: &P| (point.r() - middle).abs();
+        let of = |(side, other): (&[Spot<P>], &P)| {
+            let mut points = side.iter().rev().map(|spot| &spot.point);
+            let point = points.find(|point| away(point) > margin::FAR * (high - low).abs())?;
+            let lasts = point.besides(other).filter(|lasts| *lasts > 0.0)?;
+            Some(point.lasts() * away(point) / lasts)
+        };
+        let sides = [(&self.before[..], after), (&self.after[..], before)];
+        sides.into_iter().filter_map(of).fold(0.0, f64::max)
     }
 
     /// Points of the path so near to the border, on both sides of it, that nothing `passes` between them and it: where it lies

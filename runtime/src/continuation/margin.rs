@@ -5,7 +5,7 @@ use super::path::{Spot, Watched};
 use crate::math::at_zero;
 
 /// Distance of points from a bracket, in its widths, below which their margins tell no slope.
-const FAR: f64 = 100.0;
+pub(super) const FAR: f64 = 100.0;
 
 /// r where a margin vanishes within a bracket, and its error, by points on one side of it, each nearer to it than the one
 /// before; `None` if none does.

@@ -59,6 +59,11 @@ pub trait Watched: Clone {
         None
     }
 
+    /// How long the stretch lasts that is all by which it differs from the regime of `other`, which is without it.
+    fn besides(&self, _other: &Self) -> Option<f64> {
+        None
+    }
+
     /// By how much it is not in another regime: numbers that are positive, and fall to zero where one of these happens or
     /// ceases to; counted as in another point of its regime, none beside one of another.
     fn margins(&self, _as_in: &Self) -> Vec<(Chance, f64)> {

@@ -53,7 +53,7 @@ impl Watched for Orbit {
     fn exchanged(&self, other: &Self) -> Option<f64> {
         let (a, b) = (stretches(self), stretches(other));
         if a.len() + 1 == b.len() {
-            return at_once(&a, &b).then_some(0.0);
+            return gap(&a, &b).map(|_| 0.0);
         }
         let alone = |by: usize| {
             let mut unlike = (0..a.len()).filter(|i| !a[*i].is_like(&b[(i + by) % b.len()]));
@@ -62,6 +62,12 @@ impl Watched for Orbit {
         };
         let same = a.len() == b.len();
         same.then(|| (0..b.len()).find_map(alone)).flatten()
+    }
+
+    fn besides(&self, other: &Self) -> Option<f64> {
+        let (a, b) = (stretches(other), stretches(self));
+        let one = a.len() + 1 == b.len();
+        one.then(|| gap(&a, &b).map(|i| b[i].duration)).flatten()
     }
 
     fn margins(&self, as_in: &Self) -> Vec<(Chance, f64)> {
@@ -208,12 +214,12 @@ impl Stretch<'_> {
     }
 }
 
-/// Whether the events of `a` are those of `b`, but for one stretch between two of them.
-fn at_once(a: &[Stretch<'_>], b: &[Stretch<'_>]) -> bool {
+/// The stretch of `b` between two events but for which those of `a` are those of `b`.
+fn gap(a: &[Stretch<'_>], b: &[Stretch<'_>]) -> Option<usize> {
     let without = |gap: usize, by: usize| {
         (1..b.len()).all(|i| b[(gap + i) % b.len()].is_like(&a[(by + i) % a.len()]))
     };
-    (0..b.len()).any(|gap| (0..a.len()).any(|by| without(gap, by)))
+    (0..b.len()).find(|gap| (0..a.len()).any(|by| without(*gap, by)))
 }
 
 /// The stretches once around; what the start divides is one.
