@@ -47,6 +47,8 @@ pub struct ExactField<'s, M: Model<N>, const N: usize> {
     sticking: usize,
     /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
     levers: Option<M::PerContact<Strip<N>>>,
+    /// What holds in their places where contacts hold all states that they read: one each.
+    braces: Option<[M::PerContact<Strip<N>>; 2]>,
     /// Speeds within which sliding forces change, if any is so small that errors must be judged by it.
     layers: Option<M::PerContact<f64>>,
 }
@@ -70,6 +72,8 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             Some(constants) => Some(constants.levers(&modes).ok_or_else(|| singular(&modes))?),
             None => None,
         };
+        let constants = system.constants_in(&modes).zip(levers.as_ref());
+        let braces = constants.and_then(|(constants, levers)| constants.braces(&modes, levers));
         let layers = system.layers(state);
         let usual = |i: usize| system.usual_speed(i);
         let thin = (layers.as_ref().iter().enumerate()).any(|(i, layer)| *layer < THIN * usual(i));
@@ -80,6 +84,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             modes,
             stuck,
             levers,
+            braces,
         })
     }
 
@@ -221,7 +226,10 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
 
     /// w_y and lever of every contact that sticks, if they are constant.
     fn holds(&self) -> Option<impl Iterator<Item = (&Strip<N>, &Strip<N>)>> {
-        let (levers, gradients) = (self.levers.as_ref()?.as_ref(), self.system.gradients()?);
+        let [gradients, levers] = match &self.braces {
+            Some(braces) => braces.each_ref().map(|strips| strips.as_ref()),
+            None => [self.system.gradients()?, self.levers.as_ref()?.as_ref()],
+        };
         Some(self.stuck().map(move |i| (&gradients[i], &levers[i])))
     }
 }
