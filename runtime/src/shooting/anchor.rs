@@ -7,10 +7,11 @@ use super::guess::Guess;
 use super::phase::Phase;
 use super::pin::through;
 use super::problem::OrbitProblem;
+use super::shift::changes_nothing;
 use super::shot::Shot;
 use crate::continuation::Corrected;
 use crate::flow::FlowError;
-use crate::motion::{Family, Place, Velocity, apart};
+use crate::motion::{Family, Flow, Place, Velocity, apart};
 
 type Found = Corrected<Shot>;
 
@@ -83,7 +84,7 @@ pub fn anchored(family: &Family, r: f64, found: &Found, usual: &[f64]) -> Result
         }
         _ => shot.start.clone(),
     };
-    let (period, magnitude) = once_around(shot, usual);
+    let (period, magnitude) = once_around(family.at(r)?.as_ref(), shot, usual);
     Ok(Guess {
         pins: through(&shot.pins, &place.state),
         shift: shot.gain(period),
@@ -96,17 +97,24 @@ pub fn anchored(family: &Family, r: f64, found: &Found, usual: &[f64]) -> Result
 
 /// The minimal period of a converged shot, and half the extent of each state, or what is usual for one that rests.
 ///
-/// The motion may have gone around several times: the first return that repeats throughout closes it.
-pub(super) fn once_around(shot: &Shot, usual: &[f64]) -> (f64, Vec<f64>) {
+/// The motion may have gone around several times: the first return that repeats throughout closes it, if what has been gained
+/// until then changes nothing.
+pub(super) fn once_around(flow: &dyn Flow, shot: &Shot, usual: &[f64]) -> (f64, Vec<f64>) {
     let magnitude = shot.magnitude(usual);
     let minima = shot.points();
     let count = minima.len().max(1);
-    let once = (1..count).filter(|k| count.is_multiple_of(*k)).find(|&k| {
+    let part = |k: usize| shot.period * k as f64 / count as f64;
+    let repeats = |k: usize| {
         let same = |i: usize| apart(&minima[i], &minima[(i + k) % count], &magnitude);
         (0..count).all(|i| same(i) < SAME_POINT)
-    });
-    let period = shot.period * once.unwrap_or(count) as f64 / count as f64;
-    (period, magnitude)
+    };
+    let whole = |k: usize| {
+        let gain = shot.gain(part(k));
+        gain.is_none_or(|gain| changes_nothing(flow, &gain, &magnitude))
+    };
+    let parts = (1..count).filter(|k| count.is_multiple_of(*k));
+    let once = parts.filter(|&k| repeats(k)).find(|&k| whole(k));
+    (part(once.unwrap_or(count)), magnitude)
 }
 
 impl Guess {

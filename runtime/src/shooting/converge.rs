@@ -63,8 +63,9 @@ pub(super) fn calmly(
     search: &Search,
 ) -> Option<Result<Orbit, OrbitError>> {
     let calm = calm(family, r, guess, search)?;
-    let found = from(family, r, &calm, search, |_, _, found, usual| {
-        let (period, magnitude) = once_around(&found.linearisation.extra, usual);
+    let found = from(family, r, &calm, search, |family, r, found, usual| {
+        let shot = &found.linearisation.extra;
+        let (period, magnitude) = once_around(family.at(r)?.as_ref(), shot, usual);
         Ok(Guess {
             period,
             magnitude,

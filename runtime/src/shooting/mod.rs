@@ -41,6 +41,7 @@ mod stray;
 mod swing;
 mod switch;
 mod symmetry;
+mod turning;
 mod vertical;
 mod watched;
 
@@ -68,3 +69,4 @@ pub use settle::{Settled, settle};
 pub(crate) use shift::{Shifts, changes_nothing, slid, slides, unshifted};
 pub use shot::Shot;
 pub use switch::SwitchError;
+pub(crate) use turning::turning;

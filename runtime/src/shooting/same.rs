@@ -48,12 +48,22 @@ impl Orbit {
     /// How much one of so many laps differs from the next; infinite if its points cannot be parted like that.
     fn laps(&self, times: usize) -> f64 {
         let count = self.section.len();
-        if count == 0 || !count.is_multiple_of(times) {
+        let parted = count > 0 && count.is_multiple_of(times);
+        if !parted || (self.shift.is_some() && !self.switches_alike(times)) {
             return f64::INFINITY;
         }
         let next = self.section.iter().cycle().skip(count / times);
         let pairs = self.section.iter().zip(next);
         pairs.map(|(p, q)| self.distance(p, q)).fold(0.0, f64::max)
+    }
+
+    /// Whether contacts switch alike in so many laps: where an angle has turned in part, a lap may be one in which they slide
+    /// the other way, and nothing else tells.
+    fn switches_alike(&self, times: usize) -> bool {
+        let switches = self.events.iter().filter(|event| event.switches());
+        let modes: Vec<_> = switches.map(|event| (event.contact, event.mode)).collect();
+        let next = modes.iter().cycle().skip(modes.len() / times);
+        modes.len().is_multiple_of(times) && modes.iter().zip(next).all(|(a, b)| a == b)
     }
 
     /// How far another orbit is, by its extents and its period, relative to themselves.

@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 use super::guess::Guess;
 use super::quiet::Quiet;
 use super::shift::Shifts;
+use super::turning::{half, turning};
 use crate::flow::{FlowError, Want};
-use crate::motion::{Extremum, Flow, Modes, Passage, Place, apart};
+use crate::motion::{Flow, Modes, Passage, Place, apart};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -14,11 +15,8 @@ const PATIENCE: usize = 3000;
 /// Most steps of the integrator that are spent on it, and most states that they advance: a step costs as its states do.
 const STEPS: u64 = 500_000;
 const ADVANCED: u64 = 4_000_000;
-/// Crossings in a chunk that suffice, and turns of another state after which it is the section's.
+/// Crossings in a chunk that suffice.
 const ENOUGH: usize = 2;
-const OFTEN: usize = 8;
-/// Share of a chunk within which two times are the same instant.
-const INSTANT: f64 = 1e-9;
 /// Chunks without a crossing after which the motion is no oscillation.
 const SILENCE: u32 = 60;
 /// An oscillation this small, relative to its first swing, has settled on an equilibrium.
@@ -151,11 +149,8 @@ impl Watch {
             if let Some(phase) = flow.phase() {
                 (low[phase], high[phase]) = (0.0, TAU);
             }
-            self.extent = high
-                .iter()
-                .zip(&low)
-                .map(|(high, low)| high - low)
-                .collect();
+            let bounds = high.iter().zip(&low);
+            self.extent = bounds.map(|(high, low)| high - low).collect();
             self.swings.push(self.extent[0].max(run[0].abs()));
         }
         self.place = passage.end;
@@ -246,22 +241,9 @@ impl Watch {
 
     /// Where the first state only runs on, another one that turns often is the section's from now on.
     fn turned_away(&mut self, flow: &dyn Flow, passage: &Passage, chunk: f64) -> bool {
-        // Where contacts switch, a motion that begins there may be in another mode.
-        let switches = |one: &Extremum| {
-            let mut events = passage.events.iter();
-            events.any(|event| event.switches() && (event.time - one.time).abs() <= INSTANT * chunk)
-        };
-        let often = |j: &usize| {
-            let minima = passage.extrema.iter();
-            let minima = minima.filter(|one| one.index == *j && !one.maximum);
-            minima.filter(|one| !switches(one)).count() >= OFTEN
-        };
-        let Some(other) = (0..self.extent.len()).find(often) else {
+        let Some((other, shifts)) = turning(flow, passage, chunk) else {
             return false;
         };
-        let extents = passage.calm.high.iter().zip(&passage.calm.low);
-        let usual = halves(extents.map(|(high, low)| high - low));
-        let shifts = Shifts::of(flow, &usual);
         let runs = shifts.may_run(self.section);
         if runs {
             self.section = other;
@@ -271,18 +253,12 @@ impl Watch {
     }
 
     fn magnitude(&self) -> Vec<f64> {
-        halves(self.extent.iter().copied())
+        self.extent.iter().copied().map(half).collect()
     }
 
     fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
         apart(a, b, &self.magnitude())
     }
-}
-
-/// Half of each extent; 1 where there is none.
-fn halves(extents: impl Iterator<Item = f64>) -> Vec<f64> {
-    let half = |extent: f64| if extent > 0.0 { 0.5 * extent } else { 1.0 };
-    extents.map(half).collect()
 }
 
 /// Smallest and largest values of what does not run on in a chunk.

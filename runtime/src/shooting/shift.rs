@@ -23,6 +23,8 @@ const SMALL: f64 = 1e-6;
 const FREE: f64 = 1e-9;
 /// Most parts of a turn that may change nothing: steps of a motor, blades, teeth.
 const PARTS: u32 = 400;
+/// How far from half a turn it is that is rounded up: what turns by simple parts is not to hang on rounding errors.
+const ASIDE: f64 = 0.118_034;
 /// Shares of a shift that are tried: no two are parts of each other.
 const SHARES: [f64; 2] = [1.0, 0.618_034];
 
@@ -86,7 +88,7 @@ impl Shifts {
             }
         }
         for &(j, turn) in &self.angles {
-            shift[j] += turn * (rest[j] / turn).round();
+            shift[j] += turn * (rest[j] / turn + ASIDE).round();
         }
         shift
     }

@@ -36,6 +36,9 @@ pub struct Shot {
     pub shift: Option<Vec<f64>>,
 }
 
+/// A swing below this share of a state is measured as if it were that: what a small part of it may be off by is rounding.
+const SWING: f64 = 1e-5;
+
 /// Half the extent of each state; `fallback` where it has none. Where states gain a shift once around, they swing about what
 /// they gain, and others about what makes them gain it: their largest magnitudes count then, and radians of the shift.
 pub(super) fn usual(
@@ -45,7 +48,9 @@ pub(super) fn usual(
     fallback: &[f64],
 ) -> Vec<f64> {
     let Some(shift) = shift else {
-        return half_extents(low, high, fallback);
+        let floor = |j: usize| SWING * low[j].abs().max(high[j].abs());
+        let halves = half_extents(low, high, fallback).into_iter().enumerate();
+        return halves.map(|(j, half)| half.max(floor(j))).collect();
     };
     let widest = |j: usize| match shift[j] {
         0.0 => low[j].abs().max(high[j].abs()),

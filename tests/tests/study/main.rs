@@ -1,5 +1,6 @@
 //! What a user is told: estimates, errors of smoothing, laws, and refusals.
 
+mod braced;
 mod certificates;
 mod coverage;
 mod hostile;
@@ -11,3 +12,4 @@ mod proofs;
 mod running;
 mod sizes;
 mod trade;
+mod turning;

@@ -1,8 +1,9 @@
 //! Motions whose states are small: errors are measured against how large they are, whatever their units.
 
+use stickslip::field::Design;
 use stickslip::model;
 use stickslip::poincare::{Direction, Section, Surface};
-use stickslip::study::{Case, Dynamics, Span, System};
+use stickslip::study::{Along, Case, Dynamics, Span, System};
 
 model! {
     /// A beam of nanometres that swings a hundred and sixty times a second.
@@ -87,4 +88,33 @@ fn what_swings_is_too() {
         let end = motion.states.last().unwrap();
         assert!((end[0] - right).abs() < 1e-6 * size, "{end:?} for {right}");
     }
+}
+
+model! {
+    /// A hung mass that is shaken ever less: swings far smaller than where it hangs.
+    pub struct Hung {
+        state x: m = 1.0;
+        state v: m/s = 0.0;
+        param k: 1/s^2 = 9.81;
+        param c: 1/s = 0.5;
+        param load: m/s^2 = 1.0;
+        param omega: rad/s = 2.0 where omega > 0.0;
+        drive phi at omega;
+        der(x) = v;
+        der(v) = 9.81 - k * x - c * v + load * cos(phi);
+    }
+}
+
+/// Its response is linear: nothing happens where the load changes its sign.
+#[test]
+fn a_branch_passes_through_where_nothing_swings() {
+    let system = System::of::<Hung, _>();
+    let mut case = case(&system);
+    let (design, from, to) = (Design::Parameter(Hung::load.index), 1.0, -0.5);
+    case.along = Some(Along { design, from, to });
+    let branch = system.branch(&case.at(from)).unwrap();
+    assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+    let last = branch.points.last().unwrap();
+    let swing = 0.5 / (9.81_f64 - 4.0).hypot(1.0);
+    assert!((last.max[0] - 1.0 - swing).abs() < 1e-8, "{last:?}");
 }

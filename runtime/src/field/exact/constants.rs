@@ -24,6 +24,8 @@ pub(crate) struct Constants<M: Model<N>, const N: usize> {
     coupled: M::PerContact<bool>,
     /// Which speeds and gaps are affine: all speeds are.
     straight: M::PerContact<bool>,
+    /// Whether a contact reads several states, which others may hold with it.
+    braced: bool,
 }
 
 impl<M: Model<N>, const N: usize> Constants<M, N> {
@@ -70,11 +72,13 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         });
         let acts = |i: usize, j: usize| compliance.as_ref()[i].as_ref()[j] != 0.0;
         let others = |i: usize| (0..M::INFO.contacts.len()).filter(move |&j| j != i);
+        let braced = (0..M::INFO.contacts.len()).any(|i| gradient.as_ref()[i].only().is_none());
         Some(Self {
             gradient,
             input: forces,
             coupled: Inline::from_fn(|i| others(i).any(|j| acts(i, j) || acts(j, i))),
             compliance,
+            braced,
             straight: Inline::from_fn(|i| flat(&bend.as_ref()[i]).is_some()),
         })
     }
@@ -99,6 +103,9 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         for contact in modes.sticking() {
             self.gradient.as_ref()[contact].clear_only(&mut field);
         }
+        if self.braced {
+            self.brace(modes, &mut field);
+        }
         Some(Snapshot {
             field,
             speed: rule.speed,
@@ -113,6 +120,27 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         modes
             .sticking()
             .filter_map(|contact| gradients[contact].only())
+    }
+
+    /// The same of all states that sticking contacts read, where those are as many: together they leave none of them any way.
+    #[inline(never)]
+    fn brace<D: Scalar>(&self, modes: &Modes<M, N>, field: &mut [D; N]) {
+        if self.holds_all(modes) {
+            for state in self.read(modes) {
+                field[state] = D::from(0.0);
+            }
+        }
+    }
+
+    /// The states that sticking contacts read.
+    fn read(&self, modes: &Modes<M, N>) -> impl Iterator<Item = usize> {
+        let reads =
+            |contact: usize, state: usize| self.gradient.as_ref()[contact].entries()[state] != 0.0;
+        (0..N).filter(move |state| modes.sticking().any(|contact| reads(contact, *state)))
+    }
+
+    fn holds_all(&self, modes: &Modes<M, N>) -> bool {
+        self.braced && self.read(modes).count() == modes.sticking().count()
     }
 
     /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S; elsewhere as given.
@@ -159,6 +187,37 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
             levers.as_mut()[column] = lever.into();
         }
         Some(levers)
+    }
+}
+
+impl<M: Model<N>, const N: usize> Constants<M, N> {
+    /// The same gradients and levers for one state each, in the places of the sticking contacts, where these hold all states
+    /// that they read: L G of their levers and gradients, of which nothing is left of those states but themselves.
+    pub(super) fn braces(
+        &self,
+        modes: &Modes<M, N>,
+        levers: &M::PerContact<Strip<N>>,
+    ) -> Option<[M::PerContact<Strip<N>>; 2]> {
+        if !self.holds_all(modes) {
+            return None;
+        }
+        let mut braces = [(); 2].map(|()| Inline::from_fn(|_| Strip::ZERO));
+        for (place, held) in modes.sticking().zip(self.read(modes)) {
+            let mut unit = [0.0; N];
+            unit[held] = 1.0;
+            let mut lever = [0.0; N];
+            for contact in modes.sticking() {
+                let share = self.gradient.as_ref()[contact].entries()[held];
+                levers.as_ref()[contact].add_to(&mut lever, share);
+            }
+            for state in self.read(modes) {
+                lever[state] = unit[state];
+            }
+            let [gradient, levers]: &mut [M::PerContact<Strip<N>>; 2] = &mut braces;
+            gradient.as_mut()[place] = unit.into();
+            levers.as_mut()[place] = lever.into();
+        }
+        Some(braces)
     }
 }
 

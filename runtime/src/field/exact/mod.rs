@@ -47,6 +47,8 @@ pub struct ExactField<'s, M: Model<N>, const N: usize> {
     sticking: usize,
     /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
     levers: Option<M::PerContact<Strip<N>>>,
+    /// What holds in their places where contacts hold all states that they read: one each.
+    braces: Option<[M::PerContact<Strip<N>>; 2]>,
     /// Speeds within which sliding forces change, if any is so small that errors must be judged by it.
     layers: Option<M::PerContact<f64>>,
 }
@@ -75,6 +77,8 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
                 None
             }
         };
+        let constants = system.constants_in(&modes).zip(levers.as_ref());
+        let braces = constants.and_then(|(constants, levers)| constants.braces(&modes, levers));
         let layers = system.layers(state);
         let usual = |i: usize| system.usual_speed(i);
         let thin = (layers.as_ref().iter().enumerate()).any(|(i, layer)| *layer < THIN * usual(i));
@@ -85,6 +89,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             modes,
             stuck,
             levers,
+            braces,
         })
     }
 

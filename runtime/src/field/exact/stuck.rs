@@ -52,7 +52,10 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
 
     /// w_y and lever of every contact that sticks, if they are constant.
     fn holds(&self) -> Option<impl Iterator<Item = (&Strip<N>, &Strip<N>)>> {
-        let (levers, gradients) = (self.levers.as_ref()?.as_ref(), self.system.gradients()?);
+        let [gradients, levers] = match &self.braces {
+            Some(braces) => braces.each_ref().map(|strips| strips.as_ref()),
+            None => [self.system.gradients()?, self.levers.as_ref()?.as_ref()],
+        };
         Some(self.stuck().map(move |i| (&gradients[i], &levers[i])))
     }
 

@@ -1,9 +1,11 @@
 //! Events that follow each other ever faster: how they come to their end, and when an exact motion is given up.
 
+use num_dual::Dual64;
+
 use super::bounce::Rebound;
 use super::press::Vanishing;
 use super::run::{NO_TIME, Run};
-use crate::field::exact::{Mode, Modes};
+use crate::field::exact::{Mode, Modes, Snapshot};
 use crate::flow::FlowError;
 use crate::flow::saltation::{Tracked, product};
 use crate::integrate::IntegrationError;
@@ -13,6 +15,8 @@ use crate::model::Model;
 const CHATTER: u64 = 100;
 /// Height of a bounce, in units of the terms of its gap, from which on a chatter is taken to its end at once.
 const LOW: f64 = 1e-10;
+/// The same where friction under it may turn meanwhile: little above what rounding leaves of a gap.
+const LOWEST: f64 = 1e-14;
 
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Counts events that follow each other in no time.
@@ -33,7 +37,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     }
 
     /// The end of a chatter, where an impact is so slow that all that follow are as good as one that leaves the gap closed:
-    /// they take the motion elsewhere by the third power of its speed only.
+    /// they take the motion elsewhere by the third power of its speed only. Where friction under it may turn or stick between
+    /// them, by its speed itself: then they are followed for longer.
     ///
     /// Departures fall by the same ratio each time, so that flights of the duration 2v/a add up to 2v/(a (1 − ratio)); the
     /// reaction must not end before. Until then the motion is that of the closed gap, to which each bounce comes back.
@@ -56,8 +61,9 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let ratio = kept * departure / approach;
         let falls = approach <= 0.0 || (ratio > 0.0 && ratio < 1.0);
         let scale = flow.speed_scales(state).as_ref()[press].max(flow.system.usual_speed(press));
-        let slow = |pull: f64| pull > 0.0 && departure * departure <= 2.0 * LOW * scale * pull;
-        if !falls || !slow(back) {
+        let slow =
+            |pull: f64, low: f64| pull > 0.0 && departure * departure <= 2.0 * low * scale * pull;
+        if !falls || !slow(back, LOW) {
             return Ok(None);
         }
         let collision = flow.collide(state, press, true, self.time)?;
@@ -68,7 +74,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         } else {
             0.0
         };
-        if !slow(pull) {
+        if !slow(pull, LOW) {
             return Ok(None);
         }
         let verdict = self.rebounding(&collision, Vanishing::Both)?;
@@ -77,6 +83,10 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         }
         let moving = flow.system.moving(&collision.1.state, &verdict.modes)?;
         let reaction = moving.stick.as_ref()[press];
+        let turns = || self.may_turn(press, state, (&moving, &verdict.modes), (ratio, lasts));
+        if approach > 0.0 && !slow(pull, LOWEST) && turns() {
+            return Ok(None);
+        }
         Ok(
             (reaction.re + lasts * reaction.eps > 0.0).then_some(Rebound {
                 collision,
@@ -84,6 +94,28 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
                 settles: Some(lasts),
             }),
         )
+    }
+
+    /// Whether friction under a press turns or sticks in what is left of a chatter, as far as an impact from a state and the
+    /// motion after it tell: impulses to come take so many times as much from its speed.
+    fn may_turn(
+        &self,
+        press: usize,
+        state: &[f64; N],
+        (after, modes): (&Snapshot<M, Dual64, N>, &Modes<M, N>),
+        (ratio, lasts): (f64, f64),
+    ) -> bool {
+        let before = self.flow.system.speeds(state);
+        let more = (1.0 + ratio) / (1.0 - ratio);
+        let turns = |i: usize| {
+            let speed = after.speed.as_ref()[i];
+            let taken = more * (speed.re - before.as_ref()[i]).abs();
+            let sticks = modes.as_slice()[i] == Mode::Stick;
+            sticks || speed.re.abs() <= taken + (lasts * speed.eps).abs()
+        };
+        let rubbing = M::INFO.contacts.iter().enumerate();
+        let mut under = rubbing.filter(|(_, contact)| contact.presses.contains(&press));
+        under.any(|(i, _)| turns(i))
     }
 
     /// g̈ in flight.

@@ -77,19 +77,8 @@ impl<'a> Around<'a> {
         };
         let contact = event.contact;
         let drops = flow.loosening(&event.state, contact) > FLAT;
-        let mut border = Border {
-            contact,
-            condition,
-            drops,
-            happens: event.kind.is_switch(),
-            state: event.state.clone(),
-            modes: [before.clone(), after.clone()],
-            held: [0.0; 2],
-            calm: 0.0,
-            away: f64::INFINITY,
-            brief: Vec::new(),
-            mirror: None,
-        };
+        let mut border = Border::new(event, condition, [before, after].map(Clone::clone));
+        border.drops = drops;
         let Some(rate) = self.approach(flow, &mut border, event)? else {
             return Ok(None);
         };
@@ -181,7 +170,8 @@ impl<'a> Around<'a> {
             return Some(Change::at_once([before, after], Vec::new()));
         }
         if matches!(event.kind, EventKind::Impact { .. }) {
-            return self.restored(index, before);
+            let turns = Change::turning([&before, &after], index);
+            return turns.or_else(|| self.restored(index, before));
         }
         let own = before.get(event.contact);
         if drops {

@@ -3,7 +3,7 @@
 use super::mirror::Mirror;
 use crate::bifurcation::Kind;
 use crate::field::exact::Mode;
-use crate::motion::{Modes, Place};
+use crate::motion::{Event, Modes, Place};
 use crate::shooting::Orbit;
 
 /// A stretch of this share of the period is none.
@@ -45,12 +45,35 @@ pub struct Border {
 }
 
 impl Border {
+    /// One at an event, between these modes, of which nothing else is known yet.
+    pub(super) fn new(event: &Event, condition: Condition, modes: [Modes; 2]) -> Self {
+        Self {
+            contact: event.contact,
+            condition,
+            drops: false,
+            happens: event.kind.is_switch(),
+            state: event.state.clone(),
+            modes,
+            held: [0.0; 2],
+            calm: 0.0,
+            away: f64::INFINITY,
+            brief: Vec::new(),
+            mirror: None,
+        }
+    }
+
     /// Whether a sliding contact comes to rest for a moment there.
     #[must_use]
     pub fn is_graze(&self) -> bool {
         self.condition == Condition::Touch
             && self.before() != Mode::Stick
             && !self.before().is_of_press()
+    }
+
+    /// Whether contacts turn with what is grazed: then friction jumps there, hit or not.
+    pub(super) fn turns(&self) -> bool {
+        let [before, after] = &self.modes;
+        self.condition == Condition::Touch && self.before().is_of_press() && before != after
     }
 
     /// Whether a stretch is short beside it on the orbit from which this was read.

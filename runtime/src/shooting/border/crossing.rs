@@ -8,7 +8,7 @@ use super::hit::Met;
 use super::located::{Edge, edge};
 use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{
-    Beyond, Border, Branch, Crossing, Failure, Located, Started, ZeroProblem, changes,
+    Beyond, Branch, Crossing, Failure, Located, Started, ZeroProblem, changes,
 };
 use crate::field::Work;
 use crate::flow::{EventKind, FlowError, Want};
@@ -30,9 +30,9 @@ const DEPTHS: [f64; 5] = [1.0, 3.0, 10.0, 0.3, 30.0];
 const FAR: f64 = 5.0;
 const COMES: f64 = 2.0;
 /// Errors in r of orbits that have come to a border, over their accuracy.
-const NOISE: f64 = 100.0;
+pub(super) const NOISE: f64 = 100.0;
 /// Change of the extents and of the period up to which a border is met, however r turns before it.
-const CLOSE: f64 = 1e-3;
+pub(super) const CLOSE: f64 = 1e-3;
 /// Change of the extents and of the period, relative to themselves, over which a border is one that a branch comes to.
 const REACH: f64 = 0.2;
 
@@ -101,7 +101,7 @@ fn towards(
 }
 
 /// The direction along which the start of shooting is fixed, as its phase condition has it.
-fn phase(problem: &OrbitProblem, found: &Edge) -> DVector<f64> {
+pub(super) fn phase(problem: &OrbitProblem, found: &Edge) -> DVector<f64> {
     let velocity = &found.sides.velocity;
     match problem.family.phase() {
         Some(drive) => DVector::from_fn(velocity.len(), |j, _| f64::from(j == drive)),
@@ -262,45 +262,4 @@ fn set_out(
     let moved = &z + offset.rows(0, n).component_mul(&scale);
     let r = orbit.r + offset[n] * r_scale;
     Branch::set_out(problem, (moved, r), (direction, r_scale), branch.settings())
-}
-
-/// Whether r passes this value from one orbit to the other one, as far as r tells: where it turns between them, it does not.
-fn ahead([from, to]: [&Orbit; 2], r: f64, accuracy: f64) -> bool {
-    let errors = NOISE * accuracy * r.abs();
-    let (low, high) = (from.r.min(to.r), from.r.max(to.r));
-    from.heading.slope * to.heading.slope <= 0.0 || (r >= low - errors && r <= high + errors)
-}
-
-/// The border between two neighbouring orbits of different words.
-pub(in crate::shooting) fn between(
-    problem: &mut OrbitProblem,
-    ends: [&Orbit; 2],
-    r_scale: f64,
-    accuracy: f64,
-) -> Option<Border<Orbit>> {
-    // Ends that are one but for their errors, which grow along the orbit, need not lie on both sides of it.
-    let grown = ends.map(|end| end.floquet.growth()).into_iter();
-    let errors = (accuracy * grown.fold(NOISE, f64::max)).min(CLOSE);
-    let inside =
-        |found: &Edge| found.orbit.is_between(ends, errors) && ahead(ends, found.orbit.r, accuracy);
-    let (family, scale) = (problem.family.clone(), problem.scale());
-    let found = [0, 1].into_iter().find_map(|i| {
-        let [near, other] = [ends[i], ends[1 - i]];
-        let parts = |border: &Candidate| border.parts(near, other);
-        edge(&family, near, accuracy, &mut problem.work, (parts, inside))
-    })?;
-    let phase = phase(problem, &found);
-    let side = |end: &Orbit, way: f64| {
-        let happens = end.has_word_of(&found.orbit, 1) == found.border.happens;
-        let direction = found.sides.direction(happens, &phase, &scale, r_scale)?;
-        Some(found.seen_from(end, happens, way * direction[direction.len() - 1]))
-    };
-    let [a, b] = ends.map(|end| found.orbit.away(end));
-    Some(Border {
-        kind: found.kind,
-        points: [side(ends[0], -1.0)?, side(ends[1], 1.0)?],
-        share: a / (a + b),
-        error: found.error,
-        last: found.ends(),
-    })
 }

@@ -5,6 +5,7 @@
 
 mod around;
 mod arrival;
+mod between;
 mod candidate;
 mod change;
 mod crossing;
@@ -13,7 +14,6 @@ mod hit;
 mod image;
 mod located;
 mod mirror;
-mod name;
 mod once;
 mod problem;
 mod runs;
@@ -21,9 +21,9 @@ mod sheet;
 mod sides;
 
 pub use around::borders;
+pub(super) use between::{between, name};
 pub use candidate::{Border, Condition};
-pub(super) use crossing::{between, cross};
+pub(super) use crossing::cross;
 pub(crate) use doubling::doubles;
-pub(super) use name::name;
 pub use problem::{BorderProblem, BorderShot};
 pub use sheet::Sheet;

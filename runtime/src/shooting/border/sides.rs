@@ -233,8 +233,20 @@ impl Passing<'_> {
                 let push = held - before;
                 Ok(along(&self.guard, &nothing, &-&push, &push))
             }
+            Condition::Touch if self.border.turns() => {
+                let (before, jump) = self.turn()?;
+                Ok(along(&self.limit, &nothing, &jump, &before))
+            }
             Condition::Touch => Ok(nothing),
         }
+    }
+
+    /// The field in which the motion comes, and by what it jumps where contacts turn.
+    fn turn(&self) -> Result<(DVector<f64>, DVector<f64>), FlowError> {
+        let before = self.flow.velocity(&self.border.coming(self.state))?.f;
+        let after = self.flow.velocity(&self.border.going(self.state))?.f;
+        let jump = after - &before;
+        Ok((before, jump))
     }
 
     /// What a unit speed of approach adds to the state at the border, and how fast the rate of the gap grows there.
@@ -257,7 +269,12 @@ impl Passing<'_> {
             Ok(touch.map_or(f64::NAN, |[_, rate]| rate))
         };
         let bend = (rate(&later)? - rate(&coming)?) / step;
-        Ok((bend > 0.0).then(|| (DVector::from_vec(kick), bend)))
+        let mut kick = DVector::from_vec(kick);
+        if border.turns() {
+            // What is hit turns earlier, by v/g̈.
+            kick += self.turn()?.1 / bend;
+        }
+        Ok((bend > 0.0).then_some((kick, bend)))
     }
 
     /// The field in which the motion comes, and the one with the contact held.

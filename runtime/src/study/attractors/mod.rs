@@ -7,6 +7,7 @@
 //! remains is looked at closely, too. So each start depends on the question alone, and on no other start beyond those first
 //! ones.
 
+mod alike;
 mod areas;
 mod basin;
 mod closely;

@@ -30,19 +30,16 @@ pub(super) fn running(
     section: usize,
     crossings: &[Crossing],
 ) -> Result<Option<Attractor>, FlowError> {
-    let settled = |k: usize| Some((k, advance(ground, (k, SETTLED), crossings)?));
-    let Some((count, shift)) = (1..=LONGEST).find_map(settled) else {
+    let returned = |k: usize, closeness: f64| {
+        let shift = advance(ground, (k, closeness), crossings)?;
+        changes_nothing(ground.flow.as_ref(), &shift, &ground.usual).then_some((k, shift))
+    };
+    let Some((count, shift)) = (1..=LONGEST).find_map(|k| returned(k, SETTLED)) else {
         return Ok(None);
     };
     // What settles to and fro comes back after two turns before it does after one.
-    let parts = (1..count).filter(|k| count.is_multiple_of(*k));
-    if parts
-        .map(|k| advance(ground, (k, NEAR), crossings))
-        .any(|part| part.is_some())
-    {
-        return Ok(None);
-    }
-    if !changes_nothing(ground.flow.as_ref(), &shift, &ground.usual) {
+    let mut parts = (1..count).filter(|k| count.is_multiple_of(*k));
+    if parts.any(|k| returned(k, NEAR).is_some()) {
         return Ok(None);
     }
     let last = &crossings[crossings.len() - count - 1..];

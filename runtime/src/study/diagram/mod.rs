@@ -11,6 +11,7 @@ mod record;
 mod setting;
 mod slice;
 mod sweep;
+mod usual;
 mod watched;
 
 pub use kind::Motion;

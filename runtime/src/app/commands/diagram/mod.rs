@@ -12,7 +12,7 @@ use crate::app::journal::Journal;
 use crate::app::ledger::{Ledger, Sharing};
 use crate::app::offer::App;
 use crate::app::question::Question;
-use crate::app::request::request;
+use crate::app::request::{Request, request};
 use crate::app::section::Cut;
 use crate::app::show::Show;
 use crate::app::text::number;
@@ -27,7 +27,8 @@ use crate::study::{Along, Case, Diagram, DiagramRecord, Item, Motion, Slice, Swe
     after_help = "A sweep begins each value where the one before ended, and so stays with its attractor; `--sweep fresh` \
                   begins each at the start. Nothing depends on threads or shares: of sweeps, each is one share of the work \
                   at most, of fresh starts each value. A model with a drive is looked at once in each turn of it, \
-                  unless `--section` says otherwise; its period-n counts turns of the drive"
+                  unless `--section` says otherwise; its period-n counts turns of the drive. Where the first state only runs on, \
+                  as the angle of a shaft, the section is made by the first that turns"
 )]
 pub(in crate::app) struct Arguments {
     #[command(flatten)]
@@ -68,12 +69,13 @@ fn sweep(option: &str, word: &str) -> Result<Sweep, Failure> {
 
 impl Arguments {
     /// What is to be drawn.
-    fn diagram(&self, info: &ModelInfo) -> Result<Diagram, Failure> {
+    fn diagram(&self, asked: &Request<'_>) -> Result<Diagram, Failure> {
+        let section = match self.cut.of(asked.info)? {
+            Some(section) => section,
+            None => asked.got(asked.entry.section(&asked.case))?,
+        };
         Ok(Diagram {
-            section: self
-                .cut
-                .of(info)?
-                .unwrap_or_else(|| Section::usual(info.drive)),
+            section,
             sweep: self.sweep,
             values: self.values,
             settle: self.settle,
@@ -82,10 +84,13 @@ impl Arguments {
         })
     }
 
-    /// The states that are drawn: those asked for, else the first that the section leaves free.
+    /// The states that are drawn: those asked for, else the one whose turns make the section, or the first that it leaves free.
     fn shown(&self, info: &ModelInfo, section: &Section) -> Result<Vec<usize>, Failure> {
-        let fixed = matches!(section.surface, Surface::Level { state: 0, .. });
-        let free = usize::from(fixed && info.states.len() > 1);
+        let free = match section.surface {
+            Surface::Level { state, .. } => usize::from(state == 0 && info.states.len() > 1),
+            Surface::Rate(_) if self.cut.of(info)?.is_some() => 0,
+            Surface::Rate(state) => state,
+        };
         Ok(self.show.states(info)?.unwrap_or_else(|| vec![free]))
     }
 }
@@ -98,7 +103,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     };
     let asked = request(app, &arguments.subject, Some(range), None)?;
     let (info, case, output) = (asked.info, &asked.case, &asked.output);
-    let diagram = arguments.diagram(info)?;
+    let diagram = arguments.diagram(&asked)?;
     let shown = arguments.shown(info, &diagram.section)?;
     let (along, rows) = (asked.along()?, diagram.rows());
     let question = question(app, info, case, &diagram);
