@@ -159,11 +159,6 @@ impl Growths {
         ends.iter().all(|all| all.side(k) != 0.0 && first(all))
     }
 
-    /// Whether there are two directions that could meet: what dies away at once meets none.
-    pub(crate) fn may_pair(&self) -> bool {
-        self.iter().filter(|one| one.rate.is_finite()).count() > 1
-    }
-
     /// Whether direction k turns at an end of a step.
     pub(crate) fn may_turn(ends: [&Self; 2], k: usize) -> bool {
         ends.iter()

@@ -46,13 +46,9 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
     named
 }
 
-/// Where multiplier k, one of a pair, passes through the unit circle; of one without another there is nothing to look for.
+/// Where multiplier k, one of a pair, passes through the unit circle.
 fn torus<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
-    let rate = move |p: &P| match growths(p).may_pair() {
-        true => growths(p).crossing(k),
-        false => f64::NAN,
-    };
-    Monitor::new(Kind::Torus, rate)
+    Monitor::new(Kind::Torus, move |p: &P| growths(p).crossing(k))
         .only_if(move |ends| {
             let growths = ends.map(growths);
             let real = critical(ends) || changes(opened(ends[0]), opened(ends[1]));

@@ -163,8 +163,8 @@ impl<P: Watched> Findings<P> {
     pub(super) fn turns_unseen(&self, ends: [&P; 2]) -> bool {
         let [from, to] = ends.map(Watched::slope);
         let turns = from * to < 0.0 && from.abs().max(to.abs()) > SLOPE;
-        // Where two events change their order, r goes on as before.
-        let goes_on = |one: &Located<P>| one.kind == Kind::VanishingSegment && one.left.is_nan();
+        // Where events change and nothing says how r leaves that, it goes on as before.
+        let goes_on = |one: &Located<P>| one.abrupt && one.left.is_nan();
         turns && self.located.iter().all(goes_on) && ends[0].same_regime(ends[1])
     }
 }
