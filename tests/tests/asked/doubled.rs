@@ -6,7 +6,7 @@ use stickslip_tests::random::Random;
 use crate::question::Question;
 
 /// Random branches of which some have flips.
-const BRANCHES: u64 = 12;
+const BRANCHES: u64 = 40;
 /// Relative difference of two orbits that are one.
 const SAME: f64 = 1e-6;
 

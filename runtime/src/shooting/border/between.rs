@@ -62,18 +62,18 @@ pub(in crate::shooting) fn name(family: &Family, ends: [&Orbit; 2]) -> Option<Ki
         let flow = family.at(near.r).ok()?;
         let near_by = borders(flow.as_ref(), near).ok()?;
         let border = near_by.iter().find(|border| border.parts(near, other))?;
-        own(border, flow.as_ref()).ok()
+        own(border, flow.as_ref()).ok()?
     })
 }
 
-/// Its name at the orbit beside it.
-fn own(border: &Candidate, flow: &dyn Flow) -> Result<Kind, FlowError> {
+/// Its name at the orbit beside it; `None` if the force that could hold the contact has no way to its limit there.
+fn own(border: &Candidate, flow: &dyn Flow) -> Result<Option<Kind>, FlowError> {
     let rate = match border.condition {
-        Condition::Touch => 0.0,
+        Condition::Touch => Some(0.0),
         Condition::Edge => {
             let held = flow.touch(&border.stuck(&border.state), border.contact)?;
-            held.map_or(f64::NAN, |[_, rate]| rate)
+            held.map(|[_, rate]| rate)
         }
     };
-    Ok(border.kind(rate))
+    Ok(rate.map(|rate| border.kind(rate)))
 }
