@@ -1,7 +1,7 @@
 //! What an explicit step carries along: the state alone, or the state with its tangents.
 
 use super::Propagator;
-use super::control::combined_over;
+use super::control::{combined, ratio};
 use crate::field::{Field, Work};
 
 /// States from which on entries of a Jacobian are looked at before their row is multiplied: most are zero there, while
@@ -95,9 +95,8 @@ impl<const N: usize> Carried<N> for [f64; N] {
 fn lengths<const N: usize>(tangent: &[[f64; N]; N], sizes: &[f64; N]) -> [f64; N] {
     let mut lengths = [0.0; N];
     for (row, size) in tangent.iter().zip(sizes) {
-        let per_size = size.recip();
         for (length, entry) in lengths.iter_mut().zip(row) {
-            *length += (entry * per_size).powi(2);
+            *length += (entry / size).powi(2);
         }
     }
     lengths
@@ -225,8 +224,8 @@ impl<const N: usize> Carried<N> for Motion<N> {
             lengths(&fifth.tangent, sizes),
             lengths(&third.tangent, sizes),
         );
-        let stray = |j: usize| combined_over(fifth[j], third[j], before[j]);
-        (0..N).map(stray).fold(0.0, f64::max).sqrt()
+        let stray = |j: usize| ratio(combined(fifth[j], third[j], 1), before[j].sqrt());
+        (0..N).map(stray).fold(0.0, f64::max)
     }
 
     fn is_finite(&self) -> bool {

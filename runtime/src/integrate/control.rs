@@ -107,17 +107,9 @@ impl Control {
     }
 }
 
-/// Share of the square of the error of order 3 in that which both make together.
-const THIRD: f64 = 0.01;
-
 /// The errors of orders 5 and 3 in one number, from the sums of their squares over so many terms.
 pub(super) fn combined(sum_5: f64, sum_3: f64, terms: usize) -> f64 {
-    ratio(sum_5, ((sum_5 + THIRD * sum_3) * terms as f64).sqrt())
-}
-
-/// The square of the same for one term, over a square: roots are for the largest of many.
-pub(super) fn combined_over(square_5: f64, square_3: f64, square: f64) -> f64 {
-    ratio(square_5, square_5 + THIRD * square_3) * ratio(square_5, square)
+    ratio(sum_5, ((sum_5 + 0.01 * sum_3) * terms as f64).sqrt())
 }
 
 /// a/b, and 0 where both vanish.
