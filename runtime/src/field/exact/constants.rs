@@ -122,25 +122,30 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
             .filter_map(|contact| gradients[contact].only())
     }
 
-    /// The same of all states that sticking contacts read, where those are as many: together they leave none of them any way.
+    /// The same of all states that sticking contacts hold between them.
     #[inline(never)]
     fn brace<D: Scalar>(&self, modes: &Modes<M, N>, field: &mut [D; N]) {
-        if self.holds_all(modes) {
-            for state in self.read(modes) {
-                field[state] = D::from(0.0);
+        let held = self.held(modes).unwrap_or([false; N]);
+        for (rate, held) in field.iter_mut().zip(held) {
+            if held {
+                *rate = D::from(0.0);
             }
         }
     }
 
-    /// The states that sticking contacts read.
-    fn read(&self, modes: &Modes<M, N>) -> impl Iterator<Item = usize> {
-        let reads =
-            |contact: usize, state: usize| self.gradient.as_ref()[contact].entries()[state] != 0.0;
-        (0..N).filter(move |state| modes.sticking().any(|contact| reads(contact, *state)))
-    }
-
-    fn holds_all(&self, modes: &Modes<M, N>) -> bool {
-        self.braced && self.read(modes).count() == modes.sticking().count()
+    /// The states that sticking contacts read, if those are as many: together they leave none of them any way.
+    fn held(&self, modes: &Modes<M, N>) -> Option<[bool; N]> {
+        if !self.braced {
+            return None;
+        }
+        let mut read = [false; N];
+        for contact in modes.sticking() {
+            for (state, slope) in self.gradient.as_ref()[contact].iter() {
+                read[state] |= slope != 0.0;
+            }
+        }
+        let count = read.iter().filter(|read| **read).count();
+        (count == modes.sticking().count()).then_some(read)
     }
 
     /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S; elsewhere as given.
@@ -198,11 +203,10 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         modes: &Modes<M, N>,
         levers: &M::PerContact<Strip<N>>,
     ) -> Option<[M::PerContact<Strip<N>>; 2]> {
-        if !self.holds_all(modes) {
-            return None;
-        }
+        let read = self.held(modes)?;
+        let states = || (0..N).filter(|state| read[*state]);
         let mut braces = [(); 2].map(|()| Inline::from_fn(|_| Strip::ZERO));
-        for (place, held) in modes.sticking().zip(self.read(modes)) {
+        for (place, held) in modes.sticking().zip(states()) {
             let mut unit = [0.0; N];
             unit[held] = 1.0;
             let mut lever = [0.0; N];
@@ -210,7 +214,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
                 let share = self.gradient.as_ref()[contact].entries()[held];
                 levers.as_ref()[contact].add_to(&mut lever, share);
             }
-            for state in self.read(modes) {
+            for state in states() {
                 lever[state] = unit[state];
             }
             let [gradient, levers]: &mut [M::PerContact<Strip<N>>; 2] = &mut braces;
