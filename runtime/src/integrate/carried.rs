@@ -2,6 +2,7 @@
 
 use super::Propagator;
 use super::control::{combined, ratio};
+use super::dop853::Weights;
 use crate::field::{Field, Work};
 
 /// States from which on entries of a Jacobian are looked at before their row is multiplied: most are zero there, while
@@ -16,8 +17,11 @@ pub trait Carried<const N: usize>: Copy {
     /// The zero slope.
     const NOTHING: Self;
 
-    /// Adds `factor` times `slope`.
+    /// Adds `factor` times `slope`, but for what no slope reads.
     fn add(&mut self, factor: f64, slope: &Self);
+
+    /// Adds to what no slope reads what a step of this length makes of it, by its weights of the slopes: no stage looks at it.
+    fn total(&mut self, _length: f64, _weights: Weights, _slopes: &[Self]) {}
 
     /// The state.
     fn state(&self) -> &[f64; N];
@@ -90,13 +94,16 @@ impl<const N: usize> Carried<N> for [f64; N] {
     }
 }
 
-/// The squares of the lengths of the columns, in states of these sizes.
-#[inline]
-fn lengths<const N: usize>(tangent: &[[f64; N]; N], sizes: &[f64; N]) -> [f64; N] {
+/// The squares of the lengths of the columns, each entry made comparable by the size of its state.
+#[inline(always)]
+fn lengths<const N: usize>(
+    tangent: &[[f64; N]; N],
+    comparable: impl Fn(usize, f64) -> f64,
+) -> [f64; N] {
     let mut lengths = [0.0; N];
-    for (row, size) in tangent.iter().zip(sizes) {
+    for (i, row) in tangent.iter().enumerate() {
         for (length, entry) in lengths.iter_mut().zip(row) {
-            *length += (entry / size).powi(2);
+            *length += comparable(i, *entry).powi(2);
         }
     }
     lengths
@@ -175,7 +182,12 @@ impl<const N: usize> Carried<N> for Motion<N> {
         for (row, k) in self.tangent.iter_mut().zip(&slope.tangent) {
             row.add(factor, k);
         }
-        self.trace += factor * slope.trace;
+    }
+
+    #[inline]
+    fn total(&mut self, length: f64, weights: Weights, slopes: &[Self]) {
+        let traces = weights.iter().map(|&(j, weight)| weight * slopes[j].trace);
+        self.trace += length * traces.fold(0.0, |sum, trace| sum + trace);
     }
 
     #[inline]
@@ -210,20 +222,18 @@ impl<const N: usize> Carried<N> for Motion<N> {
 
     #[inline]
     fn turns(&self, slope: &Self, length: f64, share: f64, sizes: &[f64; N]) -> bool {
-        let (before, turned) = (
-            lengths(&self.tangent, sizes),
-            lengths(&slope.tangent, sizes),
-        );
+        // Of a comparison the last bit does not matter: divisions are as slow as the step's own formulas.
+        let weights = sizes.map(f64::recip);
+        let lengths = |tangent| lengths(tangent, |i, entry| entry * weights[i]);
+        let (before, turned) = (lengths(&self.tangent), lengths(&slope.tangent));
         let (length, share) = (length * length, share * share);
         (turned.iter().zip(&before)).any(|(turned, before)| length * turned > share * before)
     }
 
     fn strays(&self, fifth: &Self, third: &Self, sizes: &[f64; N]) -> f64 {
-        let before = lengths(&self.tangent, sizes);
-        let (fifth, third) = (
-            lengths(&fifth.tangent, sizes),
-            lengths(&third.tangent, sizes),
-        );
+        let lengths = |tangent| lengths(tangent, |i, entry| entry / sizes[i]);
+        let before = lengths(&self.tangent);
+        let (fifth, third) = (lengths(&fifth.tangent), lengths(&third.tangent));
         let stray = |j: usize| ratio(combined(fifth[j], third[j], 1), before[j].sqrt());
         (0..N).map(stray).fold(0.0, f64::max)
     }

@@ -9,7 +9,7 @@ const MOST_SHRINK: f64 = 0.2;
 const MOST_GROWTH: f64 = 6.0;
 
 /// h |λ| at which DOP853 loses stability.
-const EDGE_OF_STABILITY: f64 = 6.1;
+pub(super) const EDGE_OF_STABILITY: f64 = 6.1;
 
 /// A proportional-integral controller of step lengths, with a memory for stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,8 +93,8 @@ impl Control {
     }
 
     /// Whether `limit` steps, with no six others together between them, were at the edge of stability.
-    pub(super) fn is_stiff(&mut self, stiffness: f64, limit: u32) -> bool {
-        if stiffness > EDGE_OF_STABILITY && stiffness.is_finite() {
+    pub(super) fn is_stiff(&mut self, at_edge: bool, limit: u32) -> bool {
+        if at_edge {
             self.stiff += 1;
             self.not_stiff = 0;
         } else {

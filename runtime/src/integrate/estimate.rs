@@ -2,7 +2,7 @@
 
 use super::IntegrationError;
 use super::carried::Carried;
-use super::control::{combined, ratio};
+use super::control::{EDGE_OF_STABILITY, combined};
 use super::dop853::{ERROR_3, ERROR_5, Weights};
 use super::stepper::{Stepper, weighted};
 use crate::field::Field;
@@ -81,8 +81,9 @@ impl<F: Field<N>, V: Carried<N>, const N: usize> Stepper<'_, F, V, N> {
             slopes += slope * slope;
             looks += (self.end.state()[i] - self.last_look[i]).powi(2);
         }
-        let stiffness = self.length * ratio(slopes, looks).sqrt();
-        if !self.control.is_stiff(stiffness, self.settings.stiff_steps) {
+        let edge = EDGE_OF_STABILITY / self.length;
+        let at_edge = looks > 0.0 && slopes > edge * edge * looks && slopes.is_finite();
+        if !self.control.is_stiff(at_edge, self.settings.stiff_steps) {
             return Ok(());
         }
         let spent = self.work.steps + self.work.rejected;

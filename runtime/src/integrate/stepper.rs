@@ -196,6 +196,7 @@ impl<'f, F: Field<N>, V: Carried<N>, const N: usize> Stepper<'f, F, V, N> {
         let (slopes, work) = (&mut self.slopes, &mut self.work);
         self.last_look = *stages(self.field, &self.from, length, slopes, work).state();
         self.end = combine(&self.from, length, END, &self.slopes);
+        self.end.total(length, END, &self.slopes);
     }
 
     /// Evaluates the slope at the end; false if anything there is not finite.

@@ -104,7 +104,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
             self.gradient.as_ref()[contact].clear_only(&mut field);
         }
         if self.braced {
-            self.brace(modes, &mut field);
+            field = self.brace(modes, field);
         }
         Some(Snapshot {
             field,
@@ -122,15 +122,17 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
             .filter_map(|contact| gradients[contact].only())
     }
 
-    /// The same of all states that sticking contacts hold between them.
+    /// The same of all states that sticking contacts hold between them. By value, so that a field that is not braced stays
+    /// in registers.
     #[inline(never)]
-    fn brace<D: Scalar>(&self, modes: &Modes<M, N>, field: &mut [D; N]) {
+    fn brace<D: Scalar>(&self, modes: &Modes<M, N>, mut field: [D; N]) -> [D; N] {
         let held = self.held(modes).unwrap_or([false; N]);
         for (rate, held) in field.iter_mut().zip(held) {
             if held {
                 *rate = D::from(0.0);
             }
         }
+        field
     }
 
     /// The states that sticking contacts read, if those are as many: together they leave none of them any way.
@@ -196,32 +198,47 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
 }
 
 impl<M: Model<N>, const N: usize> Constants<M, N> {
-    /// The same gradients and levers for one state each, in the places of the sticking contacts, where these hold all states
-    /// that they read: L G of their levers and gradients, of which nothing is left of those states but themselves.
-    pub(super) fn braces(
+    /// w_y and lever of what holds, in front: of each contact that sticks, or of each state that these hold between them.
+    pub(super) fn holds(
         &self,
         modes: &Modes<M, N>,
         levers: &M::PerContact<Strip<N>>,
-    ) -> Option<[M::PerContact<Strip<N>>; 2]> {
-        let read = self.held(modes)?;
-        let states = || (0..N).filter(|state| read[*state]);
-        let mut braces = [(); 2].map(|()| Inline::from_fn(|_| Strip::ZERO));
-        for (place, held) in modes.sticking().zip(states()) {
-            let mut unit = [0.0; N];
-            unit[held] = 1.0;
-            let mut lever = [0.0; N];
-            for contact in modes.sticking() {
-                let share = self.gradient.as_ref()[contact].entries()[held];
-                levers.as_ref()[contact].add_to(&mut lever, share);
+    ) -> M::PerContact<[Strip<N>; 2]> {
+        let mut holds = Inline::from_fn(|_| [Strip::ZERO; 2]);
+        let places: &mut [_] = M::PerContact::as_mut(&mut holds);
+        if let Some(held) = self.held(modes) {
+            let states = (0..N).filter(|state| held[*state]);
+            for (place, state) in places.iter_mut().zip(states) {
+                *place = self.brace_of(state, &held, modes, levers);
             }
-            for state in states() {
-                lever[state] = unit[state];
+        } else {
+            for (place, contact) in places.iter_mut().zip(modes.sticking()) {
+                *place = [self.gradient.as_ref()[contact], levers.as_ref()[contact]];
             }
-            let [gradient, levers]: &mut [M::PerContact<Strip<N>>; 2] = &mut braces;
-            gradient.as_mut()[place] = unit.into();
-            levers.as_mut()[place] = lever.into();
         }
-        Some(braces)
+        holds
+    }
+
+    /// Gradient and lever of a state that contacts hold between them: of L G, their levers and gradients, nothing is left of
+    /// such states but itself.
+    fn brace_of(
+        &self,
+        state: usize,
+        held: &[bool; N],
+        modes: &Modes<M, N>,
+        levers: &M::PerContact<Strip<N>>,
+    ) -> [Strip<N>; 2] {
+        let mut unit = [0.0; N];
+        unit[state] = 1.0;
+        let mut lever = [0.0; N];
+        for contact in modes.sticking() {
+            let share = self.gradient.as_ref()[contact].entries()[state];
+            levers.as_ref()[contact].add_to(&mut lever, share);
+        }
+        for other in (0..N).filter(|other| held[*other]) {
+            lever[other] = unit[other];
+        }
+        [unit.into(), lever.into()]
     }
 }
 

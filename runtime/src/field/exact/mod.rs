@@ -45,10 +45,10 @@ pub struct ExactField<'s, M: Model<N>, const N: usize> {
     /// Numbers of the contacts whose forces are solved for, in front.
     stuck: M::PerContact<usize>,
     sticking: usize,
-    /// B_S G_SS⁻¹ column by column, if it does not depend on the state: then f = f₀ − Σ lever (w_y f₀).
+    /// B_S G_SS⁻¹ column by column, if it does not depend on the state.
     levers: Option<M::PerContact<Strip<N>>>,
-    /// What holds in their places where contacts hold all states that they read: one each.
-    braces: Option<[M::PerContact<Strip<N>>; 2]>,
+    /// What holds then, in front: w_y and lever of each that sticks, f = f₀ − Σ lever (w_y f₀).
+    holds: Option<M::PerContact<[Strip<N>; 2]>>,
     /// Speeds within which sliding forces change, if any is so small that errors must be judged by it.
     layers: Option<M::PerContact<f64>>,
 }
@@ -78,7 +78,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             }
         };
         let constants = system.constants_in(&modes).zip(levers.as_ref());
-        let braces = constants.and_then(|(constants, levers)| constants.braces(&modes, levers));
+        let holds = constants.map(|(constants, levers)| constants.holds(&modes, levers));
         let layers = system.layers(state);
         let usual = |i: usize| system.usual_speed(i);
         let thin = (layers.as_ref().iter().enumerate()).any(|(i, layer)| *layer < THIN * usual(i));
@@ -89,7 +89,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             modes,
             stuck,
             levers,
-            braces,
+            holds,
         })
     }
 

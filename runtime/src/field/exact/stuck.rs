@@ -17,7 +17,7 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
         let mut field;
         if let Some(holds) = self.holds() {
             field = self.free(&self.system.plain, *y);
-            for (gradient, lever) in holds {
+            for [gradient, lever] in holds {
                 hold(&mut field, gradient, lever);
             }
         } else {
@@ -32,7 +32,7 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
         let mut linear;
         if let Some(holds) = self.holds() {
             linear = self.linearise_free(y);
-            for (gradient, lever) in holds {
+            for [gradient, lever] in holds {
                 linear.hold(gradient, lever);
             }
         } else {
@@ -50,13 +50,10 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
             .map_or([D::from(f64::NAN); N], |snapshot| snapshot.field)
     }
 
-    /// w_y and lever of every contact that sticks, if they are constant.
-    fn holds(&self) -> Option<impl Iterator<Item = (&Strip<N>, &Strip<N>)>> {
-        let [gradients, levers] = match &self.braces {
-            Some(braces) => braces.each_ref().map(|strips| strips.as_ref()),
-            None => [self.system.gradients()?, self.levers.as_ref()?.as_ref()],
-        };
-        Some(self.stuck().map(move |i| (&gradients[i], &levers[i])))
+    /// w_y and lever of all that holds, if they are constant.
+    fn holds(&self) -> Option<impl Iterator<Item = &[Strip<N>; 2]>> {
+        let holds = self.holds.as_ref()?.as_ref();
+        Some(holds.iter().take(self.sticking))
     }
 
     fn stuck(&self) -> impl Iterator<Item = usize> {
