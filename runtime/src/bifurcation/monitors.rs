@@ -4,7 +4,7 @@ use super::Kind;
 use super::growth::Growths;
 use super::periodic::PeriodicPoint;
 use super::test_function::{flip, fold};
-use crate::continuation::{Monitor, Verdict, changes};
+use crate::continuation::{Monitor, Verdict, changes, rests};
 
 /// A doubled orbit whose halves differ by this share of what they did has met the orbit that it doubles.
 const MEETING: f64 = 0.1;
@@ -38,6 +38,7 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
         });
     let turn = Monitor::new(Kind::Fold, P::slope)
         .only_if(|ends| critical(ends) || unsure(ends) || asymmetry(ends).is_finite())
+        .steady_if(|ends| !asymmetry(ends).is_finite() && stays_off(ends))
         .judged(turn);
     let mut named = vec![branch_point, Monitor::new(Kind::Flip, opened), turn];
     for k in 0..multipliers {
@@ -48,7 +49,10 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
 
 /// Where multiplier k, one of a pair, passes through the unit circle.
 fn torus<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
-    Monitor::new(Kind::Torus, move |p: &P| growths(p).crossing(k))
+    let crossing = move |p: &P| growths(p).crossing(k);
+    Monitor::new(Kind::Torus, crossing)
+        // Of what dies out within a period or grows as fast, its logarithm says more than enough.
+        .steady_if(move |ends| rests(ends.map(|p| crossing(p).tanh())))
         .only_if(move |ends| {
             let growths = ends.map(growths);
             let real = critical(ends) || changes(opened(ends[0]), opened(ends[1]));
@@ -90,6 +94,12 @@ fn critical<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
 /// Whether one is 1 at both, as far as its errors tell: where another is large, only the turn of r tells a fold.
 fn unsure<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
     ends.iter().all(|end| end.floquet().may_be_one())
+}
+
+/// Whether no multiplier is near 1 or comes near it between two points: where r turns, one is 1.
+fn stays_off<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
+    let certain = |end: &P| !end.floquet().may_be_one();
+    ends.iter().all(|end| certain(end)) && rests(ends.map(closed))
 }
 
 /// Whether the multiplier of a doubled orbit differs from 1 by more than its error: next to the orbit that it doubles the

@@ -53,10 +53,14 @@ impl<R: Reader> Path for Between<R> {
         Ok(self.reader.between(problem, &point, chord))
     }
 
+    /// As blunt as the points of the branch, which cost half as much.
     fn glance(&mut self, share: f64) -> Option<R::Point> {
-        let point = self.link.glance(share)?;
+        self.reader.sharpen(&mut self.link.problem, 1.0);
+        let point = self.link.glance(share);
         let (problem, chord) = (&self.link.problem, self.link.chord());
-        Some(self.reader.between(problem, &point, chord))
+        let seen = point.map(|point| self.reader.between(problem, &point, chord));
+        self.reader.sharpen(&mut self.link.problem, R::SHARPER);
+        seen
     }
 
     fn again(&mut self, share: f64) -> Option<R::Point> {

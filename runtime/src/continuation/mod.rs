@@ -36,7 +36,7 @@ pub use ending::Ending;
 pub use kind::Kind;
 pub use link::Link;
 pub use located::{Findings, Located, Unexplained};
-pub use monitor::{Monitor, Verdict, changes};
+pub use monitor::{Monitor, Verdict, changes, rests};
 pub use path::{Border, Chance, Path, Spot, Watched};
 pub use point::Point;
 pub(crate) use predictor::tangent;

@@ -2,6 +2,9 @@
 
 use super::kind::Kind;
 
+/// Share of itself that a function changes by over a step in which it does not vanish and come back.
+const STILL: f64 = 0.05;
+
 /// What the zero of a monitor means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
@@ -23,6 +26,7 @@ pub struct Monitor<'a, P> {
     pub(super) test: Test<'a, P>,
     pub(super) rounding: Test<'a, P>,
     applies: Applies<'a, P>,
+    steady: Applies<'a, P>,
     judge: Judge<'a, P>,
     mark: Mark<'a, P>,
 }
@@ -34,6 +38,7 @@ impl<'a, P> Monitor<'a, P> {
             test: Box::new(test),
             rounding: Box::new(|_| 0.0),
             applies: Box::new(|_| true),
+            steady: Box::new(|_| false),
             judge: Box::new(move |_, _| Some(Verdict::Special(kind))),
             mark: Box::new(|_| {}),
         }
@@ -43,6 +48,13 @@ impl<'a, P> Monitor<'a, P> {
     #[must_use]
     pub fn only_if(mut self, applies: impl Fn([&P; 2]) -> bool + 'a) -> Self {
         self.applies = Box::new(applies);
+        self
+    }
+
+    /// The same, which does not vanish and come back between two points of which something else tells so.
+    #[must_use]
+    pub fn steady_if(mut self, steady: impl Fn([&P; 2]) -> bool + 'a) -> Self {
+        self.steady = Box::new(steady);
         self
     }
 
@@ -73,10 +85,22 @@ impl<'a, P> Monitor<'a, P> {
         changes(from, to) && (self.applies)(ends)
     }
 
+    /// Whether it does not vanish and come back between two points, as far as they tell.
+    pub(super) fn rests(&self, ends: [&P; 2]) -> bool {
+        rests(ends.map(&self.test)) || (self.steady)(ends)
+    }
+
     pub(super) fn verdict(&self, ends: [&P; 2], at: &mut P) -> Option<Verdict> {
         (self.mark)(at);
         (self.judge)(ends, at)
     }
+}
+
+/// Whether a value hardly changes, as far as it has one.
+#[must_use]
+pub fn rests([a, b]: [f64; 2]) -> bool {
+    let change = (b - a).abs();
+    change.is_nan() || change <= STILL * a.abs().min(b.abs())
 }
 
 /// Whether two values lie on different sides of 0. A point may lie on the zero itself: 0 has a sign like any number, so

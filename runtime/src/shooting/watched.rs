@@ -78,7 +78,8 @@ impl Watched for Orbit {
             return Vec::new();
         };
         let number = |i: usize| (i + own.len() - by) % own.len();
-        let lasts = own.iter().enumerate();
+        // One that is all of the orbit does not vanish.
+        let lasts = own.iter().enumerate().filter(|_| own.len() > 1);
         let mut margins: Vec<(Chance, f64)> = lasts
             .map(|(i, stretch)| (Chance::Stretch(number(i)), stretch.duration))
             .collect();

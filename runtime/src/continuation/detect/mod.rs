@@ -10,7 +10,7 @@ use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::margin;
-use super::monitor::{Monitor, Verdict, changes};
+use super::monitor::{Monitor, Verdict, changes, rests};
 use super::path::{Path, Spot, Watched};
 use super::root::zero;
 
@@ -20,8 +20,6 @@ const MIDDLES: [f64; 2] = [0.5, 0.4];
 const HALVINGS: u32 = 12;
 /// Divisions of a step up to which each part of it is looked at in its middle.
 const GLANCES: u32 = 3;
-/// Share of itself that a function changes by over a step in which it does not vanish and come back.
-const STILL: f64 = 0.05;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
 const ONE_CHANGE: f64 = 30.0;
 
@@ -111,8 +109,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     /// change back: as far as a third point tells, and the parabolas through all three.
     fn hides(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) -> bool {
         let ends = [&from.point, &to.point];
-        let rests = |monitor: &Monitor<'_, Q::Point>| rests(ends.map(&monitor.test));
-        if halvings + GLANCES <= HALVINGS || self.monitors.iter().all(rests) {
+        if halvings + GLANCES <= HALVINGS || self.rests(ends) {
             return false;
         }
         let Some(middle) = self.path.glance(0.5 * (from.share + to.share)) else {
@@ -125,6 +122,14 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         !middle.seems_in_regime_of(ends[0])
             || self.monitors.iter().any(dips)
             || margin::at_all([ends[0], &middle, ends[1]]).any(self::dips)
+    }
+
+    /// Whether all monitors and margins hardly change between two points.
+    fn rests(&self, ends: [&Q::Point; 2]) -> bool {
+        let [from, to] = ends;
+        let mut margins = margin::at_all([from, to, to]);
+        self.monitors.iter().all(|monitor| monitor.rests(ends))
+            && margins.all(|[from, to, _]| rests([from, to]))
     }
 
     fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
@@ -255,12 +260,6 @@ impl<Q: Path> Hunt<'_, '_, Q> {
 fn passes<P: Watched>(monitors: &[Monitor<'_, P>], ends: [&P; 2]) -> bool {
     let crosses = monitors.iter().any(|monitor| monitor.crosses(ends));
     crosses || ends[0].unstable() != ends[1].unstable()
-}
-
-/// Whether a value hardly changes, as far as it has one.
-fn rests([a, b]: [f64; 2]) -> bool {
-    let change = (b - a).abs();
-    change.is_nan() || change <= STILL * a.abs().min(b.abs())
 }
 
 /// Whether the parabola through three values, the outer ones of one sign, passes zero between them.
