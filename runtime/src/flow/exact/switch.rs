@@ -118,7 +118,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let verdict = self.flow.borne(&state, self.time, &presses, &rest)?;
         self.pass_derivatives(strike, &verdict.modes)?;
         self.close_segment();
+        let before = self.modes;
         self.take(&verdict, &strike.rates)?;
+        self.note_nearest_here(&before)?;
         self.count_chatter(strike.first)
     }
 
