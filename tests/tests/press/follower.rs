@@ -141,7 +141,7 @@ fn a_valve_leaves_its_cam_where_friction_turns() {
         (Valve::guide, 8.0, 5.0, guide),
         (Valve::lift, 0.005, 0.0045, lift),
     ] {
-        let mut case = Case::declared(Valve::INFO, Dynamics::Exact);
+        let mut case = Case::declared(system.info(), Dynamics::Exact);
         case.parameters[parameter.index] = from;
         let design = Design::Parameter(parameter.index);
         case.along = Some(Along { design, from, to });
