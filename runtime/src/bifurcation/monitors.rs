@@ -47,7 +47,8 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
     named
 }
 
-/// Where multiplier k, one of a pair, passes through the unit circle.
+/// Where multiplier k, one of a pair, passes through the unit circle; where that is told only by its margin, off by as much as it
+/// is not on it.
 fn torus<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
     let crossing = move |p: &P| growths(p).crossing(k);
     Monitor::new(Kind::Torus, crossing)
@@ -62,6 +63,7 @@ fn torus<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
             let turn = growths(at).get(k)?.turn;
             (turn != 0.0).then_some(Verdict::Special(Kind::Torus))
         })
+        .known_to(move |at| growths(at).get(k).map_or(0.0, |one| one.rate.abs()))
 }
 
 /// Where multiplier k and another one collide on the unit circle and leave it.

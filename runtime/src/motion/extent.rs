@@ -5,6 +5,15 @@ const RESTS: f64 = 1e-8;
 /// What is left of a state that rests at zero, as a share of what is usual for it: rounding.
 pub(crate) const NOISE: f64 = 1e-20;
 
+/// A swing below this share of a state may be the errors of what keeps still while something fast would bring it back.
+const STILL: f64 = 1e-6;
+
+/// Whether what a state of this size swings by may be nothing.
+#[must_use]
+pub(crate) fn is_still(half: f64, size: f64) -> bool {
+    half > 0.0 && half < STILL * size
+}
+
 /// Half the extent of each state between `low` and `high`; `fallback`, what is usual for it, for one that rests, and so has
 /// none to be measured against.
 #[must_use]

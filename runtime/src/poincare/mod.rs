@@ -44,8 +44,33 @@ pub(crate) fn radian(flow: &dyn Flow, place: &Place) -> Result<f64, FlowError> {
     let jacobian = flow.velocity(place)?.jacobian;
     let (plain, least) = (size(&jacobian), size(&balanced(&jacobian)));
     // Any units bound it, and a shorter look first misses nothing; but a pressure in pascals would turn in no time.
-    let norm = if plain > MIXED * least { least } else { plain };
+    let norm = if plain > MIXED * least {
+        match size(&balanced(&without_held(flow, place, jacobian)?)) {
+            0.0 => plain,
+            least => least,
+        }
+    } else {
+        plain
+    };
     Ok(if norm > 0.0 { 1.0 / norm } else { 1.0 }.min(longest(flow, place)?))
+}
+
+/// The Jacobian without what is left of it, rounding, in states that a contact holds by themselves.
+fn without_held(
+    flow: &dyn Flow,
+    place: &Place,
+    mut jacobian: DMatrix<f64>,
+) -> Result<DMatrix<f64>, FlowError> {
+    let contacts = flow.contacts(place)?.all;
+    let held = contacts.iter().zip(&place.modes);
+    for (contact, _) in held.filter(|(_, mode)| mode.binds()) {
+        let slopes = contact.speed.slopes.iter().enumerate();
+        let mut moved = slopes.filter(|(_, slope)| **slope != 0.0);
+        if let (Some((state, _)), None) = (moved.next(), moved.next()) {
+            jacobian.row_mut(state).fill(0.0);
+        }
+    }
+    Ok(jacobian)
 }
 
 /// The largest sum over a row.

@@ -7,7 +7,7 @@ use super::quiet::Quiet;
 use super::shift::Shifts;
 use super::turning::{half, turning};
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, Passage, Place, apart};
+use crate::motion::{Flow, Modes, Passage, Place, apart, is_still};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -253,7 +253,15 @@ impl Watch {
     }
 
     fn magnitude(&self) -> Vec<f64> {
-        self.extent.iter().copied().map(half).collect()
+        let swing = |(extent, state): (&f64, &f64)| match is_still(*extent, state.abs()) {
+            true => state.abs(),
+            false => half(*extent),
+        };
+        self.extent
+            .iter()
+            .zip(&self.place.state)
+            .map(swing)
+            .collect()
     }
 
     fn distance(&self, a: &[f64], b: &[f64]) -> f64 {

@@ -9,6 +9,7 @@ use super::pin::Pin;
 use crate::flow::{Determinant, FlowError};
 use crate::motion::{
     Event, Factor, Flow, Modes, Passage, Place, Segment as Stretch, Velocity, half_extents,
+    is_still,
 };
 
 /// Whether two times are the same instant of a period.
@@ -48,9 +49,16 @@ pub(super) fn usual(
     fallback: &[f64],
 ) -> Vec<f64> {
     let Some(shift) = shift else {
-        let floor = |j: usize| SWING * low[j].abs().max(high[j].abs());
+        let size = |j: usize| low[j].abs().max(high[j].abs());
         let halves = half_extents(low, high, fallback).into_iter().enumerate();
-        return halves.map(|(j, half)| half.max(floor(j))).collect();
+        let swing = |(j, half): (usize, f64)| {
+            let half = match is_still(half, size(j)) {
+                true => fallback[j].min(size(j)),
+                false => half,
+            };
+            half.max(SWING * size(j))
+        };
+        return halves.map(swing).collect();
     };
     let widest = |j: usize| match shift[j] {
         0.0 => low[j].abs().max(high[j].abs()),

@@ -105,3 +105,54 @@ fn a_part_is_carried_along_and_hops_where_the_trough_falls_faster() {
         assert!((orbit.max[1] - 0.0005 * 0.5_f64.sin()).abs() < 1e-12);
     }
 }
+
+model! {
+    /// A valve that its spring presses on a cam, with friction in its guide.
+    pub struct Valve {
+        state y: m = 0.02;
+        state v: m/s = 0.0;
+        param m: kg = 0.2 where m > 0.0;
+        param k: N/m = 5000.0;
+        param preload: N = 80.0;
+        param guide: N = 5.0 where guide >= 0.0;
+        param lift: m = 0.005;
+        param second: m = 0.0005;
+        param omega: rad/s = 314.0 where omega > 0.0;
+        drive phi at omega;
+        press N: N = Rigid { restitution: 0.3 } closing y - lift * (1.0 + cos(phi)) - second * cos(2.0 * phi);
+        friction G: N = Coulomb { level: guide } opposing v;
+        der(y) = v;
+        der(v) = (N + G - preload - k * y) / m;
+    }
+}
+
+/// At the top of the cam the reaction is least, and there friction turns: from where it does not vanish before that, the valve
+/// leaves just when friction lets it. The place is known in closed form, and come to from both sides.
+#[test]
+fn a_valve_leaves_its_cam_where_friction_turns() {
+    let system = System::of::<Valve, _>();
+    let top = |omega: f64, lift: f64| {
+        0.2 * (lift + 0.002) * omega * omega - 80.0 - 5000.0 * (2.0 * lift + 0.0005)
+    };
+    let guide = top(314.0, 0.005);
+    let lift = (87.5 - 0.0004 * 314.0 * 314.0) / (0.2 * 314.0 * 314.0 - 1e4);
+    for (parameter, from, to, left) in [
+        (Valve::guide, 5.0, 8.0, guide),
+        (Valve::guide, 8.0, 5.0, guide),
+        (Valve::lift, 0.005, 0.0045, lift),
+    ] {
+        let mut case = Case::declared(system.info(), Dynamics::Exact);
+        case.parameters[parameter.index] = from;
+        let design = Design::Parameter(parameter.index);
+        case.along = Some(Along { design, from, to });
+        let branch = system.branch(&case).unwrap();
+        assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+        let [special] = &branch.special[..] else {
+            panic!("{:?} beside {left}", branch.special);
+        };
+        assert!(
+            (special.r / left - 1.0).abs() < 1e-6,
+            "{special:?} is not {left}"
+        );
+    }
+}

@@ -57,3 +57,25 @@ fn a_branch_leaves_a_wall_at_which_friction_turns() {
         assert!((last.r / held - 1.0).abs() < 1e-5, "{last:?}");
     }
 }
+
+/// Where it swings free, its wall is nearest just where friction turns: the branch comes to the same grazing from there, turns
+/// at the same fold, and goes on among the orbits that hit.
+#[test]
+fn a_branch_comes_to_a_wall_at_which_friction_turns() {
+    let system = System::of::<Bearing, _>();
+    let met = [[0.6, 1.5], [1.5, 0.6]].map(|[from, to]| {
+        let mut case = Case::declared(Bearing::INFO, Dynamics::Exact);
+        case.parameters[Bearing::quake.index] = from;
+        let design = Design::Parameter(Bearing::quake.index);
+        case.along = Some(Along { design, from, to });
+        let branch = system.branch(&case).unwrap();
+        assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+        [Kind::Grazing, Kind::Fold, Kind::CrossingSliding].map(|kind| {
+            let special = branch.special.iter().find(|one| one.kind == kind);
+            special.map_or(f64::NAN, |one| one.r)
+        })
+    });
+    for (there, back) in met[0].into_iter().zip(met[1]) {
+        assert!((there - back).abs() < 1e-8, "{met:?}");
+    }
+}

@@ -10,6 +10,7 @@ mod news;
 mod periods;
 mod proofs;
 mod running;
+mod saturated;
 mod sizes;
 mod trade;
 mod turning;

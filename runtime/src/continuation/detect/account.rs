@@ -7,17 +7,19 @@ use super::super::path::Watched;
 
 /// Whether the special points, in the order in which they are met, account for the change in the number of unstable
 /// directions. Where it may be a marginal one that has only got a sign, they do, and where the branch ends: beyond, it is
-/// none or only runs back. Marginal ones that part into as many stable as unstable ones have met.
+/// none or only runs back. Marginal ones that part into as many stable as unstable ones have met. What passes may be marginal at
+/// both ends, so that nothing of it shows.
 pub(in crate::continuation) fn explains<P: Watched>(
     located: &[Located<P>],
     from: &P,
     to: &P,
 ) -> bool {
     let change = to.unstable() as i64 - from.unstable() as i64;
-    let lost = match (from.marginal(), to.marginal()) {
-        (Some(from), Some(to)) => from as i64 - to as i64,
-        _ => return true,
+    let (Some(marginal), Some(left)) = (from.marginal(), to.marginal()) else {
+        return true;
     };
+    let lost = marginal as i64 - left as i64;
+    let hidden = marginal.min(left) as i64;
     let known = lost == 0 || lost == 2 * change;
     if !known || located.iter().any(|event| event.last) {
         return true;
@@ -25,7 +27,12 @@ pub(in crate::continuation) fn explains<P: Watched>(
     let mut events: Vec<&Located<P>> = located.iter().collect();
     events.sort_by(|a, b| a.share.total_cmp(&b.share));
     let before = BTreeSet::from([from.unstable() as i64]);
-    let after = events.into_iter().fold(before, beyond);
+    let passed = |before: BTreeSet<i64>, event: &Located<P>| {
+        let hides = event.kind.jump().is_some_and(|jump| jump <= hidden);
+        let unseen = before.clone().into_iter().filter(|_| hides);
+        beyond(before, event).into_iter().chain(unseen).collect()
+    };
+    let after = events.into_iter().fold(before, passed);
     after.contains(&(to.unstable() as i64))
 }
 

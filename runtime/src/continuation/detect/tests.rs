@@ -1,5 +1,8 @@
 use super::*;
 
+/// A multiplier is known to this.
+const MARGIN: f64 = 1e-9;
+
 /// A point of which only the multipliers count.
 #[derive(Debug, Clone)]
 struct Point {
@@ -17,7 +20,8 @@ impl Watched for Point {
     }
 
     fn unstable(&self) -> usize {
-        self.multipliers.iter().filter(|mu| mu.abs() > 1.0).count()
+        let outside = |mu: &&f64| mu.abs() >= 1.0 + MARGIN;
+        self.multipliers.iter().filter(outside).count()
     }
 
     fn growing_beside(&self, kind: Kind) -> Option<usize> {
@@ -27,7 +31,7 @@ impl Watched for Point {
     }
 
     fn marginal(&self) -> Option<usize> {
-        let near = |mu: &&f64| (mu.abs() - 1.0).abs() < 1e-9;
+        let near = |mu: &&f64| (mu.abs() - 1.0).abs() < MARGIN;
         Some(self.multipliers.iter().filter(near).count())
     }
 
@@ -101,6 +105,21 @@ fn two_flips_on_one_step_are_found_by_their_count() {
         assert_eq!(kind, Kind::Flip);
         assert!((r - expected).abs() < 1e-8, "{r}, not {expected}");
     }
+}
+
+/// Where the multiplier that passes is not known well enough all along a step, no count shows it.
+#[test]
+fn a_flip_is_told_of_a_multiplier_that_is_marginal_at_both_ends() {
+    let found = Along {
+        multipliers: |r| [-1.0 - 0.4 * MARGIN * (r - 0.3), 1.5, 0.0],
+        known: true,
+    };
+    let found = found.findings();
+    assert!(found.unexplained.is_empty(), "{:?}", found.unexplained);
+    let [flip] = &found.located[..] else {
+        panic!("{:?}", found.located);
+    };
+    assert!((flip.r - 0.3).abs() < 1e-6, "{flip:?}");
 }
 
 /// One direction that is lost and two that are won look like one that is won at the point where it passes 1.

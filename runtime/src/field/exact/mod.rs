@@ -17,6 +17,7 @@ mod strip;
 mod stuck;
 mod system;
 mod tied;
+mod twin;
 
 use num_dual::Dual64;
 

@@ -3,7 +3,9 @@
 use std::marker::PhantomData;
 
 use super::mode::{Mode, Modes};
+use super::twin::{beside, twins};
 use crate::friction::{ContactRule, FrictionLaw};
+use crate::memory::{Answer, MemoryLaw};
 use crate::model::Model;
 use crate::press::{PressLaw, Pressed};
 use crate::scalar::{Inline, Scalar};
@@ -40,6 +42,22 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Sliding<'_, M, N
         match self.modes.get(contact) {
             Some(Mode::Closed) if !L::INFO.is_rigid() => Pressed::new(law, gap, rate).force,
             _ => D::from(0.0),
+        }
+    }
+
+    #[inline]
+    fn recall<L: MemoryLaw<D, S>, const S: usize>(
+        &mut self,
+        element: usize,
+        law: &L,
+        memory: [D; S],
+        speed: D,
+    ) -> Answer<D, S> {
+        let twin = const { twins::<M, N>() }.get(element).copied().flatten();
+        let sign = twin.and_then(|contact| self.modes.get(contact));
+        match sign.map_or(0.0, |mode| mode.sign()) {
+            0.0 => law.answer(memory, speed),
+            sign => beside(law, memory, speed, sign),
         }
     }
 }
@@ -116,6 +134,17 @@ impl<M: Model<N>, D: Scalar, const N: usize> ContactRule<D> for Branches<'_, M, 
             return pressed.force;
         }
         D::from(0.0)
+    }
+
+    #[inline]
+    fn recall<L: MemoryLaw<D, S>, const S: usize>(
+        &mut self,
+        element: usize,
+        law: &L,
+        memory: [D; S],
+        speed: D,
+    ) -> Answer<D, S> {
+        Sliding::<M, N>::new(self.modes).recall(element, law, memory, speed)
     }
 }
 

@@ -1,8 +1,9 @@
 //! What is noted along the way: near misses, extrema, samples of the path, stretches of constant mode.
 
 use super::guard::Sighting;
-use super::run::Run;
+use super::run::{NO_TIME, Run};
 use super::steps::Steps;
+use crate::field::exact::{Mode, Modes};
 use crate::flow::saltation::Tracked;
 use crate::flow::{Event, EventKind, FlowError, Sample, Segment, nodes};
 use crate::integrate::Dense;
@@ -31,6 +32,39 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                     contact,
                     mode: self.modes.as_slice()[contact],
                     time: self.time + length,
+                    state,
+                    rate: 0.0,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Records the gaps that come nearest to closing just where contacts switch, as that of a wall beside a mass whose friction
+    /// turns with it: neither the step that ends there nor the next one has its minimum inside. `before` are the modes up to
+    /// there.
+    pub(super) fn note_nearest_here(&mut self, before: &Modes<M, N>) -> Result<(), FlowError> {
+        if !self.want.extrema || M::INFO.presses.is_empty() {
+            return Ok(());
+        }
+        let (system, state) = (&self.flow.system, *self.carried.state());
+        let at = system.moving(&state, &self.modes)?;
+        let bends = system.second_rates(&state, &self.modes, &at.field);
+        let instant = NO_TIME * self.span;
+        for contact in M::INFO.contacts.len()..system.contacts() {
+            let modes = [before, &self.modes].map(|modes| modes.as_slice()[contact]);
+            let (gap, bend) = (at.speed.as_ref()[contact], bends.as_ref()[contact]);
+            let near = gap.re > 0.0 && bend > 0.0 && gap.eps.abs() <= instant * bend;
+            let mut late = self.events.iter().rev();
+            let mut late = late
+                .by_ref()
+                .take_while(|one| self.time - one.time <= instant);
+            if modes == [Mode::Open; 2] && near && !late.any(|one| one.contact == contact) {
+                self.events.push(Event {
+                    kind: EventKind::Nearest { margin: gap.re },
+                    contact,
+                    mode: Mode::Open,
+                    time: self.time,
                     state,
                     rate: 0.0,
                 });

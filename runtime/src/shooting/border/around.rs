@@ -1,6 +1,6 @@
 //! The events of an orbit once around, and which of them belong to a border.
 
-use super::candidate::{BRIEF, Border, Condition};
+use super::candidate::{Border, Condition};
 use super::change::Change;
 use crate::field::exact::Mode;
 use crate::flow::{EventKind, FlowError};
@@ -12,6 +12,8 @@ use crate::shooting::symmetry::Symmetry;
 const AHEAD: f64 = 1e-5;
 /// Distance in time, as a share of the period, beyond which an orbit is not near a border.
 const NEAR: f64 = 0.25;
+/// Share of the period within which two events are one instant.
+const INSTANT: f64 = 1e-9;
 /// Drop of the force at release, as a share of its limit at rest, that is rounding error.
 const FLAT: f64 = 1e-9;
 
@@ -167,7 +169,8 @@ impl<'a> Around<'a> {
         let event = &self.orbit.events[index];
         let [before, after] = around.map(Clone::clone);
         if !event.kind.is_switch() {
-            return Some(Change::at_once([before, after], Vec::new()));
+            let turned = self.turned(event);
+            return turned.or_else(|| Some(Change::at_once([before, after], Vec::new())));
         }
         if matches!(event.kind, EventKind::Impact { .. }) {
             let turns = Change::turning([&before, &after], index);
@@ -186,6 +189,17 @@ impl<'a> Around<'a> {
         let back = self.around(&self.orbit.events[next])?[1];
         let modes = [before.clone(), before];
         (back == &modes[0]).then(|| Change::at_once(modes, vec![index, next]))
+    }
+
+    /// What belongs to a gap that comes nearest to closing just where contacts turn.
+    fn turned(&self, event: &Event) -> Option<Change> {
+        let near = INSTANT * self.orbit.period;
+        let here = |i: &&usize| (self.orbit.events[**i].time - event.time).abs() <= near;
+        let switch = *self.switches.iter().find(here)?;
+        let modes = self.around(&self.orbit.events[switch])?;
+        let presses = modes[0].get(event.contact)?.is_of_press();
+        let turning = Change::turning(modes, switch);
+        turning.filter(|_| presses)
     }
 
     /// What belongs to an impact, or to a reaction that vanishes: all until the modes are as they were. An impact may knock
@@ -245,7 +259,7 @@ impl<'a> Around<'a> {
     /// The modes before and after an event.
     pub(super) fn around(&self, event: &Event) -> Option<[&'a Modes; 2]> {
         let segments = &self.orbit.segments;
-        let near = BRIEF * 1e-6 * self.orbit.period;
+        let near = INSTANT * self.orbit.period;
         let modes = |i: usize| &segments[i % segments.len()].modes;
         let switches = event.kind.is_switch();
         let mut ends = self.ends.iter().map(|end| end - event.time).enumerate();
