@@ -47,8 +47,8 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
     named
 }
 
-/// Where multiplier k, one of a pair, passes through the unit circle; where that is told only by its margin, off by as much as it
-/// is not on it.
+/// Where multiplier k, one of a pair, passes through the unit circle; where that is told only by its margin, off by as much
+/// as it is not on it.
 fn torus<'a, P: PeriodicPoint + 'a>(k: usize) -> Monitor<'a, P> {
     let crossing = move |p: &P| growths(p).crossing(k);
     Monitor::new(Kind::Torus, crossing)

@@ -16,6 +16,8 @@ const CHANCE: f64 = 0.08;
 const NARROW: f64 = 1e-4;
 /// Distance from a zero, as a share of the path, from which on slopes there are not all rounding.
 const NEIGHBOUR: f64 = 1e-3;
+/// Differences of a function that tell its slope, in units of what rounding leaves uncertain of it.
+const STANDS_OUT: f64 = 4.0;
 /// What is reported over what two runs differ by: they share part of their errors.
 pub(super) const DOUBT: f64 = 1.5;
 /// Distance, as a part of the bracket, at which another point is tried instead.
@@ -61,32 +63,44 @@ pub fn reach<Q: Path>(
 /// What is read at a point: its share of the path, the function, r, and how long what is followed takes.
 type Seen = (f64, [f64; 3]);
 
-/// A zero, and how the function, r, and how long what is followed takes change with the share of the path there.
+/// A zero, and what was seen on the way to it.
 pub(super) struct Zero<P> {
     pub(super) spot: Spot<P>,
-    slopes: [f64; 3],
-    /// How far r is from the point that was found next to it.
-    apart: f64,
+    /// The value there.
+    value: f64,
+    others: Vec<Seen>,
+    /// The share of the path on which it was looked for.
+    width: f64,
 }
 
 impl<P: Watched> Zero<P> {
-    /// The slopes are those from another spot, not too near to this one.
-    fn at(spot: Spot<P>, value: f64, others: &[Seen], width: f64) -> Self {
-        let here = [value, spot.point.r(), spot.point.lasts()];
-        let off = |other: &&Seen| (other.0 - spot.share).abs();
-        let beyond = |least: f64| {
-            let far = others.iter().filter(|other| off(other) >= least);
-            far.min_by(|a, b| off(a).total_cmp(&off(b)))
-        };
-        let slopes = beyond(NEIGHBOUR * width).map_or([f64::NAN; 3], |(share, other)| {
-            [0, 1, 2].map(|i| (here[i] - other[i]) / (spot.share - share))
-        });
-        let nearest = beyond(f64::MIN_POSITIVE);
-        let apart = nearest.map_or(0.0, |(_, other)| (other[1] - spot.point.r()).abs());
-        Self {
-            spot,
-            slopes,
-            apart,
+    /// What of the others is nearest at this distance or farther, if its value differs by more than this.
+    fn beyond(&self, least: f64, differing: f64) -> Option<&Seen> {
+        let off = |other: &&Seen| (other.0 - self.spot.share).abs();
+        let tells = |other: &&Seen| (other.1[0] - self.value).abs() > differing;
+        let far = (self.others.iter()).filter(|other| off(other) >= least && tells(other));
+        far.min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
+
+    /// How the function, r, and how long what is followed takes change with the share of the path: from another spot, not too
+    /// near to this one, nor so that rounding decides.
+    fn slopes(&self, rounding: f64) -> [f64; 3] {
+        let point = &self.spot.point;
+        let here = [self.value, point.r(), point.lasts()];
+        let other = self.beyond(NEIGHBOUR * self.width, STANDS_OUT * rounding);
+        other.map_or([f64::NAN; 3], |(share, other)| {
+            [0, 1, 2].map(|i| (here[i] - other[i]) / (self.spot.share - share))
+        })
+    }
+
+    /// How far r is from the point that was found next to it; from all that were seen, if none of them stands out.
+    fn apart(&self, stands_out: bool) -> f64 {
+        let off = |other: &Seen| (other.1[1] - self.spot.point.r()).abs();
+        if stands_out {
+            let nearest = self.beyond(f64::MIN_POSITIVE, f64::NEG_INFINITY);
+            nearest.map_or(0.0, off)
+        } else {
+            self.others.iter().map(off).fold(0.0, f64::max)
         }
     }
 
@@ -99,7 +113,7 @@ impl<P: Watched> Zero<P> {
         accuracy: f64,
     ) -> [f64; 2] {
         let at = &self.spot.point;
-        let [slope, along, lasting] = self.slopes;
+        let [slope, along, lasting] = self.slopes(rounding(at));
         let measured = path.again(self.spot.share).map(|again| {
             let apart = (test(&again) - test(at)).abs() + rounding(at);
             let off = apart / slope * along;
@@ -113,7 +127,7 @@ impl<P: Watched> Zero<P> {
             ]
         });
         let [moved, lasts] = measured.unwrap_or([f64::NAN; 2]);
-        let beside = DOUBT * (self.apart + accuracy * at.r().abs());
+        let beside = DOUBT * (self.apart(slope.is_finite()) + accuracy * at.r().abs());
         [if moved.is_finite() { moved } else { beside }, lasts]
     }
 }
@@ -182,7 +196,12 @@ pub(super) fn zero<Q: Path>(
         raised = Some(raises);
     }
     let value = test(&best.point);
-    Ok(Zero::at(best, value, &others, whole))
+    Ok(Zero {
+        spot: best,
+        value,
+        others,
+        width: whole,
+    })
 }
 
 #[cfg(test)]
