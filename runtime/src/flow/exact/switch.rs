@@ -71,8 +71,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 };
                 let at_once = value.eps < -noise && value.re <= tolerated;
                 let was_awaited = guard == awaited.guard;
-                // Next to where a gap opens or friction turns beside it, rounding alone falls: nothing hits that goes away.
-                let opens = *mode == Mode::Open && value.eps > 0.0;
+                // Next to where a gap opens or friction turns beside it, rounding alone falls: nothing hits that goes away. What
+                // closes without any time would do so for ever.
+                let opens = *mode == Mode::Open && value.eps > 0.0 && stepper.length() > 0.0;
                 if was_awaited && (opens || value.re > FALLEN * scale) {
                     return Ok(None);
                 }
