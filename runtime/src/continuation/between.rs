@@ -53,14 +53,10 @@ impl<R: Reader> Path for Between<R> {
         Ok(self.reader.between(problem, &point, chord))
     }
 
-    /// As blunt as the points of the branch, which cost half as much.
     fn glance(&mut self, share: f64) -> Option<R::Point> {
-        self.reader.sharpen(&mut self.link.problem, 1.0);
-        let point = self.link.glance(share);
+        let point = self.link.glance(share)?;
         let (problem, chord) = (&self.link.problem, self.link.chord());
-        let seen = point.map(|point| self.reader.between(problem, &point, chord));
-        self.reader.sharpen(&mut self.link.problem, R::SHARPER);
-        seen
+        Some(self.reader.between(problem, &point, chord))
     }
 
     fn again(&mut self, share: f64) -> Option<R::Point> {

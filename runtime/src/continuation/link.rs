@@ -4,14 +4,13 @@ use nalgebra::DVector;
 
 use super::corrector::{Failure, bordered, correct};
 use super::point::Point;
-use super::{Corrected, Linearisation, ZeroProblem, predictor};
+use super::predictor::tangent;
+use super::{Corrected, Linearisation, ZeroProblem};
 
 /// Distance from the chord, relative to its length, beyond which a point lies on another branch.
 const OFF: f64 = 0.5;
 /// Distance from the branch, relative to the length of the step, up to which a point beside it tells about that on it.
 const BESIDE: f64 = 0.01;
-/// Points that are tried for such a one, each nearer to the branch.
-const GLANCES: u64 = 2;
 /// Corrections below this are rounding errors.
 const FINEST: f64 = 1e-14;
 
@@ -100,37 +99,31 @@ impl<P: ZeroProblem> Link<P> {
         Ok(found)
     }
 
-    /// About the point at this share of the way: that of the cubic through both ends along both tangents, corrected only as
-    /// long as it is far from the branch.
+    /// About the point at this share of the way: that of the cubic through both ends along both tangents, corrected only if
+    /// it is far from the branch.
     pub(super) fn glance(&mut self, share: f64) -> Option<Point<P::Extra>> {
-        let [(mut z, mut r), (dz, dr)] = self.on_cubic(share)?;
-        let scale = self.problem.scale();
-        let mut tangent = scaled(&scale, self.r_scale, &dz, dr);
-        for newton in 0..GLANCES {
-            let at = self.problem.evaluate(&z, r).ok()?;
-            let off = self.off(&at)?;
-            if off.norm() <= BESIDE * self.length {
-                return Some(Point {
-                    residual: at.residual.norm(),
-                    tangent: tangent.try_normalize(0.0)?,
-                    r_scale: self.r_scale,
-                    extra: at.extra,
-                    newton,
-                    z,
-                    r,
-                });
-            }
-            tangent = predictor::tangent(&at, &scale, self.r_scale, &self.chord)?;
-            z += off.rows(0, z.len()).component_mul(&scale);
-            r += off[z.len()] * self.r_scale;
+        let [(z, r), (dz, dr)] = self.on_cubic(share)?;
+        let at = self.problem.evaluate(&z, r).ok()?;
+        if self.off(&at)? > BESIDE * self.length {
+            return self.across((z, r), &self.chord.clone()).ok();
         }
-        self.across((z, r), &self.chord.clone()).ok()
+        let tangent = scaled(&self.problem.scale(), self.r_scale, &dz, dr);
+        Some(Point {
+            residual: at.residual.norm(),
+            tangent: tangent.try_normalize(0.0)?,
+            r_scale: self.r_scale,
+            extra: at.extra,
+            newton: 0,
+            z,
+            r,
+        })
     }
 
-    /// From a point to the branch, to first order, across the chord, in scaled coordinates.
-    fn off(&self, at: &Linearisation<P::Extra>) -> Option<DVector<f64>> {
+    /// How far a point is from the branch, to first order, across the chord.
+    fn off(&self, at: &Linearisation<P::Extra>) -> Option<f64> {
         let matrix = bordered(at, &self.problem.scale(), self.r_scale, &self.chord);
-        matrix.lu().solve(&(-&at.residual).push(0.0))
+        let correction = matrix.lu().solve(&(-&at.residual).push(0.0))?;
+        Some(correction.norm())
     }
 
     /// The point of the branch at which r has gone this share of its way, 0 < share < 1; where r turns between the ends,
@@ -180,7 +173,7 @@ impl<P: ZeroProblem> Link<P> {
         let accuracy = (self.share * self.accuracy).max(FINEST);
         let found = correct(&mut self.problem, z, r, normal, self.r_scale, accuracy)?;
         let scale = self.problem.scale();
-        let direction = predictor::tangent(&found.linearisation, &scale, self.r_scale, normal)
+        let direction = tangent(&found.linearisation, &scale, self.r_scale, normal)
             .ok_or(Failure::Singular { r: found.r })?;
         let Corrected {
             z,

@@ -124,12 +124,16 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             || margin::at_all([ends[0], &middle, ends[1]]).any(self::dips)
     }
 
-    /// Whether all monitors and margins hardly change between two points.
+    /// Whether nothing happens there and back between two points, as far as they tell: where regimes may part, which
+    /// multipliers need not show, only if no monitor changes at all.
     fn rests(&self, ends: [&Q::Point; 2]) -> bool {
-        let [from, to] = ends;
-        let mut margins = margin::at_all([from, to, to]);
-        self.monitors.iter().all(|monitor| monitor.rests(ends))
-            && margins.all(|[from, to, _]| rests([from, to]))
+        let mut all = self.monitors.iter();
+        let parts = ends.iter().any(|end| !end.margins(end).is_empty());
+        if parts {
+            all.all(|monitor| rests(ends.map(&monitor.test)))
+        } else {
+            all.all(|monitor| monitor.rests(ends))
+        }
     }
 
     fn halve(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {

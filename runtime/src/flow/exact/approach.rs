@@ -34,15 +34,12 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             return limit;
         };
         let (rates, length) = &mut self.rates;
-        let signs = self.modes.as_slice().iter().map(|mode| mode.sign());
-        let moves = |(i, sign): &(usize, f64)| {
-            *sign != 0.0 && system.is_straight(*i) && !system.is_idle(*i)
-        };
-        for (i, sign) in signs.enumerate().filter(moves) {
-            let rate = sign * gradients[i].dot(slope);
+        let modes = self.modes.as_slice().iter().enumerate();
+        for (i, mode) in modes.filter(|(i, _)| system.is_straight(*i) && !system.is_idle(*i)) {
+            let rate = mode.sign() * gradients[i].dot(slope);
             let bend = (rate - rates.as_ref()[i]) / *length;
             rates.as_mut()[i] = rate;
-            let time = first_zero(sign * speeds.as_ref()[i], rate, bend);
+            let time = first_zero(mode.sign() * speeds.as_ref()[i], rate, bend);
             limit = limit.min((OVERSHOOT * time).max(SHORTEST * proposal));
         }
         limit
