@@ -6,7 +6,7 @@ const RESTS: f64 = 1e-8;
 pub(crate) const NOISE: f64 = 1e-20;
 
 /// A swing below this share of a state may be the errors of what keeps still while something fast would bring it back.
-const STILL: f64 = 1e-6;
+pub(crate) const STILL: f64 = 1e-6;
 
 /// Whether what a state of this size swings by may be nothing.
 #[must_use]

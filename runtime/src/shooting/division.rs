@@ -12,8 +12,11 @@ const UNSTABLE: f64 = 1e5;
 const GROWTH: f64 = 1e2;
 /// Parts in which it is told how errors grow on the way.
 const PARTS: usize = 16;
-/// How often a segment is halved at most.
+/// How often a segment is halved at most, and how many there are at most.
 const HALVINGS: u32 = 7;
+const MOST: usize = 512;
+/// What errors grow by along either half is that of the whole if it is no less than this share of it.
+const SAME: f64 = 0.5;
 /// Shares of a segment at which it may be divided, and of it by which all events are to be avoided.
 const SEAMS: [f64; 5] = [0.5, 0.45, 0.55, 0.4, 0.6];
 const MARGIN: f64 = 0.02;
@@ -105,7 +108,7 @@ impl Division {
             let passage = measure.follow(&start, share)?;
             refined.divide(measure, (start, share), &passage, HALVINGS)?;
         }
-        Ok((refined != *self).then_some(refined))
+        Ok((refined != *self && refined.shares.len() <= MOST).then_some(refined))
     }
 
     /// The division of an orbit along which errors grow on the way, though they may be gone once around: along a canard they
@@ -147,7 +150,8 @@ impl Division {
         kept
     }
 
-    /// Adds a segment, or its parts.
+    /// Adds a segment, or its parts. It is left whole where errors grow along either half as they do along it: that is a
+    /// matter of units.
     fn divide(
         &mut self,
         measure: &Measure<'_>,
@@ -155,9 +159,9 @@ impl Division {
         passage: &Passage,
         halvings: u32,
     ) -> Result<(), FlowError> {
-        if halvings == 0 || measure.growth(passage) <= GROWTH {
-            self.starts.push(start);
-            self.shares.push(share);
+        let growth = measure.growth(passage);
+        if halvings == 0 || growth <= GROWTH {
+            self.add(start, share);
             return Ok(());
         }
         let seam = SEAMS.into_iter().find(|seam| clear(passage, *seam));
@@ -165,6 +169,10 @@ impl Division {
         let first = measure.follow(&start, seam * share)?;
         let middle = first.end.clone();
         let second = measure.follow(&middle, (1.0 - seam) * share)?;
+        if measure.growth(&first).min(measure.growth(&second)) >= SAME * growth {
+            self.add(start, share);
+            return Ok(());
+        }
         self.divide(measure, (start, seam * share), &first, halvings - 1)?;
         self.divide(
             measure,
@@ -172,6 +180,11 @@ impl Division {
             &second,
             halvings - 1,
         )
+    }
+
+    fn add(&mut self, start: Place, share: f64) {
+        self.starts.push(start);
+        self.shares.push(share);
     }
 }
 

@@ -7,7 +7,7 @@ use super::quiet::Quiet;
 use super::shift::Shifts;
 use super::turning::{half, turning};
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, Passage, Place, apart, is_still};
+use crate::motion::{Flow, Modes, Passage, Place, STILL, apart, is_still};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -96,6 +96,8 @@ struct Watch {
     /// The shifts that change nothing, once they are asked for.
     shifts: Option<Shifts>,
     extent: Vec<f64>,
+    /// The widest extent that each state had.
+    widest: Vec<f64>,
     first_extent: f64,
     swings: Vec<f64>,
     quiet: Quiet,
@@ -108,6 +110,7 @@ impl Watch {
             section,
             shifts: None,
             extent: vec![0.0; place.state.len()],
+            widest: vec![0.0; place.state.len()],
             quiet: Quiet::new(place.state.len()),
             place,
             time: 0.0,
@@ -151,6 +154,9 @@ impl Watch {
             }
             let bounds = high.iter().zip(&low);
             self.extent = bounds.map(|(high, low)| high - low).collect();
+            for (widest, extent) in self.widest.iter_mut().zip(&self.extent) {
+                *widest = widest.max(*extent);
+            }
             self.swings.push(self.extent[0].max(run[0].abs()));
         }
         self.place = passage.end;
@@ -252,16 +258,16 @@ impl Watch {
         runs
     }
 
+    /// Half of what each state swings by; what has died away, or keeps still, is measured in what it was, or is.
     fn magnitude(&self) -> Vec<f64> {
-        let swing = |(extent, state): (&f64, &f64)| match is_still(*extent, state.abs()) {
-            true => state.abs(),
-            false => half(*extent),
+        let swing = |j: usize| {
+            let (extent, state) = (self.extent[j], self.place.state[j].abs());
+            match is_still(extent, state) {
+                true => state,
+                false => half(extent).max(STILL * self.widest[j]),
+            }
         };
-        self.extent
-            .iter()
-            .zip(&self.place.state)
-            .map(swing)
-            .collect()
+        (0..self.extent.len()).map(swing).collect()
     }
 
     fn distance(&self, a: &[f64], b: &[f64]) -> f64 {

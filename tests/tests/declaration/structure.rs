@@ -58,7 +58,6 @@ fn displaced(state: &[f64], shape: [f64; 4]) -> f64 {
 }
 
 #[test]
-#[ignore = "long"]
 fn a_structure_moves_as_the_masses_of_which_it_was_made() {
     for (omega, level) in [(0.8, 0.4), (1.2, 0.9)] {
         let modes = orbit(&ByModes {
