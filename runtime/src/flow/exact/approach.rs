@@ -36,10 +36,16 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let (rates, length) = &mut self.rates;
         let modes = self.modes.as_slice().iter().enumerate();
         for (i, mode) in modes.filter(|(i, _)| system.is_straight(*i) && !system.is_idle(*i)) {
-            let rate = mode.sign() * gradients[i].dot(slope);
+            let sign = mode.sign();
+            if sign == 0.0 {
+                // Where it sets off again, it does so from rest.
+                rates.as_mut()[i] = 0.0;
+                continue;
+            }
+            let rate = sign * gradients[i].dot(slope);
             let bend = (rate - rates.as_ref()[i]) / *length;
             rates.as_mut()[i] = rate;
-            let time = first_zero(mode.sign() * speeds.as_ref()[i], rate, bend);
+            let time = first_zero(sign * speeds.as_ref()[i], rate, bend);
             limit = limit.min((OVERSHOOT * time).max(SHORTEST * proposal));
         }
         limit
