@@ -46,12 +46,7 @@ pub(super) fn shorter(
     blur: f64,
     converge: impl Fn(&Guess) -> Option<Corrected<Shot>>,
 ) -> Result<Option<Guess>, FlowError> {
-    for laps in LAPS {
-        let guess = orbit.part(laps);
-        if !guess.is_whole(flow) {
-            continue;
-        }
-        let place = along(flow, shot, guess.period)?;
+    for (guess, place) in returns(flow, orbit, shot)? {
         let back = gap(flow, &place.state, &guess);
         if back > NEAR {
             continue;
@@ -66,6 +61,21 @@ pub(super) fn shorter(
         }
     }
     Ok(None)
+}
+
+/// The parts of an orbit after each of which it may be that of a shorter one, and where it is by then.
+fn returns(flow: &dyn Flow, orbit: &Guess, shot: &Shot) -> Result<Vec<(Guess, Place)>, FlowError> {
+    let parts = LAPS.map(|laps| orbit.part(laps)).into_iter();
+    let mut found: Vec<(Guess, Place)> = Vec::new();
+    // The shortest first: from the end of one to that of the next.
+    for part in parts.filter(|part| part.is_whole(flow)).rev() {
+        let last = found.last();
+        let reached = last.map(|(before, place)| (place, before.period));
+        let place = along(flow, shot, reached, part.period)?;
+        found.push((part, place));
+    }
+    found.reverse();
+    Ok(found)
 }
 
 /// Guesses of a part of a period after which the motion comes back as well as after the whole, the shortest first: so near
@@ -118,14 +128,21 @@ impl Guess {
     }
 }
 
-/// The place of a shot at a time.
-fn along(flow: &dyn Flow, shot: &Shot, time: f64) -> Result<Place, FlowError> {
-    let before = shot.segment(time);
+/// The place of a shot at a time, from where it was `reached` at another one before, or from the beginning of its segment.
+fn along(
+    flow: &dyn Flow,
+    shot: &Shot,
+    reached: Option<(&Place, f64)>,
+    time: f64,
+) -> Result<Place, FlowError> {
+    let segment = shot.segment(time);
+    let begin = shot.begins[segment];
     let ends = shot.passages.iter().map(|passage| &passage.end);
-    let from = std::iter::once(&shot.start).chain(ends).nth(before);
-    let rest = (time - shot.begins[before]).max(0.0);
-    let passage = flow.advance(from.unwrap_or(&shot.start), rest, Default::default());
-    Ok(passage?.end)
+    let start = std::iter::once(&shot.start).chain(ends).nth(segment);
+    let start = (start.unwrap_or(&shot.start), begin);
+    let (from, passed) = reached.filter(|(_, at)| *at >= begin).unwrap_or(start);
+    let rest = (time - passed).max(0.0);
+    Ok(flow.advance(from, rest, Default::default())?.end)
 }
 
 /// How far the end of an orbit is from its start; out of reach where a drive is at another phase.
