@@ -11,6 +11,7 @@ use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::bifurcation::floquet;
 use crate::continuation::{Linearisation, ZeroProblem, correct_at};
+use crate::flow::Want;
 use crate::integrate::Tolerance;
 use crate::linear::svd;
 use crate::motion::Family;
@@ -28,6 +29,12 @@ const NEUTRAL: f64 = 1e-7;
 const SUSPECT: f64 = 1e-4;
 /// A motion that misses closing by more than this, sharply followed, does not close.
 const DRIFT: f64 = 1e-9;
+/// Periods after which a motion that closes is looked at again, and how many times as far as after one, for each of them, it may
+/// be from where it was.
+const LATER: u32 = 1000;
+const FARTHER: f64 = 100.0;
+/// How near a motion comes back at best.
+const FINEST: f64 = 1e-12;
 /// How far a neighbour is sought, in units of the condition: some have none but very near. How well it must close, over that.
 const ASIDE: [f64; 2] = [1e-3, 1e-5];
 const NEIGHBOUR: f64 = 1e-5;
@@ -75,11 +82,34 @@ pub(super) fn neutral(family: &Family, r: f64, guess: &Guess) -> Option<Guess> {
     let one = Complex::new(1.0, 0.0);
     let near = |multiplier: &Complex<f64>| (multiplier - one).norm() <= NEUTRAL;
     let closes = at.residual.norm() <= DRIFT && multipliers.multipliers.iter().any(near);
-    closes.then(|| Guess {
+    let stays = closes && stays(&problem, r, &at)?;
+    stays.then(|| Guess {
         place: shot.start.clone(),
         period: shot.period,
         ..guess.clone()
     })
+}
+
+/// Whether a motion that closes after a period does so after many. One that hardly moves while it vibrates misses by less than
+/// can be told; but as it sets off, that grows by the square of the time. Where errors change how fast it vibrates, it is late.
+fn stays(problem: &OrbitProblem, r: f64, at: &Linearisation<Shot>) -> Option<bool> {
+    let (shot, magnitude) = (&at.extra, &problem.magnitude);
+    let flow = problem.family.at(r).ok()?;
+    let scaled = |from: &[f64]| {
+        let all = from.iter().zip(magnitude).map(|(value, unit)| value / unit);
+        DVector::from_iterator(from.len(), all)
+    };
+    let (mut place, start) = (shot.start.clone(), scaled(&shot.start.state));
+    for _ in 0..LATER {
+        place = flow.advance(&place, shot.period, Want::default()).ok()?.end;
+        place.state = flow.wrapped(place.state);
+    }
+    let mut missed = scaled(&place.state) - start;
+    if let Some(along) = scaled(shot.velocity.f.as_slice()).try_normalize(0.0) {
+        missed.axpy(-along.dot(&missed), &along, 1.0);
+    }
+    let once = at.residual.norm().max(FINEST);
+    Some(missed.norm() <= FARTHER * f64::from(LATER) * once)
 }
 
 /// Newton's correction, of the least size, in those directions that are not neutral.

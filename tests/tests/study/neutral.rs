@@ -145,27 +145,16 @@ fn what_lies_anywhere_is_held_where_it_is() {
     );
 }
 
-/// Two masses swing against each other a million times while they swing together once: what is called periodic comes back
-/// to where it was, and does not drift with the slow one.
+/// Two masses swing against each other a million times while they swing together once: they come back to where they were but
+/// for 1e-11 of their swing, and set off with the slow motion all the same.
 #[test]
-fn what_is_called_periodic_comes_back() {
+fn what_sets_off_slowly_is_no_family_of_orbits() {
     let model = system::<BeltPair, 4>();
     let mut case = Case::declared(model.info(), Dynamics::Exact);
     case.parameters[BeltPair::alpha.index] = 1e12;
     let error = model.orbit(&case).expect_err("no orbit attracts");
-    let StudyError::Orbit(OrbitError::NotIsolated { state, period }) = error else {
-        assert!(!error.to_string().contains("is periodic"), "{error}");
-        return;
-    };
-    case.start = Some(state.iter().copied().collect());
-    case.accuracy = 1e-12;
-    let motion = model.motion(&case, period).expect("a motion");
-    let last = motion.states.last().expect("its end");
-    for j in 0..4 {
-        let extent = motion.max[j] - motion.min[j];
-        let gap = (last[j] - state[j]).abs();
-        assert!(gap <= 1e-8 * extent, "state {j}: {gap} of {extent}");
-    }
+    let settles = matches!(error, StudyError::Orbit(OrbitError::NotSettled { .. }));
+    assert!(settles, "{error}");
 }
 
 /// Where the body turns, all rates of the difference vanish but for rounding: it is conserved all the same.
