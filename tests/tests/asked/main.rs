@@ -11,9 +11,8 @@ use answer::{Answer, compare};
 use question::Question;
 use stickslip_tests::random::Random;
 
-/// Branches that are drawn, if nothing else is said. Each costs some two seconds of one core, so that 500 of them, as
-/// `ASKED=500` asks for, take a quarter of an hour of it.
-const BRANCHES: usize = 60;
+/// Branches that are drawn, if nothing else is said: ten minutes of two cores.
+const BRANCHES: usize = 500;
 /// Share of the answers that may end with a warning; none may say something else.
 const UNDECIDED: f64 = 0.02;
 
@@ -75,7 +74,7 @@ impl Tally {
     }
 }
 
-/// Of how many branches, and from which seed on; all of them if nothing else is said: `ASKED=60 SEED=1000`.
+/// How many branches, and from which seed on, if it is not the usual: `ASKED=60 SEED=1000`.
 fn number(name: &str, usual: usize) -> usize {
     let given = std::env::var(name).ok();
     given.and_then(|given| given.parse().ok()).unwrap_or(usual)
