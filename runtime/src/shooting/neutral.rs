@@ -1,5 +1,7 @@
 //! Which directions at an orbit are neutral, and with what they are pinned.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::anchor::problem;
@@ -95,17 +97,23 @@ pub(super) fn neutral(family: &Family, r: f64, guess: &Guess) -> Option<Guess> {
 fn stays(problem: &OrbitProblem, r: f64, at: &Linearisation<Shot>) -> Option<bool> {
     let (shot, magnitude) = (&at.extra, &problem.magnitude);
     let flow = problem.family.at(r).ok()?;
-    let scaled = |from: &[f64]| {
-        let all = from.iter().zip(magnitude).map(|(value, unit)| value / unit);
-        DVector::from_iterator(from.len(), all)
-    };
-    let (mut place, start) = (shot.start.clone(), scaled(&shot.start.state));
+    let mut place = shot.start.clone();
     for _ in 0..LATER {
         place = flow.advance(&place, shot.period, Want::default()).ok()?.end;
         place.state = flow.wrapped(place.state);
     }
-    let mut missed = scaled(&place.state) - start;
-    if let Some(along) = scaled(shot.velocity.f.as_slice()).try_normalize(0.0) {
+    let scaled = |from: Vec<f64>| {
+        let all = from.iter().zip(magnitude).map(|(value, unit)| value / unit);
+        DVector::from_iterator(from.len(), all)
+    };
+    let run = |j: usize| shot.shift.as_ref().map_or(0.0, |run| run[j]);
+    let gap = |j: usize| place.state[j] - shot.start.state[j] - f64::from(LATER) * run(j);
+    let mut gaps: Vec<f64> = (0..magnitude.len()).map(gap).collect();
+    if let Some(phase) = flow.phase() {
+        gaps[phase] -= TAU * (gaps[phase] / TAU).round();
+    }
+    let mut missed = scaled(gaps);
+    if let Some(along) = scaled(shot.velocity.f.as_slice().to_vec()).try_normalize(0.0) {
         missed.axpy(-along.dot(&missed), &along, 1.0);
     }
     let once = at.residual.norm().max(FINEST);
