@@ -5,6 +5,7 @@ use stickslip::model::ModelInfo;
 use stickslip::study::{
     Case, Class, Dynamics, Found, Region, Sampling, Side, Survey, System, choose,
 };
+use stickslip_models::BeltPair;
 
 use crate::models::{Duffing, FrictionOscillator, Pendulum, Pressed, Slowed};
 
@@ -213,6 +214,37 @@ fn an_oscillator_with_a_cubic_spring_has_five_motions() {
         assert!(
             apart <= 3.0 * standard_error(published, 10_000.0),
             "{share} {published}"
+        );
+    }
+}
+
+#[test]
+fn what_lets_go_between_neighbours_settles_as_they_do() {
+    let system = System::of::<BeltPair, _>();
+    let sides = [
+        ("x1", -2.0, 2.0),
+        ("v1", -1.0, 1.0),
+        ("x2", -2.0, 2.0),
+        ("v2", -1.0, 1.0),
+    ];
+    let found = survey(&system, &[("v_dr", 0.12)], &sides, (120, false), 1e-9);
+    // Two orbits, one of which draws in by no more than 1.8 % a lap: it is known long before the motion is on it.
+    assert_eq!(of(&found, Class::Orbit).len(), 2, "{found:?}");
+    assert_eq!(found.found.len(), 2, "{found:?}");
+    let mut case = Case::declared(system.info(), Dynamics::Exact);
+    case.parameters[BeltPair::v_dr.index] = 0.12;
+    case.accuracy = 1e-6;
+    for (start, number) in found.starts.iter().skip(32).step_by(2) {
+        case.start = Some(start.clone());
+        let motion = system.motion(&case, 6000.0).unwrap();
+        let pairs = motion.times.iter().zip(&motion.states);
+        let late = pairs.filter(|(time, _)| **time >= 5900.0);
+        let least = late.fold(f64::INFINITY, |least, (_, state)| least.min(state[0]));
+        let apart = |one: &Found| (one.attractor.min[0] - least).abs();
+        let all = &found.found;
+        assert!(
+            apart(&all[*number]) < 0.1 * apart(&all[1 - number]),
+            "{start:?}"
         );
     }
 }

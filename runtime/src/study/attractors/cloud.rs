@@ -6,8 +6,9 @@ use super::statistics::visited;
 use crate::flow::FlowError;
 use crate::motion::{apart, half_extents};
 
-/// A motion keeps to these places if each of so many crossings on end is this near to one of them, in half extents.
-const CROSSINGS: usize = 100;
+/// So many crossings on end are judged together.
+const CROSSINGS: u32 = 100;
+/// A crossing this near to one of the places, in half extents, is no stray.
 const NEAR: f64 = 0.02;
 /// What comes back on end as near as this, in usual sizes, may settle on an orbit there.
 const CLOSE: f64 = 1e-3;
@@ -19,6 +20,8 @@ pub(super) struct Cloud {
     pub(super) of: usize,
     points: Vec<Vec<f64>>,
     units: Vec<f64>,
+    /// Most strays among crossings on end of the motion itself, its later ones held against its earlier ones.
+    strays: u32,
 }
 
 impl Cloud {
@@ -43,29 +46,62 @@ impl Cloud {
         if let Some(phase) = ground.flow.phase() {
             units[phase] = f64::INFINITY;
         }
-        Ok(Some(Self { of, points, units }))
+        let mut cloud = Self {
+            of,
+            points,
+            units,
+            strays: 0,
+        };
+        cloud.strays = cloud.own_strays();
+        Ok(Some(cloud))
     }
 
-    /// How many crossings on end have kept to it after one more.
-    fn kept(&self, before: usize, state: &[f64]) -> usize {
-        let near = |point: &Vec<f64>| apart(state, point, &self.units) <= NEAR;
-        match self.points.iter().any(near) {
-            true => before + 1,
-            false => 0,
-        }
+    fn own_strays(&self) -> u32 {
+        let (earlier, later) = self.points.split_at(self.points.len() / 2);
+        let mut latest = Latest::default();
+        let counts = later.iter().map(|state| {
+            latest.note(self.strays_from(earlier, state));
+            latest.strays()
+        });
+        counts.max().unwrap_or(0)
+    }
+
+    fn strays_from(&self, places: &[Vec<f64>], state: &[f64]) -> bool {
+        let mut places = places.iter();
+        !places.any(|place| apart(state, place, &self.units) <= NEAR)
     }
 }
 
-/// How long a motion has kept to each of the clouds.
+/// Which of the latest crossings were strays.
+#[derive(Debug, Clone, Copy, Default)]
+struct Latest {
+    seen: u32,
+    /// A bit for each, the latest lowest.
+    bits: u128,
+}
+
+impl Latest {
+    fn note(&mut self, strays: bool) {
+        self.seen += 1;
+        self.bits = ((self.bits << 1) | u128::from(strays)) & ((1 << CROSSINGS) - 1);
+    }
+
+    fn strays(self) -> u32 {
+        self.bits.count_ones()
+    }
+}
+
+/// How well a motion has kept to each of the clouds.
 #[derive(Debug, Clone)]
-pub(super) struct Kept(Vec<usize>);
+pub(super) struct Kept(Vec<Latest>);
 
 impl Kept {
     pub(super) fn new(clouds: &[Cloud]) -> Self {
-        Self(vec![0; clouds.len()])
+        Self(vec![Latest::default(); clouds.len()])
     }
 
-    /// The motion to whose places another one keeps after one more crossing, the last of those that are `latest`.
+    /// The motion to whose places another one keeps as well as it does itself, after one more crossing, the first of those
+    /// that are `latest`.
     pub(super) fn watch<'a>(
         &mut self,
         clouds: &[Cloud],
@@ -74,9 +110,9 @@ impl Kept {
     ) -> Option<usize> {
         let state = latest.clone().next()?;
         let mut kept = None;
-        for (cloud, count) in clouds.iter().zip(&mut self.0) {
-            *count = cloud.kept(*count, state);
-            if *count >= CROSSINGS {
+        for (cloud, own) in clouds.iter().zip(&mut self.0) {
+            own.note(cloud.strays_from(&cloud.points, state));
+            if own.seen >= CROSSINGS && own.strays() <= cloud.strays {
                 kept = kept.or(Some(cloud.of));
             }
         }

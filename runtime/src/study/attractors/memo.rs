@@ -1,60 +1,128 @@
 //! Places where contacts let go, whose future is known.
 
+use super::record::Class;
+use super::track::{Release, Track};
 use crate::field::exact::Mode;
-use crate::flow::EventKind;
-use crate::motion::{Event, Passage, apart};
+use crate::motion::apart;
 
 /// States that agree to this, in usual sizes, are the same but for rounding.
 const SAME: f64 = 1e-10;
+/// Neighbours on a line are no further apart, in usual sizes,
+const NEXT: f64 = 0.02;
+/// and what lies between them is off their chord by no more than this share of it.
+const BENT: f64 = 0.01;
+/// So many switches after each of them are the same at least.
+const ALIKE: usize = 16;
 /// Most places that are kept.
-const MOST: usize = 256;
+const MOST: usize = 4096;
 
 /// Where motions have let go of a contact, and on what they settled.
 ///
 /// What sticks loses a dimension, and of a single mass all that it had: all motions that stick let go at one place, and
-/// all that let go there share one future.
+/// all that let go there share one future. Where one dimension is left, places of letting go lie on a line, and a place
+/// between two neighbours whose motions go on through the same switches to the same end goes on so, too: what follows on
+/// the line is stretched or shrunk by them, but keeps its order.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Memo(Vec<Release>);
+pub(super) struct Memo {
+    known: Vec<Known>,
+    ways: Vec<Way>,
+}
 
 #[derive(Debug, Clone)]
-struct Release {
-    contact: usize,
-    mode: Mode,
-    state: Vec<f64>,
+struct Known {
+    release: Release,
+    /// The place of its motion among the ways.
+    way: usize,
+}
+
+/// The switches of a motion that was followed, and what it settled on.
+#[derive(Debug, Clone)]
+struct Way {
+    word: Vec<(usize, Mode)>,
     of: usize,
 }
 
 impl Memo {
-    /// Told of the releases of a motion that settles on motion number `of`.
-    pub(super) fn learn(&mut self, passages: &[Passage], of: usize, usual: &[f64]) {
-        for event in passages.iter().flat_map(releases) {
-            if self.0.len() < MOST && self.release(event, usual).is_none() {
-                self.0.push(Release {
-                    contact: event.contact,
-                    mode: event.mode,
-                    state: event.state.clone(),
-                    of,
-                });
+    /// Told of the way of a motion that settles on motion number `of`. Of irregular ones nothing is kept: neighbours part.
+    pub(super) fn learn(&mut self, track: Track, (of, class): (usize, Class), usual: &[f64]) {
+        if matches!(class, Class::Chaos | Class::Torus | Class::Unsettled) {
+            return;
+        }
+        let Track { word, releases } = track;
+        let way = self.ways.len();
+        self.ways.push(Way { word, of });
+        for release in releases {
+            if self.known.len() < MOST && self.same(&release, usual).is_none() {
+                self.known.push(Known { release, way });
             }
         }
     }
 
-    /// On what a motion settles that lets go like this, if that is known.
-    pub(super) fn future(&self, passage: &Passage, usual: &[f64]) -> Option<usize> {
-        releases(passage).find_map(|event| self.release(event, usual))
+    /// On what a motion settles that lets go like one of these, if that is known.
+    pub(super) fn future(&self, releases: &[Release], usual: &[f64]) -> Option<usize> {
+        let mut releases = releases.iter();
+        releases.find_map(|one| self.same(one, usual).or_else(|| self.between(one, usual)))
     }
 
-    fn release(&self, event: &Event, usual: &[f64]) -> Option<usize> {
-        let known = self.0.iter().find(|known| {
-            known.contact == event.contact
-                && known.mode == event.mode
-                && apart(&known.state, &event.state, usual) <= SAME
-        });
-        known.map(|known| known.of)
+    /// The known ones of the contact and the modes of another one.
+    fn alike(&self, one: &Release) -> impl Iterator<Item = &Known> {
+        let alike = |known: &&Known| {
+            known.release.contact == one.contact && known.release.modes == one.modes
+        };
+        self.known.iter().filter(alike)
+    }
+
+    fn same(&self, one: &Release, usual: &[f64]) -> Option<usize> {
+        let same = |known: &&Known| apart(&known.release.state, &one.state, usual) <= SAME;
+        self.alike(one)
+            .find(same)
+            .map(|known| self.ways[known.way].of)
+    }
+
+    /// The future of the two neighbours of a place on a line.
+    fn between(&self, one: &Release, usual: &[f64]) -> Option<usize> {
+        if one.free != 1 {
+            return None;
+        }
+        let far = |known: &Known| apart(&known.release.state, &one.state, usual);
+        let nearer = |a: &&Known, b: &&Known| far(a).total_cmp(&far(b));
+        let on_line = || self.alike(one).filter(|known| known.release.free == 1);
+        let first = on_line().min_by(nearer)?;
+        let to = |known: &Known| difference(&known.release.state, &one.state, usual);
+        let beyond = |known: &&Known| dot(&to(known), &to(first)) < 0.0;
+        let second = on_line().filter(beyond).min_by(nearer)?;
+        let chord = difference(&second.release.state, &first.release.state, usual);
+        let gap = size(&chord);
+        let from = difference(&one.state, &first.release.state, usual);
+        let share = dot(&from, &chord) / dot(&chord, &chord);
+        let off: Vec<f64> = from
+            .iter()
+            .zip(&chord)
+            .map(|(f, c)| f - share * c)
+            .collect();
+        (gap <= NEXT && size(&off) <= BENT * gap).then(|| self.common(first, second))?
+    }
+
+    /// What both settle on, if they go there through the same switches.
+    fn common(&self, a: &Known, b: &Known) -> Option<usize> {
+        let after = |known: &Known| &self.ways[known.way].word[known.release.after..];
+        let of = |known: &Known| self.ways[known.way].of;
+        let (after_a, after_b) = (after(a), after(b));
+        let common = after_a.len().min(after_b.len());
+        let alike = common >= ALIKE && after_a[..common] == after_b[..common];
+        (alike && of(a) == of(b)).then(|| of(a))
     }
 }
 
-fn releases(passage: &Passage) -> impl Iterator<Item = &Event> {
-    let events = passage.events.iter();
-    events.filter(|event| matches!(event.kind, EventKind::Release { .. }))
+fn difference(a: &[f64], b: &[f64], units: &[f64]) -> Vec<f64> {
+    let states = a.iter().zip(b).zip(units);
+    states.map(|((a, b), unit)| (a - b) / unit).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn size(a: &[f64]) -> f64 {
+    a.iter().fold(0.0, |most, a| most.max(a.abs()))
 }

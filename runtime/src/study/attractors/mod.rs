@@ -2,10 +2,10 @@
 //!
 //! A first few starts are looked at closely: what they settle on is recognised by its returns and polished to an orbit, an
 //! equilibrium or a set of sticking states. Every other start is followed until its future is known: it lets go of a
-//! contact where one of the first did, enters a region around an equilibrium in which a Lyapunov function falls, comes
-//! nearer to a known orbit for as many laps as that takes to attract, or keeps to where a chaotic motion goes. Only what
-//! remains is looked at closely, too. So each start depends on the question alone, and on no other start beyond those first
-//! ones.
+//! contact where one of the first did, or on a line between two that went on alike, enters a region around an equilibrium in
+//! which a Lyapunov function falls, comes nearer to a known orbit for as many laps as that takes to attract, or keeps to
+//! where a chaotic motion goes. Only what remains is looked at closely, too. So each start depends on the question alone,
+//! and on no other start beyond those first ones.
 
 mod alike;
 mod areas;
@@ -27,6 +27,7 @@ mod scouted;
 mod setting;
 mod statistics;
 mod survey;
+mod track;
 mod trap;
 
 pub use followed::{Followed, FollowedRecord, Spot};

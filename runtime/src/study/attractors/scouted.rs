@@ -10,6 +10,7 @@ use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class, Fate};
 use super::returns::{SETTLED, returns};
 use super::statistics::irregular;
+use super::track::Track;
 use super::trap::{Hold, Rest, Trap};
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
@@ -24,8 +25,6 @@ const PASSAGES: usize = 1500;
 const STEPS: u64 = 2_000_000;
 /// Crossings that are looked back at.
 const BACK: usize = 20;
-/// Most passages of a scout that are kept.
-const KEPT: usize = 64;
 
 pub(super) struct Scouted<'a> {
     ground: Ground<'a>,
@@ -54,8 +53,8 @@ impl<'a> Scouted<'a> {
         scouted.equilibria();
         for k in 0..starts.min(SCOUTS) {
             let start = scouted.ground.start(k);
-            let mut passages = Vec::new();
-            let of = match scouted.future(&start, &mut passages) {
+            let mut track = Track::default();
+            let of = match scouted.future(&start, &mut track) {
                 Some(of) => of,
                 None => {
                     let of = scouted.take(scouted.ground.closely(&start));
@@ -63,7 +62,10 @@ impl<'a> Scouted<'a> {
                     of
                 }
             };
-            scouted.memo.learn(&passages, of, &scouted.ground.usual);
+            let class = scouted.attractors[of].class;
+            scouted
+                .memo
+                .learn(track, (of, class), &scouted.ground.usual);
         }
         scouted
     }
@@ -171,7 +173,7 @@ impl<'a> Scouted<'a> {
 
     /// What becomes of a start.
     pub(super) fn fate(&self, start: &[f64]) -> Fate {
-        if let Some(of) = self.future(start, &mut Vec::new()) {
+        if let Some(of) = self.future(start, &mut Track::default()) {
             return Fate::Known(of);
         }
         let usual = &self.ground.usual;
@@ -224,12 +226,12 @@ impl<'a> Scouted<'a> {
                     .any(|shift| a.is(&moved(shift), &self.ground.usual)))
     }
 
-    /// The motion on which a start settles, as soon as that is known; its first passages are kept.
-    fn future(&self, start: &[f64], kept: &mut Vec<Passage>) -> Option<usize> {
-        self.followed(start, kept).ok().flatten()
+    /// The motion on which a start settles, as soon as that is known, and the way until then.
+    fn future(&self, start: &[f64], track: &mut Track) -> Option<usize> {
+        self.followed(start, track).ok().flatten()
     }
 
-    fn followed(&self, start: &[f64], kept: &mut Vec<Passage>) -> Result<Option<usize>, FlowError> {
+    fn followed(&self, start: &[f64], track: &mut Track) -> Result<Option<usize>, FlowError> {
         let ground = &self.ground;
         let mut pursuit = Pursuit::new(ground.flow.as_ref(), start)?;
         let mut holds: Vec<Option<Hold>> = vec![None; self.traps.len()];
@@ -237,8 +239,9 @@ impl<'a> Scouted<'a> {
         let mut kept_to = Kept::new(&self.clouds);
         let mut latest: VecDeque<Vec<f64>> = VecDeque::new();
         for _ in 0..PASSAGES {
-            let begun = pursuit.time;
+            let (begun, modes) = (pursuit.time, pursuit.place.modes.clone());
             let passage = pursuit.on()?;
+            let new = track.note(&passage, modes);
             let mut crossed = false;
             let mut roams = None;
             for minimum in minima(&passage, section) {
@@ -249,7 +252,7 @@ impl<'a> Scouted<'a> {
             }
             let future = self
                 .memo
-                .future(&passage, &ground.usual)
+                .future(&track.releases[new], &ground.usual)
                 .or_else(|| self.held(&passage, &mut holds));
             let future = future.or_else(|| {
                 let mut rests = self.rests.iter();
@@ -261,9 +264,6 @@ impl<'a> Scouted<'a> {
             });
             let future = future.or(roams);
             let rests = future.is_none() && ground.rests(&passage, pursuit.time - begun)?;
-            if kept.len() < KEPT {
-                kept.push(passage);
-            }
             if future.is_some() {
                 return Ok(future);
             }
