@@ -32,6 +32,14 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         corner: bool,
     ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let (accuracy, scale) = (self.settings.accuracy, self.problem.scale());
+        let inwards;
+        let base = match self.settings.left::<P::Error>(base.r) {
+            Some((end, _)) if base.leads_from(end) => {
+                inwards = base.turned();
+                &inwards
+            }
+            _ => base,
+        };
         let (corrected, length, stop) = self.step_from(base)?;
         let direction = base.tangent.clone();
         let straight = match corner {
@@ -45,8 +53,12 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let arrives = self.tangent(&corrected, &direction)?;
+        let back = base.r == self.settings.from && length > AROUND * self.settings.smallest_step;
         if stop.is_some() {
             first_there(base, corrected.r, &arrives)?;
+        } else if back && self.settings.left::<P::Error>(corrected.r).is_some() {
+            // From the beginning of its range it has turned, and left the range, within this step.
+            return Err(turns(base, corrected.r, &arrives).into());
         }
         let accepted = self.accept(corrected, arrives.clone());
         // What the problem fixed for the new point does not fit the old one.
@@ -189,6 +201,11 @@ fn first_there<E>(base: &Base, r: f64, arrives: &DVector<f64>) -> Result<(), Fai
     if outwards >= 0.0 {
         return Ok(());
     }
+    Err(turns(base, r, arrives))
+}
+
+/// The branch turns too far on a step to r.
+fn turns<E>(base: &Base, r: f64, arrives: &DVector<f64>) -> Failure<E> {
     let (beta_1, beta_2) = angles(&base.tangent, arrives);
-    Err(Failure::Angle { beta_1, beta_2, r })
+    Failure::Angle { beta_1, beta_2, r }
 }

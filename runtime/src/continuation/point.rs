@@ -37,6 +37,21 @@ pub(super) struct Base {
     pub(super) tangent: DVector<f64>,
 }
 
+impl Base {
+    /// Whether r first goes away from this value.
+    pub(super) fn leads_from(&self, r: f64) -> bool {
+        self.tangent[self.z.len()] * (r - self.r) < 0.0
+    }
+
+    /// The same point, from which steps go the other way.
+    pub(super) fn turned(&self) -> Self {
+        Self {
+            tangent: -&self.tangent,
+            ..self.clone()
+        }
+    }
+}
+
 /// A tangent in coordinates that are stretched by `ratio`, and in r by another one.
 pub(super) fn rescaled(
     mut tangent: DVector<f64>,

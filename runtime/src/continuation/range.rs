@@ -46,12 +46,28 @@ impl Settings {
 }
 
 impl Settings {
-    /// The end of the range that lies between r = `base` and `r`, or at `r`; `None` if `r` is inside.
+    /// The end of the range that lies between r = `base` and `r`, or at `r`; `None` if `r` is inside. From outside, it is the
+    /// end by which the range was left.
     pub(super) fn passed<E>(&self, base: f64, r: f64) -> Option<(f64, Stop<E>)> {
         let (from, to) = (self.from, self.to);
-        if (r - to) * (to - from) >= 0.0 {
+        let outside = self.left(base);
+        if outside.is_some() {
+            outside
+        } else if (r - to) * (to - from) >= 0.0 {
             Some((to, Stop::ReachedEnd))
         } else if (r - from) * (to - from) <= 0.0 && base != from {
+            Some((from, Stop::ReachedStart))
+        } else {
+            None
+        }
+    }
+
+    /// The end of the range beyond which `r` lies; `None` if it lies at neither.
+    pub(super) fn left<E>(&self, r: f64) -> Option<(f64, Stop<E>)> {
+        let (from, to) = (self.from, self.to);
+        if (r - to) * (to - from) > 0.0 {
+            Some((to, Stop::ReachedEnd))
+        } else if (r - from) * (to - from) < 0.0 {
             Some((from, Stop::ReachedStart))
         } else {
             None

@@ -216,8 +216,10 @@ impl<R: Reader> Reading<R> {
         true
     }
 
-    /// Goes on with another branch, its first point next; what it has cost so far is in its problem.
-    pub(super) fn go_on(&mut self, (branch, first): Started<R::Problem>) {
+    /// Goes on with another branch, its first point next, or the end of its range if that lies before it; what it has cost so
+    /// far is in its problem.
+    pub(super) fn go_on(&mut self, (mut branch, first): Started<R::Problem>) {
+        let first = branch.back_in_range().unwrap_or(first);
         self.branch = branch;
         self.first = Some(self.read(&first));
     }

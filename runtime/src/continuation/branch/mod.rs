@@ -159,6 +159,15 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         true
     }
 
+    /// The point at the end of its range, as the first one, if it begins beyond it; `None` if it does not, or none is found.
+    pub(super) fn back_in_range(&mut self) -> Option<Point<P::Extra>> {
+        let base = self.point.as_ref()?;
+        self.settings.left::<P::Error>(base.r)?;
+        let end = self.next()?;
+        (self.link, self.before) = (None, None);
+        Some(end)
+    }
+
     /// Tries once more where no step was small enough, with one as long as the last that was, or so long that a corner is
     /// told.
     pub(super) fn resume(&mut self) {

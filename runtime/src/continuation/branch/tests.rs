@@ -46,6 +46,41 @@ fn goes_through_a_fold_and_comes_back() {
 }
 
 #[test]
+fn a_fold_within_the_first_step_is_not_stepped_over() {
+    // 0.0014 to the fold, and as far back to where it began: first steps of 0.02 and of half the circle.
+    let from: f64 = 1.0 - 1e-6;
+    let start = DVector::from_element(1, (1.0 - from * from).sqrt());
+    for first_step in [0.02, 0.5] {
+        let settings = Settings {
+            first_step,
+            ..Settings::new(from, 2.0, 1e-12)
+        };
+        let (mut branch, _) = Branch::start(Circle, start.clone(), settings).unwrap();
+        let points: Vec<_> = branch.by_ref().collect();
+        assert_eq!(branch.stop(), Some(&Stop::ReachedStart));
+        assert!(points.iter().all(|point| point.r >= from), "{points:?}");
+        let last = points.last().unwrap();
+        assert!(last.r == from && (last.z[0] + start[0]).abs() < 1e-10);
+    }
+}
+
+#[test]
+fn a_branch_that_begins_outside_its_range_comes_back_to_it() {
+    // Whether it sets off away from the range or towards it.
+    for to in [0.9, 0.75] {
+        let start = DVector::from_element(1, 0.6);
+        let (mut branch, first) =
+            Branch::start(Circle, start, Settings::new(0.8, to, 1e-12)).unwrap();
+        assert_eq!(first.r, 0.8);
+        branch.settings = Settings::new(0.0, 0.7, 1e-12);
+        let last = branch.by_ref().last().unwrap();
+        assert_eq!(last.r, 0.7);
+        assert!((last.z[0] - (1.0_f64 - 0.49).sqrt()).abs() < 1e-12);
+        assert_eq!(branch.stop(), Some(&Stop::ReachedEnd));
+    }
+}
+
+#[test]
 fn ends_exactly_at_the_end() {
     let start = DVector::from_element(1, 1.0);
     let (mut branch, _) = Branch::start(Circle, start, Settings::new(0.0, 0.7, 1e-12)).unwrap();
