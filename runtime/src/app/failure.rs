@@ -6,7 +6,6 @@ use std::io::{IsTerminal, Write};
 use super::text::number;
 use super::width::fitted;
 use crate::flow::FlowError;
-use crate::model::ModelInfo;
 use crate::shooting::OrbitError;
 use crate::study::StudyError;
 use crate::study::trade::TradeError;
@@ -64,16 +63,14 @@ impl Failure {
     }
 
     /// What a study of this model ran into, in the model's own words.
-    pub(super) fn of(error: &StudyError, info: &ModelInfo) -> Self {
+    pub(super) fn of(error: &StudyError) -> Self {
         let message = match error {
             StudyError::Orbit(OrbitError::Equilibrium { state }) => format!(
-                "no periodic orbit was found, only an equilibrium: the motion settles at {}; `--start` looks elsewhere",
-                named(info, state)
+                "no periodic orbit was found, only an equilibrium: the motion settles at {state}; `--start` looks elsewhere"
             ),
             StudyError::Orbit(OrbitError::NotIsolated { state, period }) => format!(
-                "the motion through {} is periodic, with the period {}, but so are those beside it: the orbits form a \
+                "the motion through {state} is periodic, with the period {}, but so are those beside it: the orbits form a \
                  family, and none is singled out",
-                named(info, state),
                 number(*period, 9)
             ),
             other => format!("{other}{}", way_out(other)),
@@ -146,10 +143,4 @@ fn is_usage(error: &StudyError) -> bool {
             | FlowError::Misplaced { .. }
             | FlowError::NoExactStops { .. }
     )
-}
-
-fn named(info: &ModelInfo, state: &[f64]) -> String {
-    let pairs = info.states.iter().zip(state);
-    let pairs = pairs.map(|(one, &value)| format!("{} = {}", one.name, number(value, 6)));
-    pairs.collect::<Vec<_>>().join(", ")
 }

@@ -41,9 +41,7 @@ pub(super) fn request<'a>(
         period: period.or(case.period),
         ..case
     };
-    entry
-        .check(&case)
-        .map_err(|error| Failure::of(&error, info))?;
+    entry.check(&case).map_err(|error| Failure::of(&error))?;
     let output = Output::open(&subject.destination)?.about(Document::case(info, &case));
     if let Some(size) = superseded(subject, along) {
         output.note(format!(
@@ -104,7 +102,7 @@ fn elsewhere(saved: &Saved, along: Along) -> Option<f64> {
 impl Request<'_> {
     /// What the question ran into.
     pub(super) fn failed(&self, error: StudyError) -> Failure {
-        Failure::of(&error, self.info)
+        Failure::of(&error)
     }
 
     /// An answer, or what the question ran into.

@@ -25,6 +25,13 @@ pub(super) fn number(value: f64, digits: usize) -> String {
     format!("{value:.*}", decimals as usize)
 }
 
+/// A number that is known to the last of so many digits of a larger one, if to more than none.
+pub(super) fn beside(value: f64, larger: f64, digits: usize) -> String {
+    let place = |value: f64| value.abs().log10().floor();
+    let left = digits as f64 - (place(larger) - place(value)).max(0.0);
+    number(if left < 1.0 { 0.0 } else { value }, left as usize)
+}
+
 /// A number as a user would type it.
 pub(super) fn short(value: f64) -> String {
     let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
@@ -237,6 +244,10 @@ mod tests {
         assert_eq!(number(1.5e-7, 3), "1.50e-7");
         assert_eq!(number(123_456.0, 3), "1.23e5");
         assert_eq!(number(0.0, 3), "0");
+        let below = |value| beside(value, -21.5, 6);
+        assert_eq!(below(-0.001_234), "-0.0012");
+        assert_eq!(below(33.333_333), "33.3333");
+        assert_eq!([below(9e-6), below(0.0)], ["0", "0"]);
     }
 
     #[test]

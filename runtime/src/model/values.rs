@@ -12,6 +12,8 @@ const DIGITS: usize = 7;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Values {
     values: Vec<f64>,
+    /// How far each may be off; nothing where that is not known.
+    errors: Vec<f64>,
     model: Option<&'static ModelInfo>,
 }
 
@@ -21,8 +23,15 @@ impl Values {
     pub fn of(model: &'static ModelInfo, values: &[f64]) -> Self {
         Self {
             values: values.to_vec(),
+            errors: Vec::new(),
             model: Some(model),
         }
+    }
+
+    /// The same, known to these errors: no digit below them is shown.
+    #[must_use]
+    pub fn within(self, errors: Vec<f64>) -> Self {
+        Self { errors, ..self }
     }
 
     /// The same by the names that the states have in this model.
@@ -39,6 +48,7 @@ impl From<Vec<f64>> for Values {
     fn from(values: Vec<f64>) -> Self {
         Self {
             values,
+            errors: Vec::new(),
             model: None,
         }
     }
@@ -56,7 +66,8 @@ impl fmt::Display for Values {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (j, value) in self.values.iter().enumerate() {
             let comma = if j == 0 { "" } else { ", " };
-            let value = brief(*value);
+            let error = self.errors.get(j).copied().unwrap_or(0.0);
+            let value = known(*value, error);
             match self.model.and_then(|model| model.states.get(j)) {
                 Some(state) => write!(f, "{comma}{} = {value}", state.name)?,
                 None => write!(f, "{comma}{value}")?,
@@ -69,7 +80,19 @@ impl fmt::Display for Values {
 /// A number as a message shows it.
 #[must_use]
 pub fn brief(value: f64) -> String {
-    let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
+    shortened(value, DIGITS)
+}
+
+/// The digits of a number that lie above its error.
+fn known(value: f64, error: f64) -> String {
+    match (value.abs() / error).log10() {
+        above if above < 0.0 => brief(0.0),
+        above => shortened(value, above.min(DIGITS as f64 - 1.0) as usize + 1),
+    }
+}
+
+fn shortened(value: f64, digits: usize) -> String {
+    let rounded: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     let plain = value == 0.0 || (1e-4..1e7).contains(&value.abs()) || !value.is_finite();
     if plain {
         format!("{rounded}")
@@ -98,5 +121,12 @@ mod tests {
             ["0", "-0.25", "0.3333333", "150", "1.922533e24", "4.494e-15"]
         );
         assert_eq!(Values::from(vec![1.0, -2.0]).to_string(), "1, -2");
+    }
+
+    #[test]
+    fn no_digit_below_an_error_is_shown() {
+        let values = vec![-1.055_55e-10, 0.123_456_7, 0.123_456_7, 0.0, f64::INFINITY];
+        let known = Values::from(values).within(vec![1e-9, 1e-4, 0.0, 0.0, 1.0]);
+        assert_eq!(known.to_string(), "0, 0.1235, 0.1234567, 0, inf");
     }
 }

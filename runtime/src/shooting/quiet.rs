@@ -52,6 +52,11 @@ impl Quiet {
         self.spans += 1;
     }
 
+    /// How far each state may be from where it comes to rest once nothing counts that it moves by.
+    pub(super) fn errors(&self) -> Vec<f64> {
+        self.reach.iter().map(|reach| NOTHING * reach).collect()
+    }
+
     /// Which states move by these extents that count for something beside where they are and what they ever did.
     pub(super) fn moving(&self, state: &[f64], extents: &[f64]) -> Vec<usize> {
         let size = |j: usize| state[j].abs().max(self.reach[j]);

@@ -110,8 +110,8 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     }
     match settled {
         Settled::Orbit(orbit) => orbit,
-        Settled::Equilibrium(state) => Err(OrbitError::Equilibrium {
-            state: loose(&magnitude)?.values(&state),
+        Settled::Equilibrium(state, errors) => Err(OrbitError::Equilibrium {
+            state: loose(&magnitude)?.values(&state).within(errors),
         }),
         Settled::Neither(time, place) => Err(OrbitError::NotSettled {
             time,

@@ -27,8 +27,8 @@ const VANISHED: f64 = 1e-7;
 pub enum Settled<T> {
     /// `accept` was satisfied with a guess.
     Orbit(T),
-    /// It came to rest.
-    Equilibrium(Vec<f64>),
+    /// It came to rest here, to these errors.
+    Equilibrium(Vec<f64>, Vec<f64>),
     /// Neither, after this time; where it had come by then.
     Neither(f64, Place),
 }
@@ -53,7 +53,7 @@ pub fn settle<T>(
         let faded = watch.has_faded() && !watch.moves_elsewhere(flow);
         let rests = faded || (crossings < ENOUGH && watch.quiet.lasts());
         if flow.phase().is_none() && rests {
-            return Ok(Settled::Equilibrium(watch.place.state.clone()));
+            return Ok(watch.rest());
         }
         if crossings < ENOUGH {
             chunk *= 2.0;
@@ -68,7 +68,7 @@ pub fn settle<T>(
         }
     }
     Ok(if watch.slow(flow)? {
-        Settled::Equilibrium(watch.place.state)
+        watch.rest()
     } else {
         Settled::Neither(watch.time, watch.place)
     })
@@ -121,6 +121,11 @@ impl Watch {
             swings: Vec::new(),
             steps: 0,
         }
+    }
+
+    /// At rest where it is.
+    fn rest<T>(&self) -> Settled<T> {
+        Settled::Equilibrium(self.place.state.clone(), self.quiet.errors())
     }
 
     /// Follows one chunk; returns the number of minima in it.

@@ -5,7 +5,8 @@ use crate::app::harmonics;
 use crate::app::request::Request;
 use crate::app::spreadsheet::{Columns, part, parts};
 use crate::app::text::{
-    digits, followed, heading, label, line, number, states as named, table, time_unit, timed, work,
+    beside, digits, followed, heading, label, line, number, states as named, table, time_unit,
+    timed, work,
 };
 use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case, OrbitRecord};
@@ -167,10 +168,7 @@ fn states(info: &ModelInfo, orbit: &OrbitRecord) -> String {
     let mut lines = format!("state\tstart\tmin\tmax\tmax abs{gain}\n");
     for (j, state) in info.states.iter().enumerate() {
         let largest = orbit.max_abs.get(j).copied().unwrap_or(0.0);
-        let show = |value: f64| {
-            let rounding = value.abs() <= f64::EPSILON * largest;
-            number(if rounding { 0.0 } else { value }, digits)
-        };
+        let show = |value: f64| beside(value, largest, digits);
         let columns = [&orbit.state, &orbit.min, &orbit.max, &orbit.max_abs].into_iter();
         let columns = columns.chain(&orbit.shift);
         let values = columns.map(|column| column.get(j).copied().map_or(String::new(), show));
