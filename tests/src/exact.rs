@@ -23,6 +23,7 @@ pub fn family<M: Model<N>, const N: usize>(model: M, accuracy: f64) -> ExactFami
 pub fn search(start: &[f64], accuracy: f64) -> Search {
     Search {
         start: start.to_vec(),
+        modes: Vec::new(),
         period: None,
         accuracy,
         segments: 1,

@@ -33,6 +33,14 @@ fn an_orbit_begins_where_one_was_found() {
     let again = told("orbit belt-pair", &["--start", &file]);
     assert_eq!(first["parameters"], again["parameters"]);
     near(&first["period"], &again["period"], 1e-8);
+    // It begins in the modes that it had; a file that has none can be read all the same.
+    assert_eq!(first["modes"]["f2"], "stick");
+    let mut old: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    old.as_object_mut().unwrap().remove("modes");
+    let without = format!("{out}/old.json");
+    fs::write(&without, old.to_string()).unwrap();
+    let again = told("orbit belt-pair", &["--start", &without]);
+    near(&first["period"], &again["period"], 1e-8);
     // What is set is set.
     let other = told("orbit belt-pair --set beta=1.26", &["--start", &file]);
     assert_eq!(other["parameters"]["beta"], 1.26);

@@ -4,6 +4,7 @@ use serde::ser::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::text::time_unit;
+use crate::field::exact::Mode;
 use crate::model::{ModelInfo, Unit};
 use crate::study::{Along, Case, Ended};
 
@@ -93,6 +94,13 @@ impl<'a> Document<'a> {
             }
         }
         self
+    }
+
+    /// The mode of each contact, if there are any.
+    pub(super) fn modes(self, modes: &[Mode]) -> Self {
+        let contacts = (0..modes.len()).map(|i| self.info.contact(i).unwrap_or("?"));
+        let named = named(contacts, modes.iter().map(Mode::to_string));
+        self.maybe("modes", (!modes.is_empty()).then_some(named))
     }
 
     /// Values of all parameters.

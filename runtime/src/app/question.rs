@@ -55,6 +55,7 @@ impl Question {
             dynamics,
             along,
             start,
+            modes,
             period,
             accuracy,
             beginning,
@@ -72,6 +73,7 @@ impl Question {
         question
             .exactly("`--along`", along)
             .exactly("`--start`", start)
+            .exactly("the modes of `--start`", modes)
             .exactly("`--period`", period)
             .exactly("`--accuracy`", accuracy)
             .exactly("`--from`", beginning)

@@ -85,6 +85,7 @@ fn case(
         Some(Start::Given(given)) => Some(begin(info, given)?),
         _ => saved.map(|saved| saved.state.clone()),
     };
+    case.modes = saved.map_or_else(Vec::new, |saved| saved.modes.clone());
     case.period = saved.and_then(|saved| saved.period);
     case.accuracy = subject.accuracy.unwrap_or(case.accuracy);
     Ok(case)

@@ -8,7 +8,9 @@ use serde_json::Value;
 use super::failure::{Failure, refuse};
 use super::values::{Assignment, SMOOTH};
 use crate::field::Smoothing;
+use crate::field::exact::Mode;
 use crate::model::{ModelInfo, within_reach};
+use crate::motion::Modes;
 use crate::study::Dynamics;
 
 /// Where to begin.
@@ -50,6 +52,8 @@ pub(super) struct Named {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Saved {
     pub(super) state: Vec<f64>,
+    /// The modes in which it was reached; none where they are not known.
+    pub(super) modes: Modes,
     pub(super) period: Option<f64>,
     /// Values of parameters, by their numbers.
     pub(super) parameters: Vec<(usize, f64)>,
@@ -91,6 +95,7 @@ impl Named {
         let part = self.part(&document)?;
         let saved = Saved {
             state: self.state(info, part)?,
+            modes: modes(info, part).unwrap_or_default(),
             period: positive(&part["period"]),
             parameters: parameters(info, &document, part),
             dynamics: dynamics(&document, part),
@@ -143,6 +148,12 @@ impl Named {
         };
         info.states.iter().map(|state| value(state.name)).collect()
     }
+}
+
+/// The mode of each contact; `None` where one is not known.
+fn modes(info: &ModelInfo, part: &Value) -> Option<Modes> {
+    let mode = |(name, _)| Mode::named(part["modes"].get(name)?.as_str()?);
+    info.forces().map(mode).collect()
 }
 
 /// A number with which a model can be asked.

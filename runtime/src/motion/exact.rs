@@ -78,6 +78,19 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         Ok(Place::of(&place, modes))
     }
 
+    fn place_in(&self, state: &[f64], modes: &[Mode]) -> Result<Place, FlowError> {
+        let reached = Place {
+            state: state.to_vec(),
+            modes: modes.to_vec(),
+        };
+        let known = modes.len() == self.system().contacts() && self.is_still(&place(&reached));
+        let begun = || self.advance(&reached, 0.0, Want::default()).ok();
+        match known.then(begun).flatten() {
+            Some(passage) => Ok(passage.end),
+            None => Flow::place(self, state),
+        }
+    }
+
     fn advance(&self, from: &Place, time: f64, want: Want) -> Result<Passage, FlowError> {
         let passage = flow::Flow::advance(self, &place(from), time, want);
         let passage = passage.map_err(|error| {

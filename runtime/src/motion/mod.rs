@@ -28,6 +28,7 @@ pub use tape::{Note, Tape};
 
 use std::f64::consts::TAU;
 
+use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
 use crate::model::Values;
 
@@ -52,6 +53,15 @@ pub trait Flow: Send + Sync {
     /// # Errors
     /// No mode is consistent with the state.
     fn place(&self, state: &[f64]) -> Result<Place, FlowError>;
+
+    /// The place of a state that was reached in these modes: they go on, unless it cannot be one of theirs, or there are
+    /// none; then it decides alone.
+    ///
+    /// # Errors
+    /// No mode is consistent with the state.
+    fn place_in(&self, state: &[f64], _modes: &[Mode]) -> Result<Place, FlowError> {
+        self.place(state)
+    }
 
     /// Follows the motion from `from` for the time `time` ≥ 0.
     ///

@@ -92,6 +92,7 @@ pub(super) fn reaches(orbit: &Orbit, period: f64) -> bool {
 pub(super) fn near(orbit: &Orbit, accuracy: f64) -> Search {
     Search {
         start: orbit.place.state.clone(),
+        modes: orbit.place.modes.clone(),
         period: Some(orbit.period),
         accuracy,
         segments: 1,

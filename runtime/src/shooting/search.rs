@@ -12,7 +12,7 @@ use super::shift::Shifts;
 use super::stay::stays;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow, Place, half_extents};
+use crate::motion::{Family, Flow, Modes, Place, half_extents};
 
 /// Magnitudes are far off if those of the motion are smaller by this factor.
 const COARSE: f64 = 1e-3;
@@ -32,6 +32,8 @@ const SELDOM: usize = 8;
 pub struct Search {
     /// Where to begin.
     pub start: Vec<f64>,
+    /// The modes in which that was reached; empty where the state alone decides.
+    pub modes: Modes,
     /// A guess of the period; then Newton begins at once.
     pub period: Option<f64>,
     /// Relative accuracy of period and extrema.
@@ -81,7 +83,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     let magnitude = magnitude_of(&search.start);
     let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
     let loose = |magnitude: &[f64]| rough.with_magnitude(magnitude).at(r);
-    let start = loose(&magnitude)?.place(&search.start)?;
+    let start = loose(&magnitude)?.place_in(&search.start, &search.modes)?;
     if let Some(period) = search.period {
         let guess = Guess {
             shift: gained(loose(&magnitude)?.as_ref(), &start, period, &magnitude)?,

@@ -32,6 +32,7 @@ pub(super) fn walks_back(family: &Family, orbits: &[Orbit], orbit: &Orbit, accur
     let guess = ends[nearer].guess();
     let search = Search {
         start: guess.place.state.clone(),
+        modes: guess.place.modes.clone(),
         period: Some(guess.period),
         accuracy,
         segments: 1,

@@ -67,6 +67,7 @@ fn route<M: Model<N>, const N: usize>(
         family: family.into(),
         search: Search {
             start: M::INFO.states.iter().map(|state| state.start).collect(),
+            modes: Vec::new(),
             period: None,
             accuracy,
             segments: 1,

@@ -49,6 +49,7 @@ fn row<M: Model<N>, const N: usize>(model: M, design: usize, start: [f64; N]) {
     let r = model.values().as_ref()[design];
     let search = Search {
         start: start.to_vec(),
+        modes: Vec::new(),
         period: None,
         accuracy: ACCURACY,
         segments: 1,

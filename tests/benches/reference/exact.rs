@@ -63,6 +63,7 @@ fn row<M: Model<N>, const N: usize>(
     .into();
     let search = Search {
         start: start.to_vec(),
+        modes: Vec::new(),
         period,
         accuracy: ACCURACY,
         segments: 1,

@@ -144,6 +144,7 @@ impl<M: Model<N>, const N: usize> Asked<M, N> {
     fn find(&self, family: &Family) -> Orbit {
         let search = Search {
             start: self.start.to_vec(),
+            modes: Vec::new(),
             period: self.period,
             accuracy: 1e-9,
             segments: 1,

@@ -32,6 +32,7 @@ fn branch(accuracy: f64) -> (Vec<Orbit>, Option<Stop<FlowError>>) {
     let family = family(accuracy);
     let search = Search {
         start: vec![6.0, 0.0],
+        modes: Vec::new(),
         period: None,
         accuracy,
         segments: 1,

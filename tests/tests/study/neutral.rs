@@ -1,6 +1,7 @@
 //! Orbits beside which there are others: what is held, and what is not taken for it.
 
 use stickslip::field::Design;
+use stickslip::field::exact::Mode;
 use stickslip::model;
 use stickslip::model::Model;
 use stickslip::shooting::OrbitError;
@@ -258,5 +259,53 @@ fn what_is_held_lets_go_where_slides_vanish() {
         };
         let (off, error) = ((one.r - 0.2).abs(), one.error.unwrap());
         assert!(off < 1e-9 && off <= error, "{} ± {error}", one.r);
+    }
+}
+
+model! {
+    /// The head of a pantograph on a wire, on a frame that rubs in its guide more than it bears.
+    pub struct Head {
+        state h: m = 0.0;
+        state v: m/s = 0.0;
+        state frame: m = 0.05;
+        state w: m/s = 0.0;
+        param dry: N = 40.0 where dry >= 0.0;
+        param load: N = 10.0;
+        param omega: rad/s = 7.0 where omega > 0.0;
+        drive phi at omega;
+        friction F: N = Coulomb { level: dry } opposing w;
+        der(h) = v;
+        der(v) = (7e3 * (frame - h) + 130.0 * (w - v) - 3.6e3 * h + load * cos(phi)) / 9.0;
+        der(frame) = w;
+        der(w) = (110.0 + F - 7e3 * (frame - h) - 130.0 * (w - v)) / 17.0;
+    }
+}
+
+/// Against fixed ground a speed is its own only term: that one of 1e-50 is what was left where a contact stuck, only the mode
+/// tells that was saved with it. One that moves does not stick because that is said of it.
+#[test]
+fn an_orbit_that_is_held_is_found_again_from_what_was_saved() {
+    let system = system::<Head, 5>();
+    let case = Case::declared(Head::INFO, Dynamics::Exact);
+    let orbit = system.orbit(&case).unwrap();
+    assert_eq!(orbit.modes, [Mode::Stick]);
+    let from = |w: f64, modes: &[Mode]| {
+        let mut start = orbit.state.clone();
+        start[3] = w;
+        Case {
+            start: Some(start),
+            modes: modes.to_vec(),
+            period: Some(orbit.period),
+            ..case.clone()
+        }
+    };
+    for left in [2.7e-50, -8.8e-47, 1e-19] {
+        assert!(system.orbit(&from(left, &[])).is_err(), "{left:e}");
+        let again = system.orbit(&from(left, &orbit.modes)).unwrap();
+        assert!((again.max[0] / orbit.max[0] - 1.0).abs() < 1e-9);
+    }
+    for modes in [&[][..], &orbit.modes] {
+        let motion = system.motion(&from(0.1, modes), 1e-3).unwrap();
+        assert_eq!(motion.states[0][3], 0.1);
     }
 }

@@ -104,6 +104,22 @@ impl Mode {
         }
     }
 
+    /// The mode of this name; `None` also where it says not which way.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        const NAMED: [Mode; 8] = [
+            Mode::SlideForward,
+            Mode::SlideBackward,
+            Mode::Stick,
+            Mode::Loose,
+            Mode::Open,
+            Mode::Closed,
+            Mode::Parted,
+            Mode::Rest,
+        ];
+        NAMED.into_iter().find(|mode| mode.to_string() == name)
+    }
+
     /// Whether it is that of a contact that sticks or slides.
     #[must_use]
     pub fn rubs(self) -> bool {

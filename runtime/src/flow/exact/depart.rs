@@ -1,17 +1,29 @@
 //! How a motion begins: on surfaces or off them, sticking or departing.
 
+use super::ExactFlow;
 use super::press::Vanishing;
 use super::run::Run;
 use super::settle::Rest;
 use super::switch::ROUNDING;
 use crate::field::exact::{Mode, Modes};
-use crate::flow::FlowError;
 use crate::flow::saltation::Tracked;
+use crate::flow::{FlowError, Place};
 use crate::model::Model;
 use crate::scalar::Inline;
 
 /// Distance on the wrong side of its surface, relative to its scale, from which a motion may still depart.
 const WRONG_SIDE: f64 = 1e-6;
+
+impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
+    /// Whether what sticks in these modes does not move, but for what a motion may be off its surface.
+    pub(crate) fn is_still(&self, at: &Place<N, Modes<M, N>>) -> bool {
+        let (speeds, scales) = (self.system.speeds(&at.state), self.speed_scales(&at.state));
+        at.mode.bound().all(|i| {
+            let scale = scales.as_ref()[i].max(self.system.usual_speed(i));
+            speeds.as_ref()[i].abs() <= WRONG_SIDE * scale
+        })
+    }
+}
 
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Decides how the motion begins: on surfaces or off them, sticking or departing.

@@ -15,6 +15,7 @@ use serde::de::DeserializeOwned;
 
 use super::{Contacts, Derivatives, Family, Flow, Flows, Passage, Place, Reading, Velocity};
 use crate::field::Design;
+use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
 use crate::model::Values;
@@ -162,6 +163,7 @@ impl Flow for TapedFlow {
         phase() -> Option<usize>;
         values(state: &[f64]) -> Values;
         place(state: &[f64]) -> Result<Place, FlowError>;
+        place_in(state: &[f64], modes: &[Mode]) -> Result<Place, FlowError>;
         velocity(at: &Place) -> Result<Velocity, FlowError>;
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
         loosening(state: &[f64], contact: usize) -> f64;

@@ -72,6 +72,7 @@ impl<'a> Ground<'a> {
     pub(super) fn search(&self, start: Vec<f64>, period: Option<f64>) -> Search {
         Search {
             start,
+            modes: Vec::new(),
             period,
             accuracy: self.case.accuracy,
             segments: 1,

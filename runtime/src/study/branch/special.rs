@@ -4,6 +4,7 @@ use nalgebra::Complex;
 use serde::Serialize;
 
 use crate::continuation::{Kind, Located};
+use crate::motion::Modes;
 use crate::shooting::Orbit;
 use crate::study::label::labels;
 use crate::study::question::Along;
@@ -32,6 +33,9 @@ pub struct Special {
     pub multipliers: Vec<Complex<f64>>,
     /// Where the orbit there begins.
     pub state: Vec<f64>,
+    /// The modes in which it begins there; none for a smooth system.
+    #[serde(skip)]
+    pub modes: Modes,
     /// Its largest magnitude of each state.
     #[serde(skip)]
     pub max_abs: Vec<f64>,
@@ -63,6 +67,7 @@ pub(in crate::study) fn numbered(along: &Along, located: &[Located<Orbit>]) -> V
         period_error: Some(found.lasting).filter(|error| error.is_finite()),
         multipliers: found.point.floquet.multipliers.clone(),
         state: found.point.place.state.clone(),
+        modes: found.point.place.modes.clone(),
         max_abs: found.point.max_abs(),
         section: found.point.section.clone(),
         criticality: None,

@@ -13,10 +13,10 @@ impl System {
     /// The motion cannot be followed.
     pub fn crossings(&self, case: &Case, section: Section, span: Span) -> Result<Met, StudyError> {
         let family = self.family(case);
-        let start = self.start(case);
         let (Span::Time(time) | Span::Period(time)) = span;
-        let flow = measured((&family, self.beginning(case)), &start, time)?;
-        let (flow, place) = (flow.as_ref(), flow.place(&start)?);
+        let from = (&*self.start(case), &*case.modes);
+        let flow = measured((&family, self.beginning(case)), from, time)?;
+        let (flow, place) = (flow.as_ref(), flow.place_in(from.0, from.1)?);
         Ok(match span {
             Span::Time(time) => until(flow, place, section, time)?,
             Span::Period(period) => once_around(flow, place, section, period)?,

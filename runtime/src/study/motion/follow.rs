@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::sized::Sized;
 use crate::field::Work;
+use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Family, Flow, Modes, Passage, Place, Segment};
 use crate::poincare::longest;
@@ -125,13 +126,13 @@ impl Stretch<'_> {
     }
 }
 
-/// Follows the motion of the flow at r from `start` for `time`, or until `see` wants no more.
+/// Follows the motion of the flow at r from a state, reached in these modes, for `time`, or until `see` wants no more.
 ///
 /// # Errors
 /// The motion cannot be followed, or `see` fails.
 pub(super) fn follow(
     (family, r): (&Family, f64),
-    start: &[f64],
+    (start, modes): (&[f64], &[Mode]),
     time: f64,
     see: &mut dyn FnMut(&Stretch<'_>) -> Result<ControlFlow<()>, FlowError>,
 ) -> Result<(), FlowError> {
@@ -142,7 +143,7 @@ pub(super) fn follow(
         ..Want::default()
     };
     let mut sized = Sized::new(family, r)?;
-    let mut place = sized.flow.place(start)?;
+    let mut place = sized.flow.place_in(start, modes)?;
     let most = longest(sized.flow.as_ref(), &place)?;
     let (mut since, mut turned) = (0.0, 0.0);
     loop {
@@ -174,17 +175,18 @@ pub(super) fn follow(
     }
 }
 
-/// The flow at r, its errors measured against how large the states are in the beginning of the motion from `start`.
+/// The flow at r, its errors measured against how large the states are in the beginning of the motion from a state,
+/// reached in these modes.
 ///
 /// # Errors
 /// The motion cannot be followed.
 pub(super) fn measured(
     (family, r): (&Family, f64),
-    start: &[f64],
+    (start, modes): (&[f64], &[Mode]),
     time: f64,
 ) -> Result<Box<dyn Flow>, FlowError> {
     let sized = Sized::new(family, r)?;
-    let place = sized.flow.place(start)?;
+    let place = sized.flow.place_in(start, modes)?;
     let most = longest(sized.flow.as_ref(), &place)?;
     sized.learned(&place, time.min(most))
 }

@@ -101,7 +101,7 @@ impl System {
         let mut record = Record::new(&start, limits);
         follow(
             (&family, self.beginning(case)),
-            &start,
+            (&start, &case.modes),
             time,
             &mut |stretch| {
                 record.take(stretch)?;

@@ -89,6 +89,7 @@ impl System {
                 parameters: point.parameters.clone(),
                 along: None,
                 start: Some(point.state.clone()),
+                modes: point.modes.clone(),
                 period: Some(point.period),
                 ..fine.clone()
             })?);
@@ -104,6 +105,7 @@ impl System {
         let answer = self.answer(&case, &orbit)?;
         let case = Case {
             start: Some(orbit.place.state.clone()),
+            modes: orbit.place.modes.clone(),
             period: Some(orbit.period),
             ..case
         };

@@ -59,7 +59,7 @@ impl System {
     ) -> Result<Vec<Vec<Option<usize>>>, StudyError> {
         let flow = self.at(case)?;
         let around = Around {
-            place: &flow.place(&orbit.state)?,
+            place: &flow.place_in(&orbit.state, &orbit.modes)?,
             period: orbit.period,
             shift: orbit.shift.as_deref().unwrap_or_default(),
         };
@@ -143,6 +143,7 @@ impl Sought<'_> {
             parameters: case.parameters,
             dynamics: case.dynamics,
             state: orbit.place.state.clone(),
+            modes: orbit.place.modes.clone(),
             period: orbit.period,
             max: orbit.max.clone(),
             min: orbit.min.clone(),

@@ -5,6 +5,7 @@ use crate::bifurcation::Floquet;
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::harmonics::Harmonic;
+use crate::motion::Modes;
 use crate::shooting::{Certificate, Uncertified};
 use crate::study::question::Dynamics;
 
@@ -19,6 +20,8 @@ pub struct OrbitRecord {
     pub dynamics: Dynamics,
     /// Its start, on the default section where the orbit has a minimum of the first state.
     pub state: Vec<f64>,
+    /// The modes in which it begins there; none for a smooth system.
+    pub modes: Modes,
     /// Its minimal period.
     pub period: f64,
     /// Largest value of each state.

@@ -54,6 +54,7 @@ impl System {
             seeds: self.seeds(case)?,
             search: Search {
                 start: self.start(case),
+                modes: case.modes.clone(),
                 period: case.period,
                 accuracy: case.accuracy,
                 segments: 1,

@@ -8,6 +8,7 @@ use crate::bifurcation::Kind;
 use crate::continuation::Located;
 use crate::field::{Design, Smoothing};
 use crate::model::{Model, ModelInfo, ParamId};
+use crate::motion::Modes;
 
 /// A question to a model.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Case {
     pub along: Option<Along>,
     /// Where to begin; the declared start if nothing is said.
     pub start: Option<Vec<f64>>,
+    /// The modes of its contacts in which that was reached; empty where the state alone decides.
+    pub modes: Modes,
     /// A guess of the period.
     pub period: Option<f64>,
     /// Relative accuracy of period and extrema.
@@ -95,6 +98,7 @@ impl Case {
             dynamics,
             along: None,
             start: None,
+            modes: Modes::new(),
             period: None,
             accuracy: 1e-9,
             beginning: Beginning::End,

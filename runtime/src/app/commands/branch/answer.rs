@@ -198,7 +198,8 @@ pub(in crate::app::commands) fn found<'a>(
         .maybe("from", branch.from.as_ref())
         .list("points", &branch.points, orbit)
         .list("special", &branch.special, |one| {
-            Document::of(info, one).by_state(&["state"])
+            let document = Document::of(info, one).by_state(&["state"]);
+            document.modes(&one.modes)
         })
         .ended(&branch.ended)
         .maybe("began", branch.began.as_ref().map(|ended| ended.word()))

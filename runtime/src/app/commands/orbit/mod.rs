@@ -65,6 +65,7 @@ pub(in crate::app) fn perform(app: &App, arguments: &Arguments) -> Result<(), Fa
     let (orbit, certificate) = find(entry, case, arguments.certify).map_err(failed)?;
     let from = Case {
         start: Some(orbit.state.clone()),
+        modes: orbit.modes.clone(),
         ..case.clone()
     };
     let motion = drawn(&asked, &from, orbit.period)?;

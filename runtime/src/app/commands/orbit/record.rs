@@ -38,6 +38,7 @@ pub(in crate::app::commands) fn point<'a>(
         .put("period", orbit.period)
         .put("frequency", 1.0 / orbit.period)
         .states("state", &orbit.state)
+        .modes(&orbit.modes)
         .states("max", &orbit.max)
         .states("min", &orbit.min)
         .states("max_abs", &orbit.max_abs)
