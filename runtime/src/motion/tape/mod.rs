@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{Contacts, Derivatives, Family, Flow, Flows, Passage, Place, Reading, Velocity};
+use super::{Contacts, Derivatives, Family, Flow, Flows, Modes, Passage, Place, Reading, Velocity};
 use crate::field::Design;
 use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
@@ -171,6 +171,8 @@ impl Flow for TapedFlow {
         margins(at: &Place) -> Vec<(usize, f64)>;
         speeds(state: &[f64]) -> Vec<f64>;
         stop(state: usize) -> f64;
+        loosened(modes: Modes, speeds: &[f64]) -> Modes;
+        pinned(modes: Modes, state: &[f64]) -> Modes;
         check(at: &Place) -> Result<(), FlowError>;
         read(at: &Place) -> Result<Reading, FlowError>;
         contacts(at: &Place) -> Result<Contacts, FlowError>;

@@ -1,5 +1,5 @@
 use super::*;
-use crate::examples::Belt;
+use crate::examples::{Belt, Pad};
 use crate::flow::ExactFamily;
 use crate::model::Model;
 
@@ -87,6 +87,22 @@ fn who_goes_another_way_is_not_misled() {
     damaged[0].pop();
     let (_, found) = noted(&damaged, TIMES);
     assert_eq!(found, format!("{:?}", journey(&family(), TIMES)));
+}
+
+#[test]
+fn what_a_press_holds_is_told_beside_a_tape() {
+    let family: ExactFamily<Pad, 3> = ExactFamily {
+        model: Pad::default(),
+        design: None,
+        tolerance: Tolerance::for_accuracy(1e-8),
+        magnitude: [1.0; 3],
+    };
+    let (plain, tape) = (Family::from(family), Tape::new([], Box::new(|_| ())));
+    for family in [plain.recorded(&tape), plain] {
+        let flow = family.at(0.0).unwrap();
+        let modes = flow.loosened(vec![Mode::SlideForward, Mode::Open], &[1.0, 1.0]);
+        assert_eq!(modes, [Mode::Loose, Mode::Open]);
+    }
 }
 
 #[test]
