@@ -11,27 +11,30 @@ const DIGITS: usize = 7;
 /// The values of all states, by name where the names are known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Values {
+    // Errors carry these, and are to stay small.
+    known: Box<Known>,
+    model: Option<&'static ModelInfo>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Known {
     values: Vec<f64>,
     /// How far each may be off; nothing where that is not known.
     errors: Vec<f64>,
-    model: Option<&'static ModelInfo>,
 }
 
 impl Values {
     /// The states of a model.
     #[must_use]
     pub fn of(model: &'static ModelInfo, values: &[f64]) -> Self {
-        Self {
-            values: values.to_vec(),
-            errors: Vec::new(),
-            model: Some(model),
-        }
+        Self::from(values.to_vec()).named(model)
     }
 
     /// The same, known to these errors: no digit below them is shown.
     #[must_use]
-    pub fn within(self, errors: Vec<f64>) -> Self {
-        Self { errors, ..self }
+    pub fn within(mut self, errors: Vec<f64>) -> Self {
+        self.known.errors = errors;
+        self
     }
 
     /// The same by the names that the states have in this model.
@@ -46,9 +49,9 @@ impl Values {
 
 impl From<Vec<f64>> for Values {
     fn from(values: Vec<f64>) -> Self {
+        let errors = Vec::new();
         Self {
-            values,
-            errors: Vec::new(),
+            known: Box::new(Known { values, errors }),
             model: None,
         }
     }
@@ -58,15 +61,15 @@ impl Deref for Values {
     type Target = Vec<f64>;
 
     fn deref(&self) -> &Vec<f64> {
-        &self.values
+        &self.known.values
     }
 }
 
 impl fmt::Display for Values {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (j, value) in self.values.iter().enumerate() {
+        for (j, value) in self.known.values.iter().enumerate() {
             let comma = if j == 0 { "" } else { ", " };
-            let error = self.errors.get(j).copied().unwrap_or(0.0);
+            let error = self.known.errors.get(j).copied().unwrap_or(0.0);
             let value = known(*value, error);
             match self.model.and_then(|model| model.states.get(j)) {
                 Some(state) => write!(f, "{comma}{} = {value}", state.name)?,
