@@ -189,6 +189,7 @@ fn beginning(case: &Case, along: Along, r: f64, motion: &Attractor) -> Case {
     Case {
         along: Some(along),
         start: Some(motion.state.clone()),
+        modes: motion.modes.clone(),
         period: motion.period,
         beginning: Beginning::At(r),
         switch: Switch::default(),

@@ -1,5 +1,7 @@
 //! Places where contacts let go, whose future is known.
 
+use nalgebra::DVector;
+
 use super::record::Class;
 use super::track::{Release, Track};
 use crate::field::exact::Mode;
@@ -64,12 +66,10 @@ impl Memo {
         releases.find_map(|one| self.same(one, usual).or_else(|| self.between(one, usual)))
     }
 
-    /// The known ones of the contact and the modes of another one.
+    /// The known ones that are alike but for their states.
     fn alike(&self, one: &Release) -> impl Iterator<Item = &Known> {
-        let alike = |known: &&Known| {
-            known.release.contact == one.contact && known.release.modes == one.modes
-        };
-        self.known.iter().filter(alike)
+        let all = self.known.iter();
+        all.filter(|known| known.release.is_alike(one))
     }
 
     fn same(&self, one: &Release, usual: &[f64]) -> Option<usize> {
@@ -86,21 +86,15 @@ impl Memo {
         }
         let far = |known: &Known| apart(&known.release.state, &one.state, usual);
         let nearer = |a: &&Known, b: &&Known| far(a).total_cmp(&far(b));
-        let on_line = || self.alike(one).filter(|known| known.release.free == 1);
-        let first = on_line().min_by(nearer)?;
-        let to = |known: &Known| difference(&known.release.state, &one.state, usual);
-        let beyond = |known: &&Known| dot(&to(known), &to(first)) < 0.0;
-        let second = on_line().filter(beyond).min_by(nearer)?;
+        let from = |known: &Known| difference(&one.state, &known.release.state, usual);
+        let first = self.alike(one).min_by(nearer)?;
+        let way = from(first);
+        let beyond = |known: &&Known| from(known).dot(&way) < 0.0;
+        let second = self.alike(one).filter(beyond).min_by(nearer)?;
         let chord = difference(&second.release.state, &first.release.state, usual);
-        let gap = size(&chord);
-        let from = difference(&one.state, &first.release.state, usual);
-        let share = dot(&from, &chord) / dot(&chord, &chord);
-        let off: Vec<f64> = from
-            .iter()
-            .zip(&chord)
-            .map(|(f, c)| f - share * c)
-            .collect();
-        (gap <= NEXT && size(&off) <= BENT * gap).then(|| self.common(first, second))?
+        let off = &way - &chord * (way.dot(&chord) / chord.norm_squared());
+        let gap = chord.amax();
+        (gap <= NEXT && off.amax() <= BENT * gap).then(|| self.common(first, second))?
     }
 
     /// What both settle on, if they go there through the same switches.
@@ -114,15 +108,6 @@ impl Memo {
     }
 }
 
-fn difference(a: &[f64], b: &[f64], units: &[f64]) -> Vec<f64> {
-    let states = a.iter().zip(b).zip(units);
-    states.map(|((a, b), unit)| (a - b) / unit).collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn size(a: &[f64]) -> f64 {
-    a.iter().fold(0.0, |most, a| most.max(a.abs()))
+fn difference(a: &[f64], b: &[f64], units: &[f64]) -> DVector<f64> {
+    DVector::from_fn(units.len(), |j, _| (a[j] - b[j]) / units[j])
 }

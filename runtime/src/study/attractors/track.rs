@@ -19,6 +19,14 @@ pub(super) struct Release {
     pub(super) after: usize,
 }
 
+impl Release {
+    /// Whether the same contact let go, out of and into the same modes.
+    pub(super) fn is_alike(&self, other: &Self) -> bool {
+        let key = |release: &Self| (release.contact, release.free);
+        key(self) == key(other) && self.modes == other.modes
+    }
+}
+
 /// The switches of a motion, the first one first.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Track {
