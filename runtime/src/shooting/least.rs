@@ -107,6 +107,30 @@ pub(super) fn parts(flow: &dyn Flow, guess: &Guess) -> Result<[Vec<Guess>; 2], F
     Ok(found)
 }
 
+/// Half way between two turns of a motion that comes back after both but swings to and fro between them, as it does for long
+/// where a multiplier is next to -1: a guess of the orbit about which it swings. Around that twice, where the motion comes
+/// back well, Newton's matrix is next to singular.
+///
+/// # Errors
+/// The motion cannot be followed.
+pub(super) fn midway(flow: &dyn Flow, guess: &Guess) -> Result<Option<Guess>, FlowError> {
+    let half = guess.part(2);
+    let turned = flow
+        .advance(&half.place, half.period, Default::default())?
+        .end;
+    if !gap(flow, &turned.state, &half).is_finite() || !half.is_whole(flow) {
+        return Ok(None);
+    }
+    let gained = |j: usize| half.shift.as_ref().map_or(0.0, |shift| shift[j]);
+    let mut state = half.place.state.clone();
+    for j in (0..state.len()).filter(|j| flow.phase() != Some(*j)) {
+        state[j] = 0.5 * (state[j] + turned.state[j] - gained(j));
+    }
+    let modes = (turned.modes == half.place.modes).then_some(&turned.modes);
+    let place = Place::known(flow, &state, modes)?;
+    Ok(Some(Guess { place, ..half }))
+}
+
 impl Guess {
     /// The same guess, once around of so many times.
     pub(crate) fn part(&self, laps: u32) -> Self {

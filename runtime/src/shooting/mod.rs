@@ -64,7 +64,7 @@ pub use pin::Pin;
 pub(crate) use pin::through;
 pub use problem::OrbitProblem;
 pub(crate) use same::SAME_ORBIT;
-pub use search::{Search, closest, settled};
+pub use search::{Search, closest, drawn, settled};
 pub use settle::{Settled, settle};
 pub(crate) use shift::{Shifts, changes_nothing, slid, slides, unshifted};
 pub use shot::Shot;

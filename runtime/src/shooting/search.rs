@@ -4,7 +4,7 @@ use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from, missed};
 use super::error::OrbitError;
 use super::guess::Guess;
-use super::least::parts;
+use super::least::{midway, parts};
 use super::neutral::neutral;
 use super::orbit::Orbit;
 use super::settle::{Settled, settle};
@@ -79,20 +79,32 @@ pub fn settled(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitE
     find(family, r, search, Meant::Last)
 }
 
+/// The periodic orbit of `family` at r next to `search.start`, to which a motion comes back after `period`, if the motion is
+/// drawn to it: one look at one return.
+///
+/// # Errors
+/// See [`OrbitError`].
+pub fn drawn(family: &Family, r: f64, search: &Search, period: f64) -> Result<Orbit, OrbitError> {
+    let magnitude = magnitude_of(&search.start);
+    let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
+    let flow = rough.with_magnitude(&magnitude).at(r)?;
+    let start = flow.place_in(&search.start, &search.modes)?;
+    let guess = given(flow.as_ref(), start, period, magnitude)?;
+    let orbit = from(family, r, &guess, search, anchored)
+        .or_else(|error| swung_about(family, r, &guess, search).ok_or(error))?;
+    let magnitude = half_extents(&orbit.min, &orbit.max, &guess.magnitude);
+    let guess = Guess { magnitude, ..guess };
+    Failed::new(Meant::Last).taken(family, r, &guess, (orbit, search))
+}
+
 fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit, OrbitError> {
     let magnitude = magnitude_of(&search.start);
     let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
     let loose = |magnitude: &[f64]| rough.with_magnitude(magnitude).at(r);
     let start = loose(&magnitude)?.place_in(&search.start, &search.modes)?;
     if let Some(period) = search.period {
-        let guess = Guess {
-            shift: gained(loose(&magnitude)?.as_ref(), &start, period, &magnitude)?,
-            place: start,
-            period,
-            magnitude,
-            pins: Vec::new(),
-            division: None,
-        };
+        let flow = loose(&magnitude)?;
+        let guess = given(flow.as_ref(), start, period, magnitude)?;
         return near(family, r, &guess, search);
     }
     let mut failed = Failed::new(meant);
@@ -122,6 +134,23 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
             exponent: None,
         }),
     }
+}
+
+/// A guess of the period that is given.
+fn given(
+    flow: &dyn Flow,
+    place: Place,
+    period: f64,
+    magnitude: Vec<f64>,
+) -> Result<Guess, FlowError> {
+    Ok(Guess {
+        shift: gained(flow, &place, period, &magnitude)?,
+        place,
+        period,
+        magnitude,
+        pins: Vec::new(),
+        division: None,
+    })
 }
 
 /// What the states gain in a period given, if it is little more than a shift that changes nothing.
@@ -157,6 +186,13 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
         None => converge(family, r, guess, search)
             .or_else(|error| others.iter().filter(passes).find_map(orbit).ok_or(error)),
     }
+}
+
+/// The orbit about which a motion swings to and fro that comes back after two turns.
+fn swung_about(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
+    let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
+    let midway = midway(flow.as_ref(), guess).ok()??;
+    from(family, r, &midway, search, anchored).ok()
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.
@@ -230,12 +266,15 @@ impl Failed {
         if !(passed && newton) {
             self.last = Some(error);
         }
-        if newton && self.count.is_power_of_two() {
-            let orbit = calmly(family, r, guess, search)?.ok()?;
-            self.taken(family, r, guess, (orbit, search)).ok().map(Ok)
-        } else {
-            None
+        if !(newton && self.count.is_power_of_two()) {
+            return None;
         }
+        let taken = |orbit| self.taken(family, r, guess, (orbit, search)).ok();
+        let calm = calmly(family, r, guess, search).and_then(Result::ok);
+        let other = || swung_about(family, r, guess, search);
+        calm.and_then(taken)
+            .or_else(|| other().and_then(taken))
+            .map(Ok)
     }
 }
 

@@ -5,5 +5,6 @@ mod ends;
 mod further;
 mod isolas;
 mod models;
+mod settling;
 mod shares;
 mod sharing;

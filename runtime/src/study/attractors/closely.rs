@@ -9,7 +9,7 @@ use super::statistics::irregular;
 use crate::equilibrium::{Spectrum, settle};
 use crate::flow::{FlowError, Want};
 use crate::motion::{Passage, Place, apart, sticking};
-use crate::shooting::{Orbit, OrbitError, changes_nothing, settled, slides};
+use crate::shooting::{Orbit, OrbitError, changes_nothing, drawn, settled, slides};
 use crate::study::equilibria::{sliding_mode, spelt};
 
 /// Passages in which it is looked for rest, for a motion that runs, and for returns.
@@ -22,14 +22,19 @@ const SOON: f64 = 4.0;
 const NEAR: f64 = 1e-5;
 /// A motion leaves an orbit that has a larger multiplier.
 const LEAVES: f64 = 1.01;
-/// Returns this close, in usual sizes, may be those of an orbit. Chaos comes back now and then, too: the rarer, the closer, and
-/// it takes a hundred times longer to see that it stays on no orbit than to follow an orbit until it comes back like that.
-const CLOSE: f64 = 1e-5;
+/// Returns this close, in usual sizes, may be those of an orbit to which the motion is drawn: one look is taken, and then one
+/// when they are so many times closer. In the end it is followed until it settles there. Chaos comes back now and then, too:
+/// the rarer, the closer, and it takes a hundred times longer to see that it stays on no orbit than to follow an orbit until
+/// it comes back like that.
+const CLOSE: f64 = 1e-2;
+const CLOSER: f64 = 0.1;
+const CLOSEST: f64 = 1e-5;
 
 /// What a first look sees.
 enum Look {
     Rest(Place),
     Running(Box<Attractor>),
+    Drawn(Box<Orbit>),
     /// It comes back near where it was.
     Returning(Place),
     /// None of these yet.
@@ -56,6 +61,7 @@ impl Ground<'_> {
         match self.look(start)? {
             Look::Rest(place) => self.rest(&place),
             Look::Running(found) => Ok(*found),
+            Look::Drawn(orbit) => Ok(self.orbit(&orbit)),
             Look::Returning(place) => self.settled(&place.state, true),
             Look::Roaming(place) => match irregular(self, &place.state)? {
                 Some(found) => Ok(found),
@@ -83,6 +89,15 @@ impl Ground<'_> {
             Err(OrbitError::Flow(error)) => Err(error),
             Err(error) => self.roaming(start, may_roam, error.to_string()),
         }
+    }
+
+    /// The orbit to which the motion is drawn that came back so many crossings of its section before the last.
+    fn drawn(&self, crossings: &[Crossing], turns: usize) -> Option<Orbit> {
+        let [(before, _), .., (last, state)] = &crossings[crossings.len() - 1 - turns..] else {
+            return None;
+        };
+        let search = self.search(state.clone(), None);
+        drawn(&self.family, 0.0, &search, last - before).ok()
     }
 
     /// What a motion is that settles on no orbit: irregular, or not settled for a reason.
@@ -171,7 +186,7 @@ impl Ground<'_> {
     fn look(&self, start: &[f64]) -> Result<Look, FlowError> {
         let mut pursuit = Pursuit::new(self.flow.as_ref(), start)?;
         let mut crossings: Vec<Vec<Crossing>> = vec![Vec::new(); start.len()];
-        let mut first = None;
+        let (mut first, mut close) = (None, CLOSE);
         for _ in 0..PASSAGES {
             let begun = pursuit.time;
             let passage = pursuit.on()?;
@@ -197,9 +212,16 @@ impl Ground<'_> {
                 return Ok(Look::Running(Box::new(found)));
             }
             let points = crossings[section].iter().map(|(_, state)| state);
-            if returns(points.rev(), &self.usual, CLOSE) {
+            let Some(turns) = returns(points.rev(), &self.usual, close) else {
+                continue;
+            };
+            if close <= CLOSEST {
                 return Ok(Look::Returning(pursuit.place));
             }
+            if let Some(orbit) = self.drawn(&crossings[section], turns) {
+                return Ok(Look::Drawn(Box::new(orbit)));
+            }
+            close = (CLOSER * close).max(CLOSEST);
         }
         Ok(Look::Roaming(pursuit.place))
     }

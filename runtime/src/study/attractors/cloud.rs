@@ -116,6 +116,6 @@ impl Kept {
                 kept = kept.or(Some(cloud.of));
             }
         }
-        kept.filter(|_| !returns(latest, usual, CLOSE))
+        kept.filter(|_| returns(latest, usual, CLOSE).is_none())
     }
 }

@@ -274,7 +274,8 @@ impl<'a> Scouted<'a> {
                     .iter()
                     .position(|known| self.same(known, &found)));
             }
-            if pursuit.steps > STEPS || (crossed && returns(latest.iter(), &ground.usual, SETTLED))
+            if pursuit.steps > STEPS
+                || (crossed && returns(latest.iter(), &ground.usual, SETTLED).is_some())
             {
                 break;
             }
