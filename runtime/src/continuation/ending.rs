@@ -25,6 +25,8 @@ pub enum Ending<E> {
     Endless(f64),
     /// It grows without bound as r comes to this value.
     Unbounded(f64),
+    /// It comes at this value of r to what leaves an equilibrium and comes back to it, and lasts ever longer.
+    Homoclinic(f64),
     /// It goes on changing at this value of r, any of it as good as the rest.
     Family(f64),
     /// It is not any more what was followed: off by this.

@@ -199,6 +199,11 @@ impl Sought<'_> {
             }
             let svd = svd(matrix)?;
             let step = svd.solve(&right, RANK * svd.singular_values.max()).ok()?;
+            // What cannot be fulfilled is as near to it as it gets.
+            let mut changes = state.iter().zip(&step);
+            if changes.all(|(y, change)| change.abs() <= FULFILLED * y.abs()) {
+                return None;
+            }
             for (y, change) in state.iter_mut().zip(&step) {
                 *y += change;
             }

@@ -52,7 +52,7 @@ pub(super) fn unbounded(orbits: &[Orbit], range: [f64; 2]) -> Option<f64> {
 }
 
 /// The digits of a value that are known with such an error.
-fn known(value: f64, error: f64) -> f64 {
+pub(super) fn known(value: f64, error: f64) -> f64 {
     let unit = 10_f64.powf(error.log10().ceil());
     let rounded = (value / unit).round() * unit;
     if rounded.is_finite() { rounded } else { value }

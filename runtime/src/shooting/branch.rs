@@ -5,6 +5,7 @@ use nalgebra::DVector;
 use super::begin::begin;
 use super::border::{between, cross, name};
 use super::bound::unbounded;
+use super::homoclinic::homoclinic;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::rest::comes_to_rest;
@@ -204,6 +205,7 @@ impl Reader for Orbits {
             .then_some(Ending::Endless(ENDLESS))
             .or_else(unbounded)
             .or_else(|| stands_still(orbits, self.accuracy).map(Ending::Family))
+            .or_else(|| homoclinic(&branch.problem.family, orbits).map(Ending::Homoclinic))
     }
 
     fn closes(&self, first: &Orbit, back: &Orbit) -> bool {

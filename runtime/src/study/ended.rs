@@ -39,6 +39,7 @@ impl Ended {
             Ending::Left => Kind::Window.name(),
             Ending::Endless(_) => "infinite-period",
             Ending::Unbounded(_) => "unbounded",
+            Ending::Homoclinic(_) => "homoclinic",
             Ending::Family(_) => "family",
             Ending::Lost(_) => "lost",
             Ending::Interrupted => "interrupted",
@@ -78,6 +79,7 @@ impl Ended {
             | Ending::Left
             | Ending::Endless(_)
             | Ending::Unbounded(_)
+            | Ending::Homoclinic(_)
             | Ending::Family(_) => true,
             Ending::Undecided(..)
             | Ending::FallsBack(_)
@@ -146,6 +148,11 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
         Ending::Left => "it reaches an end of the range of the first design variable".to_owned(),
         Ending::Endless(times) => format!("its period has grown more than {times:e} times"),
         Ending::Unbounded(r) => format!("it grows without bound towards {}", value(r)),
+        Ending::Homoclinic(r) => format!(
+            "at {} it stands still while its period grows without bound: its orbits come to one that leaves an equilibrium and \
+             comes back to it (homoclinic)",
+            value(r)
+        ),
         Ending::Family(r) => format!(
             "at {} it stands still while its orbits go on changing: there they are a family, each as good as the others",
             value(r)
