@@ -122,6 +122,10 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
         ExactFlow::touch(self, &place(at), contact)
     }
 
+    fn hold(&self, at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
+        ExactFlow::hold(self, &place(at), contact)
+    }
+
     fn loosening(&self, state: &[f64], contact: usize) -> f64 {
         ExactFlow::loosening(self, &fixed(state), contact)
     }

@@ -90,6 +90,15 @@ pub trait Flow: Send + Sync {
         Ok(None)
     }
 
+    /// What keeps a press closed while it is positive, or lets it go while it is negative, the way its mode needs it, and its
+    /// rate; `None` if there is no such press, or it does not give way.
+    ///
+    /// # Errors
+    /// The forces are not determined there.
+    fn hold(&self, _at: &Place, _contact: usize) -> Result<Option<[f64; 2]>, FlowError> {
+        Ok(None)
+    }
+
     /// By what share of its limit at rest the force of a contact drops where it lets go; 0 if there is no such contact.
     fn loosening(&self, _state: &[f64], _contact: usize) -> f64 {
         0.0

@@ -2,6 +2,7 @@
 
 mod audit;
 mod bilinear;
+mod buffer;
 mod by_hand;
 mod copies;
 mod corner;

@@ -62,6 +62,22 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         Ok(Some([guard.re, guard.eps]))
     }
 
+    /// What keeps a press closed while it is positive, or lets it go while it is negative, the way its mode needs it, and its
+    /// rate; `None` if there is no such press, or it does not give way.
+    pub(crate) fn hold(
+        &self,
+        at: &Place<N, Modes<M, N>>,
+        contact: usize,
+    ) -> Result<Option<[f64; 2]>, FlowError> {
+        let way = match at.mode.as_slice().get(contact) {
+            Some(Mode::Closed) => 1.0,
+            Some(Mode::Parted) => -1.0,
+            _ => return Ok(None),
+        };
+        let hold = self.system.moving(&at.state, &at.mode)?.stick.as_ref()[contact];
+        Ok(Some([way * hold.re, way * hold.eps]))
+    }
+
     /// By what share of its limit at rest the force of a contact drops where it lets go.
     pub(crate) fn loosening(&self, state: &[f64; N], contact: usize) -> f64 {
         let limits = self.system.limits_at_rest(state);

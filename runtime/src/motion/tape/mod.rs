@@ -166,6 +166,7 @@ impl Flow for TapedFlow {
         place_in(state: &[f64], modes: &[Mode]) -> Result<Place, FlowError>;
         velocity(at: &Place) -> Result<Velocity, FlowError>;
         touch(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
+        hold(at: &Place, contact: usize) -> Result<Option<[f64; 2]>, FlowError>;
         loosening(state: &[f64], contact: usize) -> f64;
         kick(at: &Place, contact: usize) -> Result<Option<Vec<f64>>, FlowError>;
         margins(at: &Place) -> Vec<(usize, f64)>;

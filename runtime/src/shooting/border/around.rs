@@ -1,5 +1,6 @@
 //! The events of an orbit once around, and which of them belong to a border.
 
+use super::brief::lets_go;
 use super::candidate::{Border, Condition};
 use super::change::Change;
 use crate::field::exact::Mode;
@@ -43,9 +44,9 @@ pub(super) struct Around<'a> {
     /// The symmetry that it has after half a period.
     pub(super) symmetry: Option<Symmetry>,
     /// When each stretch ends.
-    ends: Vec<f64>,
+    pub(super) ends: Vec<f64>,
     /// The events at which modes change, in the order of time.
-    switches: Vec<usize>,
+    pub(super) switches: Vec<usize>,
 }
 
 impl<'a> Around<'a> {
@@ -81,10 +82,13 @@ impl<'a> Around<'a> {
         let drops = flow.loosening(&event.state, contact) > FLAT;
         let mut border = Border::new(event, condition, [before, after].map(Clone::clone));
         border.drops = drops;
-        let Some(rate) = self.approach(flow, &mut border, event)? else {
+        border.by_hold = lets_go(flow, &border.coming(&event.state), event)?;
+        let Some(rate) = self.approached(flow, &mut border, event)? else {
             return Ok(None);
         };
+        let inside = border.is_from_inside();
         let change = match condition {
+            Condition::Touch if inside => Some(Change::at_once(border.modes.clone(), vec![index])),
             Condition::Touch => self.touched(index, [before, after], drops),
             Condition::Edge => self.crossed(index, [before, after], (rate, drops)),
         };
@@ -99,17 +103,13 @@ impl<'a> Around<'a> {
             own,
             at_once,
         } = change;
-        border.mirror = self.mirror(index, &own[..at_once]);
+        border.mirror = self.mirror(index, &own[..at_once], inside);
         let images: Vec<usize> = match border.mirror {
             Some(_) => own.iter().filter_map(|i| self.image(*i)).collect(),
             None => Vec::new(),
         };
-        for part in [&own, &images] {
-            if let [first, .., last] = part[..] {
-                let ends = [first, last].map(|i| self.orbit.events[i].time);
-                border.brief.push(ends);
-            }
-        }
+        let brief = [&own, &images].map(|part| self.span(part, inside));
+        border.brief.extend(brief.into_iter().flatten());
         let images = images.iter().take(at_once);
         let held: Vec<usize> = own[..at_once].iter().chain(images).copied().collect();
         border.modes = modes;
@@ -118,7 +118,7 @@ impl<'a> Around<'a> {
     }
 
     /// How far away in time the border is, told to it, and the rate of what vanishes there.
-    fn approach(
+    pub(super) fn approach(
         &self,
         flow: &dyn Flow,
         border: &mut Border,
@@ -145,7 +145,7 @@ impl<'a> Around<'a> {
                 rate
             }));
         }
-        let Some([value, rate]) = flow.touch(&coming, border.contact)? else {
+        let Some([value, rate]) = border.touch(flow, &coming)? else {
             return Ok(None);
         };
         let field = flow.velocity(&coming)?.f;
@@ -153,7 +153,7 @@ impl<'a> Around<'a> {
         for (x, f) in ahead.state.iter_mut().zip(field.iter()) {
             *x += AHEAD * period * f;
         }
-        let later = flow.touch(&ahead, border.contact)?;
+        let later = border.touch(flow, &ahead)?;
         let bend = later.map_or(f64::NAN, |[_, later]| (later - rate) / (AHEAD * period));
         border.away = if switches {
             rate.abs() / bend
@@ -182,7 +182,7 @@ impl<'a> Around<'a> {
                 own == Some(&Mode::Stick) || after.get(event.contact) == Some(&Mode::Stick);
             return touches.then(|| Change::at_once([before, after], vec![index]));
         }
-        if own == Some(&Mode::Rest) {
+        if own.is_some_and(|mode| mode.is_of_press()) {
             return self.restored(index, before);
         }
         let next = self.next(index)?;
@@ -200,22 +200,6 @@ impl<'a> Around<'a> {
         let presses = modes[0].get(event.contact)?.is_of_press();
         let turning = Change::turning(modes, switch);
         turning.filter(|_| presses)
-    }
-
-    /// What belongs to an impact, or to a reaction that vanishes: all until the modes are as they were. An impact may knock
-    /// loose what sticks; after a flight others follow until the gap is closed again.
-    fn restored(&self, index: usize, before: Modes) -> Option<Change> {
-        let mut own = vec![index];
-        let mut last = index;
-        while own.len() <= self.switches.len() {
-            let [_, after] = self.around(&self.orbit.events[last])?;
-            if *after == before {
-                return Some(Change::at_once([before.clone(), before], own));
-            }
-            last = self.next(last)?;
-            own.push(last);
-        }
-        None
     }
 
     /// What belongs to an arrival at the edge of where a contact can stick: on its way out, a stick before it goes on is
@@ -250,7 +234,7 @@ impl<'a> Around<'a> {
     }
 
     /// The switch after this one.
-    fn next(&self, index: usize) -> Option<usize> {
+    pub(super) fn next(&self, index: usize) -> Option<usize> {
         let place = self.switches.iter().position(|one| *one == index)?;
         let next = self.switches[(place + 1) % self.switches.len()];
         (next != index).then_some(next)
@@ -259,18 +243,22 @@ impl<'a> Around<'a> {
     /// The modes before and after an event.
     pub(super) fn around(&self, event: &Event) -> Option<[&'a Modes; 2]> {
         let segments = &self.orbit.segments;
-        let near = INSTANT * self.orbit.period;
         let modes = |i: usize| &segments[i % segments.len()].modes;
-        let switches = event.kind.is_switch();
+        let i = self.stretch(event)?;
+        let after = i + usize::from(event.kind.is_switch());
+        Some([modes(i), modes(after)])
+    }
+
+    /// The stretch that an event ends, or in which it lies.
+    pub(super) fn stretch(&self, event: &Event) -> Option<usize> {
+        let near = INSTANT * self.orbit.period;
         let mut ends = self.ends.iter().map(|end| end - event.time).enumerate();
-        if !switches {
-            let i = ends.find(|(_, off)| *off > -near)?.0;
-            return Some([modes(i), modes(i)]);
+        if !event.kind.is_switch() {
+            return ends.find(|(_, off)| *off > -near).map(|(i, _)| i);
         }
         // A stretch may be shorter than that.
         let nearest = ends.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-        let (i, _) = nearest.filter(|(_, off)| off.abs() <= near)?;
-        Some([modes(i), modes(i + 1)])
+        nearest.filter(|(_, off)| off.abs() <= near).map(|(i, _)| i)
     }
 
     /// Shares of the period, from the event on and up to this one, between which others happen: half of the way to the next

@@ -42,15 +42,19 @@ impl Arrival {
 
 /// What comes, carried by `push` onto the surface g = 0 to which `towards` leads: y + push g / (g_y towards), times its sign.
 pub(super) fn along(
-    (gradient, by_r): &(DVector<f64>, f64),
+    guard: &(DVector<f64>, f64),
     from: &Arrival,
     push: &DVector<f64>,
     towards: &DVector<f64>,
 ) -> Arrival {
-    let rate = gradient.dot(towards);
-    let (along, by_r) = from.slope(&(gradient.clone(), *by_r));
+    carried(guard, from, &(push / guard.0.dot(towards)))
+}
+
+/// What comes, carried by `push` for each unit of the number g: y + push g.
+pub(super) fn carried(guard: &(DVector<f64>, f64), from: &Arrival, push: &DVector<f64>) -> Arrival {
+    let (along, by_r) = from.slope(guard);
     Arrival {
-        state: &from.state + push * along.transpose() / rate,
-        design: &from.design + push * (by_r / rate),
+        state: &from.state + push * along.transpose(),
+        design: &from.design + push * by_r,
     }
 }

@@ -3,7 +3,8 @@
 use super::mirror::Mirror;
 use crate::bifurcation::Kind;
 use crate::field::exact::Mode;
-use crate::motion::{Event, Modes, Place};
+use crate::flow::FlowError;
+use crate::motion::{Event, Flow, Modes, Place};
 use crate::shooting::Orbit;
 
 /// A stretch of this share of the period is none.
@@ -25,6 +26,8 @@ pub struct Border {
     pub contact: usize,
     /// What holds there.
     pub condition: Condition,
+    /// Whether it is what holds a press closed that vanishes, and not its gap.
+    pub(super) by_hold: bool,
     /// Whether friction drops where the contact lets go, so that a motion jumps beyond.
     pub drops: bool,
     /// Whether the event that begins or ceases there happens on the orbit from which this was read.
@@ -50,6 +53,7 @@ impl Border {
         Self {
             contact: event.contact,
             condition,
+            by_hold: false,
             drops: false,
             happens: event.kind.is_switch(),
             state: event.state.clone(),
@@ -73,7 +77,22 @@ impl Border {
     /// Whether contacts turn with what is grazed: then friction jumps there, hit or not.
     pub(super) fn turns(&self) -> bool {
         let [before, after] = &self.modes;
-        self.condition == Condition::Touch && self.before().is_of_press() && before != after
+        let keeps = self.before().is_of_press() && self.before() == self.after();
+        self.condition == Condition::Touch && keeps && before != after
+    }
+
+    /// Whether a gap opens there for a moment, of a press that has let go before.
+    pub(super) fn is_from_inside(&self) -> bool {
+        self.happens && self.before() == Mode::Parted && !self.by_hold
+    }
+
+    /// What vanishes at a place in the mode in which the motion comes, and its rate; `None` if there is no such contact.
+    pub(super) fn touch(&self, flow: &dyn Flow, at: &Place) -> Result<Option<[f64; 2]>, FlowError> {
+        if self.by_hold {
+            flow.hold(at, self.contact)
+        } else {
+            flow.touch(at, self.contact)
+        }
     }
 
     /// Whether a stretch is short beside it on the orbit from which this was read.

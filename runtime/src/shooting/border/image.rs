@@ -8,9 +8,13 @@ const SAME: f64 = 1e-5;
 
 impl Around<'_> {
     /// The image of the border at an event with all that belongs to it, if the orbit has one.
-    pub(super) fn mirror(&self, event: usize, own: &[usize]) -> Option<Mirror> {
+    pub(super) fn mirror(&self, event: usize, own: &[usize], inside: bool) -> Option<Mirror> {
         let symmetry = self.symmetry.clone()?;
-        let [before, held] = self.around(&self.orbit.events[self.image(event)?])?;
+        let image = &self.orbit.events[self.image(event)?];
+        let [before, held] = match inside {
+            true => self.inside(image)?,
+            false => self.around(image)?,
+        };
         let after = match own.last() {
             Some(last) => self.around(&self.orbit.events[self.image(*last)?])?[1],
             None => held,

@@ -138,8 +138,7 @@ fn read(
     let (state, period, r) = (&z.as_slice()[..order], z[order], z[order + 1]);
     let at = problem.evaluate(z, 0.0).ok()?;
     let flow = family.with_magnitude(&near.magnitude()).at(r).ok()?;
-    // The slopes of what vanishes, up to a positive factor each.
-    let slopes = at.jacobian.rows(order, 2).into_owned();
+    let (_, slopes) = problem.touches(z, 0.0).ok()?;
     let runs = &at.extra.runs;
     let sides = Sides::of(problem, flow.as_ref(), (state, period), (&slopes, runs)).ok()?;
     let border = problem.border.clone();

@@ -6,6 +6,7 @@
 mod around;
 mod arrival;
 mod between;
+mod brief;
 mod candidate;
 mod change;
 mod crossing;
@@ -15,6 +16,7 @@ mod image;
 mod located;
 mod mirror;
 mod once;
+mod passing;
 mod problem;
 mod runs;
 mod sheet;

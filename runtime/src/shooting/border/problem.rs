@@ -117,9 +117,9 @@ impl<S: Sheet> BorderProblem<S> {
 
     /// What vanishes at the border.
     fn touch(&self, state: &[f64], p: f64, q: f64) -> Result<[f64; 2], FlowError> {
-        let (flow, contact) = (self.sheet.along_p(q).at(p)?, self.border.contact);
+        let flow = self.sheet.along_p(q).at(p)?;
         let touch = |place| {
-            let touch = flow.touch(&place, contact)?;
+            let touch = self.border.touch(&*flow, &place)?;
             touch.ok_or(FlowError::BadTime { time: 0.0 })
         };
         let coming = touch(self.border.coming(state))?;
@@ -130,7 +130,11 @@ impl<S: Sheet> BorderProblem<S> {
     }
 
     /// What vanishes, with its slopes along all unknowns but the period, and along q.
-    fn touches(&self, z: &DVector<f64>, q: f64) -> Result<([f64; 2], DMatrix<f64>), FlowError> {
+    pub(super) fn touches(
+        &self,
+        z: &DVector<f64>,
+        q: f64,
+    ) -> Result<([f64; 2], DMatrix<f64>), FlowError> {
         let order = self.magnitude.len();
         let at = |z: &DVector<f64>, q: f64| self.touch(&z.as_slice()[..order], z[order + 1], q);
         let scale = self.scale();
@@ -164,9 +168,8 @@ impl<S: Sheet> BorderProblem<S> {
     ) -> Result<(bool, f64), FlowError> {
         let (border, contact) = (&self.border, self.border.contact);
         let (later, _) = flow.glide(&border.coming(state), BRIEF * period)?;
-        let rises = flow
-            .touch(&later, contact)?
-            .is_some_and(|[_, rate]| rate > 0.0);
+        let touch = border.touch(flow, &later)?;
+        let rises = touch.is_some_and(|[_, rate]| rate > 0.0);
         Ok(match border.condition {
             Condition::Touch => (rises, 0.0),
             Condition::Edge => {

@@ -4,7 +4,7 @@
 //! passage at the border is, to first order, a matrix Ξ of rank one less: where a contact that slides touches w = 0 and
 //! force does not drop, the brief stick takes out what was left of w, Ξ = I − d w_y / (w_y d) with d the direction in which
 //! its force acts (grazing-sliding). At the other borders both sides have the same derivative (8.2), but for a brief stick
-//! with a drop of friction, which has the saltation of its release besides. Orbits lie where the number that decides between
+//! with a drop of friction, which has the saltation of its release besides, and for a press with a damper. Orbits lie where the number that decides between
 //! the sides, g = g_y δy + g_r δr, has the sign of their side; since both maps differ in rank one, det(I − A) det(I − B) > 0
 //! has one of them on each side of r, and < 0 both on one: a non-smooth fold.
 //!
@@ -13,18 +13,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::arrival::{Arrival, along};
-use super::candidate::{Border, Condition};
+use super::arrival::Arrival;
+use super::candidate::Condition;
+use super::passing::Passing;
 use super::problem::{BorderProblem, chain};
 use super::runs::Runs;
 use crate::continuation::Linearisation;
-use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::linear::svd;
 use crate::motion::{Derivatives, Family, Flow, Place};
-
-/// Share of the period before the border at which the direction of the contact's force is read.
-const BEFORE: f64 = 1e-6;
 
 /// Both sides of a border.
 pub(super) struct Sides {
@@ -183,109 +180,5 @@ impl Sides {
         let size = matrix.row(order).norm();
         matrix.row_mut(order).unscale_mut(size);
         matrix
-    }
-}
-
-/// The passage at the border itself.
-struct Passing<'a> {
-    border: &'a Border,
-    flow: &'a dyn Flow,
-    state: &'a [f64],
-    period: f64,
-    /// Slopes of the guard of the mode in which the contact comes, and of the second number that vanishes.
-    guard: (DVector<f64>, f64),
-    limit: (DVector<f64>, f64),
-}
-
-impl Passing<'_> {
-    /// Ξ, and what r adds: where the event does not happen, or where it does.
-    fn leap(&self, happens: bool) -> Result<Arrival, FlowError> {
-        let order = self.state.len();
-        let nothing = Arrival {
-            state: DMatrix::identity(order, order),
-            design: DVector::zeros(order),
-        };
-        match self.border.condition {
-            Condition::Edge => {
-                let (before, held) = self.fields(self.state)?;
-                let landed = along(&self.guard, &nothing, &(&held - &before), &before);
-                if self.border.after() == Mode::Stick {
-                    return Ok(landed);
-                }
-                // Where friction drops, a brief stick has a release of its own.
-                let after = self.flow.velocity(&self.border.going(self.state))?.f;
-                Ok(if happens {
-                    along(&self.limit, &landed, &(&after - &held), &held)
-                } else {
-                    along(&self.guard, &nothing, &(after - &before), &before)
-                })
-            }
-            Condition::Touch if happens && self.border.is_graze() => {
-                let coming = self.border.coming(self.state);
-                let velocity = self.flow.velocity(&coming)?.f;
-                let earlier: Vec<f64> = self
-                    .state
-                    .iter()
-                    .zip(velocity.iter())
-                    .map(|(x, f)| x - BEFORE * self.period * f)
-                    .collect();
-                let (before, held) = self.fields(&earlier)?;
-                let push = held - before;
-                Ok(along(&self.guard, &nothing, &-&push, &push))
-            }
-            Condition::Touch if self.border.turns() => {
-                let (before, jump) = self.turn()?;
-                Ok(along(&self.limit, &nothing, &jump, &before))
-            }
-            Condition::Touch => Ok(nothing),
-        }
-    }
-
-    /// The field in which the motion comes, and by what it jumps where contacts turn.
-    fn turn(&self) -> Result<(DVector<f64>, DVector<f64>), FlowError> {
-        let before = self.flow.velocity(&self.border.coming(self.state))?.f;
-        let after = self.flow.velocity(&self.border.going(self.state))?.f;
-        let jump = after - &before;
-        Ok((before, jump))
-    }
-
-    /// What a unit speed of approach adds to the state at the border, and how fast the rate of the gap grows there.
-    fn kick(&self) -> Result<Option<(DVector<f64>, f64)>, FlowError> {
-        let (border, flow) = (self.border, self.flow);
-        if border.condition != Condition::Touch || border.before() != Mode::Open {
-            return Ok(None);
-        }
-        let coming = border.coming(self.state);
-        let Some(kick) = flow.kick(&coming, border.contact)? else {
-            return Ok(None);
-        };
-        let (field, step) = (flow.velocity(&coming)?.f, BEFORE * self.period);
-        let mut later = coming.clone();
-        for (x, f) in later.state.iter_mut().zip(field.iter()) {
-            *x += step * f;
-        }
-        let rate = |place: &Place| -> Result<f64, FlowError> {
-            let touch = flow.touch(place, border.contact)?;
-            Ok(touch.map_or(f64::NAN, |[_, rate]| rate))
-        };
-        let bend = (rate(&later)? - rate(&coming)?) / step;
-        let mut kick = DVector::from_vec(kick);
-        if border.turns() {
-            // What is hit turns earlier, by v/g̈.
-            kick += self.turn()?.1 / bend;
-        }
-        Ok((bend > 0.0).then_some((kick, bend)))
-    }
-
-    /// The field in which the motion comes, and the one with the contact held.
-    fn fields(&self, state: &[f64]) -> Result<(DVector<f64>, DVector<f64>), FlowError> {
-        let coming = self.flow.velocity(&self.border.coming(state))?.f;
-        Ok((coming, self.flow.velocity(&self.border.stuck(state))?.f))
-    }
-
-    /// The arrival where the guard has fallen.
-    fn on_surface(&self, arrival: &Arrival) -> Result<Arrival, FlowError> {
-        let (before, _) = self.fields(self.state)?;
-        Ok(along(&self.guard, arrival, &-&before, &before))
     }
 }
