@@ -19,8 +19,9 @@ const TRIALS: usize = 6;
 const BEYOND: f64 = 1.2;
 /// A field is symmetric to this share of its largest component.
 const ROUNDING: f64 = 1e-11;
-/// An orbit is symmetric to this share of its extents.
-const CLOSE: f64 = 1e-5;
+/// An orbit is symmetric to this share of its extents where one direction of it is critical: along that it is known to the
+/// root of what the rest is, or lies beside the point itself on the branch that has lost the symmetry.
+const CLOSE: f64 = 1e-2;
 /// And to this one for sure: one beside a branch point where it is lost differs by more.
 const SURE: f64 = 1e-7;
 

@@ -15,4 +15,5 @@ mod onset;
 mod orbits;
 mod scales;
 mod still;
+mod symmetry;
 mod unstable;

@@ -1,6 +1,5 @@
 //! The events of an orbit once around, and which of them belong to a border.
 
-use super::brief::lets_go;
 use super::candidate::{Border, Condition};
 use super::change::Change;
 use crate::field::exact::Mode;
@@ -82,7 +81,7 @@ impl<'a> Around<'a> {
         let drops = flow.loosening(&event.state, contact) > FLAT;
         let mut border = Border::new(event, condition, [before, after].map(Clone::clone));
         border.drops = drops;
-        border.by_hold = lets_go(flow, &border.coming(&event.state), event)?;
+        border.by_hold = border.lets_go(flow, event)?;
         let Some(rate) = self.approached(flow, &mut border, event)? else {
             return Ok(None);
         };

@@ -5,10 +5,7 @@ use super::candidate::{Border, Condition};
 use super::change::Change;
 use crate::field::exact::Mode;
 use crate::flow::{EventKind, FlowError};
-use crate::motion::{Event, Flow, Modes, Place};
-
-/// Share of a margin by which it differs from itself for rounding.
-const SAME: f64 = 1e-9;
+use crate::motion::{Event, Flow, Modes};
 
 impl<'a> Around<'a> {
     /// How far away in time the border is, told to it, and the rate of what vanishes there: that of a gap that comes from
@@ -82,21 +79,6 @@ impl<'a> Around<'a> {
         });
         stretches.last().map_or(event.time, |i| self.ends[i])
     }
-}
-
-/// Whether a press, at an event to which it comes at this place, lets go or pushes again, or nearly does, by what holds it
-/// closed and not by its gap.
-pub(super) fn lets_go(flow: &dyn Flow, coming: &Place, event: &Event) -> Result<bool, FlowError> {
-    let before = coming.modes.get(event.contact);
-    Ok(match (before, event.kind) {
-        (_, EventKind::Nearest { margin }) => {
-            let hold = flow.hold(coming, event.contact)?;
-            hold.is_some_and(|[hold, _]| (hold - margin).abs() <= SAME * margin.abs())
-        }
-        (Some(Mode::Closed), EventKind::Opening) => event.mode == Mode::Parted,
-        (Some(Mode::Parted), EventKind::Closing) => true,
-        _ => false,
-    })
 }
 
 /// The same modes, the gaps open of which the presses have let go.

@@ -3,12 +3,15 @@
 use super::mirror::Mirror;
 use crate::bifurcation::Kind;
 use crate::field::exact::Mode;
-use crate::flow::FlowError;
+use crate::flow::{EventKind, FlowError};
 use crate::motion::{Event, Flow, Modes, Place};
 use crate::shooting::Orbit;
 
 /// A stretch of this share of the period is none.
 pub(super) const BRIEF: f64 = 1e-3;
+
+/// Share of a margin by which it differs from itself for rounding.
+const SAME: f64 = 1e-9;
 
 /// What holds at a border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,6 +87,19 @@ impl Border {
     /// Whether a gap opens there for a moment, of a press that has let go before.
     pub(super) fn is_from_inside(&self) -> bool {
         self.happens && self.before() == Mode::Parted && !self.by_hold
+    }
+
+    /// Whether a press lets go at its event or pushes again, or nearly does, by what holds it closed and not by its gap.
+    pub(super) fn lets_go(&self, flow: &dyn Flow, event: &Event) -> Result<bool, FlowError> {
+        Ok(match (self.before(), event.kind) {
+            (_, EventKind::Nearest { margin }) => {
+                let hold = flow.hold(&self.coming(&event.state), self.contact)?;
+                hold.is_some_and(|[hold, _]| (hold - margin).abs() <= SAME * margin.abs())
+            }
+            (Mode::Closed, EventKind::Opening) => event.mode == Mode::Parted,
+            (Mode::Parted, EventKind::Closing) => true,
+            _ => false,
+        })
     }
 
     /// What vanishes at a place in the mode in which the motion comes, and its rate; `None` if there is no such contact.
