@@ -35,6 +35,8 @@ const DRIFT: f64 = 1e-9;
 /// be from where it was.
 const LATER: u32 = 1000;
 const FARTHER: f64 = 100.0;
+/// A state that swings by less than this share of its usual size has died away.
+const DIED: f64 = 1e-2;
 /// How near a motion comes back at best.
 const FINEST: f64 = 1e-12;
 /// How far a neighbour is sought, in units of the condition: some have none but very near. How well it must close, over that.
@@ -79,6 +81,9 @@ pub(super) fn neutral(family: &Family, r: f64, guess: &Guess) -> Option<Guess> {
     let z = z + correction(&at, &problem.scale())?;
     let at = problem.evaluate(&z, r).ok()?;
     let shot = &at.extra;
+    if has_died_away(shot, &problem.magnitude) {
+        return None;
+    }
     let (monodromy, _) = shot.monodromy();
     let multipliers = floquet(&monodromy, &shot.velocity.f, None, 0, &[], 0, NEUTRAL);
     let one = Complex::new(1.0, 0.0);
@@ -90,6 +95,13 @@ pub(super) fn neutral(family: &Family, r: f64, guess: &Guess) -> Option<Guess> {
         period: shot.period,
         ..guess.clone()
     })
+}
+
+/// Whether no state swings by what is usual for it: what is left of a motion that comes to rest has neighbours that rest, too.
+fn has_died_away(shot: &Shot, magnitude: &[f64]) -> bool {
+    let (low, high) = shot.extent();
+    let run = |j: usize| shot.shift.as_ref().map_or(0.0, |run| run[j].abs());
+    (0..low.len()).all(|j| high[j] - low[j] - run(j) <= DIED * magnitude[j])
 }
 
 /// Whether a motion that closes after a period does so after many. One that hardly moves while it vibrates misses by less than

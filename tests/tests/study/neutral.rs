@@ -7,7 +7,7 @@ use stickslip::model::Model;
 use stickslip::shooting::OrbitError;
 use stickslip::study::{Along, Case, Dynamics, Kind, OrbitRecord, StudyError, System};
 use stickslip_models::BeltPair;
-use stickslip_models::friction::{Coulomb, Jenkins};
+use stickslip_models::friction::{Coulomb, Jenkins, Stribeck};
 
 model! {
     /// A mass between a spring and a friction damper, driven.
@@ -308,4 +308,34 @@ fn an_orbit_that_is_held_is_found_again_from_what_was_saved() {
         let motion = system.motion(&from(0.1, modes), 1e-3).unwrap();
         assert_eq!(motion.states[0][3], 0.1);
     }
+}
+
+model! {
+    /// A servo axis under integral control: it hunts, but where friction hardly drops less and less each time.
+    pub struct Hunting {
+        state x: m = 0.01;
+        state v: m/s = 0.0;
+        state z: m*s = 0.0;
+        param mass: kg = 1.0;
+        param kp: N/m = 100.0;
+        param ki: N/m/s = 200.0;
+        param kd: N*s/m = 5.0;
+        param peak: N = 1.1;
+        friction F: N = Stribeck { static_level: peak, kinetic_level: 1.0, speed: 0.01, exponent: 2.0, viscous: 0.5 } opposing v;
+        der(x) = v;
+        der(v) = (F - kp * x - ki * z - kd * v) / mass;
+        der(z) = x;
+    }
+}
+
+/// Each slip leaves a fifth of the way to x = 0, where friction bears all that it can: F = ki z.
+#[test]
+fn what_hunts_ever_less_comes_to_rest() {
+    let system = system::<Hunting, _>();
+    let case = Case::declared(system.info(), Dynamics::Exact);
+    let Err(StudyError::Orbit(OrbitError::Equilibrium { state })) = system.orbit(&case) else {
+        panic!("{:?}", system.orbit(&case));
+    };
+    assert!(state[0].abs() < 1e-8 && state[1] == 0.0, "{state:?}");
+    assert!((state[2].abs() - 1.1 / 200.0).abs() < 1e-8, "{state:?}");
 }
