@@ -195,7 +195,7 @@ impl Path for Corner {
     type Error = &'static str;
 
     fn at(&mut self, share: f64) -> Result<Lasting, &'static str> {
-        let (falls, rises) = (1.0 - 3.0 * share, (10.0 * share - 4.0).min(0.12));
+        let (falls, rises) = (1.0 - 3.0 * share, (10.0 * share - 4.0).min(0.3));
         Ok(Lasting {
             r: share,
             lasts: falls.max(rises),
