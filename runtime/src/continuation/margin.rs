@@ -1,7 +1,7 @@
 //! Where what nearly happens begins to happen: its margin falls to zero smoothly from the one side, while what happens on the
 //! other is too brief to be told from nothing.
 
-use super::path::{Chance, Spot, Watched};
+use super::path::{Spot, Watched};
 use crate::math::at_zero;
 
 /// Distance of points from a bracket, in its widths, below which their margins tell no slope.
@@ -30,22 +30,13 @@ pub(super) fn vanishes<P: Watched>(side: &[Spot<P>], bracket: [f64; 2]) -> Optio
 
 /// The values of every margin that is known at three points.
 pub(super) fn at_all<P: Watched>([a, b, c]: [&P; 3]) -> impl Iterator<Item = [f64; 3]> {
-    let last = c.margins(a);
-    common([a, b]).filter_map(move |(of, [a, b])| Some([a, b, value(&last, of)?]))
-}
-
-/// The values of every margin that is known at two points.
-pub(super) fn at_both<P: Watched>(ends: [&P; 2]) -> impl Iterator<Item = [f64; 2]> {
-    common(ends).map(|(_, values)| values)
-}
-
-fn common<P: Watched>([a, b]: [&P; 2]) -> impl Iterator<Item = (Chance, [f64; 2])> {
-    let other = b.margins(a);
     let all = a.margins(a).into_iter();
-    all.filter_map(move |(of, margin)| Some((of, [margin, value(&other, of)?])))
-}
-
-fn value(margins: &[(Chance, f64)], of: Chance) -> Option<f64> {
-    let same = margins.iter().find(|one| one.0 == of);
-    same.map(|one| one.1)
+    let others = [b, c].map(|point| point.margins(a));
+    all.filter_map(move |(of, margin)| {
+        let beside = |i: usize| {
+            let same = others[i].iter().find(|one| one.0 == of);
+            same.map(|one| one.1)
+        };
+        Some([margin, beside(0)?, beside(1)?])
+    })
 }

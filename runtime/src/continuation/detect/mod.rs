@@ -106,8 +106,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     }
 
     /// Whether a function that has one sign at both ends may have the other one between them, or the regime may change and
-    /// change back: as far as a third point tells, and the parabolas through all three. A margin has a corner where what it is
-    /// of passes from one event to another one, and falls to it on a line.
+    /// change back: as far as a third point tells, and the parabolas through all three.
     fn hides(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) -> bool {
         let ends = [&from.point, &to.point];
         if halvings + GLANCES <= HALVINGS || self.rests(ends) {
@@ -122,20 +121,16 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         };
         !middle.seems_in_regime_of(ends[0])
             || self.monitors.iter().any(dips)
-            || margin::at_all([ends[0], &middle, ends[1]])
-                .any(|margins| self::dips(margins) || bends(margins))
+            || margin::at_all([ends[0], &middle, ends[1]]).any(self::dips)
     }
 
     /// Whether nothing happens there and back between two points, as far as they tell: where regimes may part, which
-    /// multipliers need not show, only if no monitor changes at all, nor a margin by so much that it would be gone a step
-    /// further.
+    /// multipliers need not show, only if no monitor changes at all.
     fn rests(&self, ends: [&Q::Point; 2]) -> bool {
         let mut all = self.monitors.iter();
         let parts = ends.iter().any(|end| !end.margins(end).is_empty());
         if parts {
-            let mut margins = margin::at_both(ends);
             all.all(|monitor| rests(ends.map(&monitor.test)))
-                && !margins.any(|[a, b]| a.max(b) > 2.0 * a.min(b))
         } else {
             all.all(|monitor| monitor.rests(ends))
         }
@@ -283,12 +278,6 @@ fn dips([a, m, b]: [f64; 3]) -> bool {
         m
     };
     least < 0.0
-}
-
-/// Whether a margin falls so fast from an end of a step to its middle that, going on like this, it would vanish before the
-/// other end.
-fn bends([a, m, b]: [f64; 3]) -> bool {
-    a.max(b) > 2.0 * m
 }
 
 #[cfg(test)]

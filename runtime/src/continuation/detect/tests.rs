@@ -1,5 +1,4 @@
 use super::*;
-use crate::continuation::path::Chance;
 
 /// A multiplier is known to this.
 const MARGIN: f64 = 1e-9;
@@ -155,73 +154,6 @@ fn a_jump_into_another_regime_and_back_is_no_flip() {
         assert_eq!(kind, Kind::VanishingSegment);
         assert!((r - expected).abs() < 1e-8, "{r}, not {expected}");
     }
-}
-
-/// How long a stretch lasts that vanishes and comes back: neither the ends of a step show it, nor its middle, nor the
-/// parabola through them.
-#[derive(Debug, Clone)]
-struct Lasting {
-    r: f64,
-    lasts: f64,
-}
-
-impl Watched for Lasting {
-    fn r(&self) -> f64 {
-        self.r
-    }
-
-    fn slope(&self) -> f64 {
-        1.0
-    }
-
-    fn same_regime(&self, other: &Self) -> bool {
-        (self.lasts > 0.0) == (other.lasts > 0.0)
-    }
-
-    fn margins(&self, as_in: &Self) -> Vec<(Chance, f64)> {
-        let same = self.same_regime(as_in);
-        same.then(|| vec![(Chance::Stretch(0), self.lasts.abs())])
-            .into_iter()
-            .flatten()
-            .collect()
-    }
-}
-
-/// Falls on a line to below zero, and stays where it is after it has come back.
-struct Corner;
-
-impl Path for Corner {
-    type Point = Lasting;
-    type Error = &'static str;
-
-    fn at(&mut self, share: f64) -> Result<Lasting, &'static str> {
-        let (falls, rises) = (1.0 - 3.0 * share, (10.0 * share - 4.0).min(0.3));
-        Ok(Lasting {
-            r: share,
-            lasts: falls.max(rises),
-        })
-    }
-
-    fn glance(&mut self, share: f64) -> Option<Lasting> {
-        self.at(share).ok()
-    }
-}
-
-#[test]
-fn a_margin_that_would_be_gone_before_the_end_of_its_step_is_looked_into() {
-    let ends = [0.0, 1.0].map(|share| Corner.at(share).unwrap());
-    // A monitor that tells nothing.
-    let monitors = [Monitor::new(Kind::Flip, |_: &Lasting| 1.0)];
-    let found = detect(&mut Corner, &monitors, [&ends[0], &ends[1]], 1e-9);
-    assert!(found.unexplained.is_empty(), "{:?}", found.unexplained);
-    let at: Vec<f64> = found.located.iter().map(|one| one.r).collect();
-    let [gone, back] = at[..] else {
-        panic!("{at:?}");
-    };
-    assert!(
-        (gone - 1.0 / 3.0).abs() < 1e-8 && (back - 0.4).abs() < 1e-8,
-        "{at:?}"
-    );
 }
 
 #[test]
