@@ -188,11 +188,13 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
     }
 }
 
-/// The orbit about which a motion swings to and fro that comes back after two turns.
+/// The orbit about which a motion swings to and fro that comes back after two turns, and to which it is drawn.
 fn swung_about(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
     let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
     let midway = midway(flow.as_ref(), guess).ok()??;
-    from(family, r, &midway, search, anchored).ok()
+    let orbit = from(family, r, &midway, search, anchored).ok()?;
+    let drawn = stays(family, r, guess, (&orbit, &search.start)).ok()?;
+    drawn.then_some(orbit)
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.
@@ -272,9 +274,7 @@ impl Failed {
         let taken = |orbit| self.taken(family, r, guess, (orbit, search)).ok();
         let calm = calmly(family, r, guess, search).and_then(Result::ok);
         let other = || swung_about(family, r, guess, search);
-        calm.and_then(taken)
-            .or_else(|| other().and_then(taken))
-            .map(Ok)
+        calm.and_then(taken).or_else(other).map(Ok)
     }
 }
 
