@@ -4,9 +4,9 @@
 //! passage at the border is, to first order, a matrix Ξ of rank one less: where a contact that slides touches w = 0 and
 //! force does not drop, the brief stick takes out what was left of w, Ξ = I − d w_y / (w_y d) with d the direction in which
 //! its force acts (grazing-sliding). At the other borders both sides have the same derivative (8.2), but for a brief stick
-//! with a drop of friction, which has the saltation of its release besides, and for a press with a damper. Orbits lie where the number that decides between
-//! the sides, g = g_y δy + g_r δr, has the sign of their side; since both maps differ in rank one, det(I − A) det(I − B) > 0
-//! has one of them on each side of r, and < 0 both on one: a non-smooth fold.
+//! with a drop of friction, which has the saltation of its release besides, and for a press with a damper. Orbits lie where the
+//! number that decides between the sides, g = g_y δy + g_r δr, has the sign of their side; since both maps differ in rank one,
+//! det(I − A) det(I − B) > 0 has one of them on each side of r, and < 0 both on one: a non-smooth fold.
 //!
 //! Where a contact that does not give way is grazed, the return map of the orbits that are hit has no derivative: its
 //! multiplier grows without bound; `hit` says how they leave it.
