@@ -78,9 +78,10 @@ fn the_copy_of_an_impact_orbit_tends_to_its_closed_form() {
             let multipliers = at(kernel, size).floquet.multipliers;
             multipliers.iter().product::<nalgebra::Complex<f64>>().re
         };
+        let determinant = determinant(1e6);
         assert!(
-            (determinant(1e6) - 0.34143237829830614).abs() < 1e-4,
-            "{kernel}"
+            (determinant - 0.34143237829830614).abs() < 1e-4,
+            "{kernel}: {determinant}"
         );
     }
 }

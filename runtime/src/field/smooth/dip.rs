@@ -1,7 +1,7 @@
 //! Whether a step goes through a layer and back without feeling it.
 
 use super::SmoothField;
-use super::rules::Gaps;
+use super::rules::{Gaps, Turns};
 use crate::model::Model;
 use crate::scalar::{Inline, mapped};
 
@@ -93,6 +93,18 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         let mut visit = Gaps(|contact, gap| {
             if contact == wanted {
                 found = gap * self.rule.sharpness;
+            }
+        });
+        let _ = M::rhs(&self.values, *y, &mut visit);
+        found
+    }
+
+    /// The rate of a gap that does not give way, in widths of the layer in which it turns; infinite for one that does.
+    pub(super) fn turn(&self, press: usize, y: &[f64; N]) -> f64 {
+        let (wanted, mut found) = (M::INFO.contacts.len() + press, f64::INFINITY);
+        let mut visit = Turns(|contact, rate| {
+            if contact == wanted {
+                found = rate * self.rule.sharpness.sqrt();
             }
         });
         let _ = M::rhs(&self.values, *y, &mut visit);

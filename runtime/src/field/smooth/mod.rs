@@ -52,8 +52,8 @@ const UNUSED: Smoothing = Smoothing {
 };
 
 impl<M: Model<N>, const N: usize> SmoothField<M, N> {
-    /// Both borders of the layer in which each press sets in: there steps end.
-    const BORDERS: usize = 2 * M::INFO.presses.len();
+    /// Both borders of the layer in which each press sets in, and of that in which it turns: there steps end.
+    const BORDERS: usize = 4 * M::INFO.presses.len();
 
     /// The field of `model`, with derivatives ∂/∂r for `design`.
     ///
@@ -265,7 +265,12 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
             return self.stops.guard(guard, y, |state| self.free(y)[state]);
         }
         if index < Self::BORDERS {
-            return self.height(index / 2, y) - if index.is_multiple_of(2) { 1.0 } else { -1.0 };
+            let (press, border) = (index / 4, index % 4);
+            let place = match border {
+                0 | 1 => self.height(press, y),
+                _ => self.turn(press, y),
+            };
+            return place - if border.is_multiple_of(2) { 1.0 } else { -1.0 };
         }
         if index < self.corners {
             return memory::corner::<M, N>(&self.values, index - Self::BORDERS, y);

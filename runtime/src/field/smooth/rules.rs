@@ -62,6 +62,24 @@ impl<V: FnMut(usize, f64)> ContactRule<f64> for Gaps<V> {
     }
 }
 
+/// Visits the rates of the gaps of presses that do not give way.
+pub(super) struct Turns<V>(pub(super) V);
+
+impl<V: FnMut(usize, f64)> ContactRule<f64> for Turns<V> {
+    #[inline]
+    fn force<L: FrictionLaw<f64>>(&mut self, _contact: usize, _law: &L, _speed: f64) -> f64 {
+        0.0
+    }
+
+    #[inline]
+    fn press<L: PressLaw<f64>>(&mut self, contact: usize, _law: &L, _gap: f64, rate: f64) -> f64 {
+        if L::INFO.is_rigid() {
+            (self.0)(contact, rate);
+        }
+        0.0
+    }
+}
+
 /// Visits the relative speeds; the forces are zero, so nothing else is computed.
 pub(super) struct Speeds<V>(pub(super) V);
 
