@@ -164,7 +164,7 @@ pub struct Passage<const N: usize, Mode> {
     pub work: Work,
 }
 
-/// The place between two steps of which the shorter one is longest.
+/// The place between two steps of which the shorter one is longest, or the middle of a step twice as long.
 ///
 /// Next to a short step something is about to happen, or has just happened: a start there would
 /// soon fall before it or behind it as the design variable changes.
@@ -172,7 +172,7 @@ pub struct Passage<const N: usize, Mode> {
 pub struct Calm<const N: usize, Mode> {
     /// When, from the beginning of the passage.
     pub time: f64,
-    /// Length of the shorter step beside it.
+    /// Length of the shorter step beside it, or of half the step around it.
     pub step: f64,
     /// Where.
     pub place: Place<N, Mode>,
@@ -194,6 +194,18 @@ impl<const N: usize, Mode: Copy> Calm<N, Mode> {
             low: place.state,
             high: place.state,
             last: (0.0, 0.0, place),
+        }
+    }
+
+    /// Told of the middle of a step: where steps are as long as a closed form holds, few places are between two of them.
+    pub(crate) fn offer_middle(
+        &mut self,
+        time: f64,
+        half: f64,
+        place: impl FnOnce() -> Place<N, Mode>,
+    ) {
+        if half > self.step {
+            (self.time, self.step, self.place) = (time, half, place());
         }
     }
 

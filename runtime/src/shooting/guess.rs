@@ -20,3 +20,10 @@ pub struct Guess {
     /// The segments of an orbit along which errors grow much; the first begins at the place.
     pub division: Option<Division>,
 }
+
+impl Guess {
+    /// This share of the magnitude of each state.
+    pub(super) fn shares(&self, share: f64) -> Vec<f64> {
+        self.magnitude.iter().map(|size| share * size).collect()
+    }
+}

@@ -85,11 +85,7 @@ pub fn settled(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitE
 /// # Errors
 /// See [`OrbitError`].
 pub fn drawn(family: &Family, r: f64, search: &Search, period: f64) -> Result<Orbit, OrbitError> {
-    let magnitude = magnitude_of(&search.start);
-    let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
-    let flow = rough.with_magnitude(&magnitude).at(r)?;
-    let start = flow.place_in(&search.start, &search.modes)?;
-    let guess = given(flow.as_ref(), start, period, magnitude)?;
+    let guess = given(family, r, search, period)?;
     let orbit = from(family, r, &guess, search, anchored)
         .or_else(|error| swung_about(family, r, &guess, search).ok_or(error))?;
     let magnitude = half_extents(&orbit.min, &orbit.max, &guess.magnitude);
@@ -98,18 +94,15 @@ pub fn drawn(family: &Family, r: f64, search: &Search, period: f64) -> Result<Or
 }
 
 fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit, OrbitError> {
-    let magnitude = magnitude_of(&search.start);
-    let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
-    let loose = |magnitude: &[f64]| rough.with_magnitude(magnitude).at(r);
-    let start = loose(&magnitude)?.place_in(&search.start, &search.modes)?;
     if let Some(period) = search.period {
-        let flow = loose(&magnitude)?;
-        let guess = given(flow.as_ref(), start, period, magnitude)?;
-        return near(family, r, &guess, search);
+        return near(family, r, &given(family, r, search, period)?, search);
     }
+    let magnitude = magnitude_of(&search.start);
+    let loose = |magnitude: &[f64]| loose(family, magnitude).at(r);
+    let flow = loose(&magnitude)?;
+    let start = flow.place_in(&search.start, &search.modes)?;
     let mut failed = Failed::new(meant);
     let longest = meant.longest();
-    let flow = loose(&magnitude)?;
     let mut settled = settle(flow.as_ref(), start.clone(), longest, |guess| {
         failed.unless(family, r, guess, search)
     })?;
@@ -125,7 +118,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     match settled {
         Settled::Orbit(orbit) => orbit,
         Settled::Equilibrium(state, errors) => Err(OrbitError::Equilibrium {
-            state: loose(&magnitude)?.values(&state).within(errors),
+            state: flow.values(&state).within(errors),
         }),
         Settled::Neither(time, place) => Err(OrbitError::NotSettled {
             time,
@@ -136,15 +129,19 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
     }
 }
 
+/// The flows that a search follows.
+fn loose(family: &Family, magnitude: &[f64]) -> Family {
+    let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
+    rough.with_magnitude(magnitude)
+}
+
 /// A guess of the period that is given.
-fn given(
-    flow: &dyn Flow,
-    place: Place,
-    period: f64,
-    magnitude: Vec<f64>,
-) -> Result<Guess, FlowError> {
+fn given(family: &Family, r: f64, search: &Search, period: f64) -> Result<Guess, FlowError> {
+    let magnitude = magnitude_of(&search.start);
+    let flow = loose(family, &magnitude).at(r)?;
+    let place = flow.place_in(&search.start, &search.modes)?;
     Ok(Guess {
-        shift: gained(flow, &place, period, &magnitude)?,
+        shift: gained(flow.as_ref(), &place, period, &magnitude)?,
         place,
         period,
         magnitude,
@@ -188,13 +185,11 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
     }
 }
 
-/// The orbit about which a motion swings to and fro that comes back after two turns, and to which it is drawn.
+/// The orbit about which a motion swings to and fro that comes back after two turns.
 fn swung_about(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
     let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
     let midway = midway(flow.as_ref(), guess).ok()??;
-    let orbit = from(family, r, &midway, search, anchored).ok()?;
-    let drawn = stays(family, r, guess, (&orbit, &search.start)).ok()?;
-    drawn.then_some(orbit)
+    from(family, r, &midway, search, anchored).ok()
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.
@@ -258,7 +253,9 @@ impl Failed {
         {
             let flow = family.at(r).ok()?;
             return Some(Err(OrbitError::NotIsolated {
-                state: flow.values(&one.place.state),
+                state: flow
+                    .values(&one.place.state)
+                    .within(guess.shares(search.accuracy)),
                 period: one.period,
             }));
         }
@@ -273,7 +270,8 @@ impl Failed {
         }
         let taken = |orbit| self.taken(family, r, guess, (orbit, search)).ok();
         let calm = calmly(family, r, guess, search).and_then(Result::ok);
-        let other = || swung_about(family, r, guess, search);
+        let drawn = |orbit: &_| stays(family, r, guess, (orbit, &search.start)).unwrap_or(false);
+        let other = || swung_about(family, r, guess, search).filter(drawn);
         calm.and_then(taken).or_else(other).map(Ok)
     }
 }

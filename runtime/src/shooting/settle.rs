@@ -267,10 +267,12 @@ impl Watch {
     fn magnitude(&self) -> Vec<f64> {
         let swing = |j: usize| {
             let (extent, state) = (self.extent[j], self.place.state[j].abs());
-            match is_still(extent, state) {
-                true => state,
-                false => half(extent).max(STILL * self.widest[j]),
-            }
+            let size = if is_still(extent, state) {
+                state
+            } else {
+                half(extent)
+            };
+            size.max(STILL * self.widest[j])
         };
         (0..self.extent.len()).map(swing).collect()
     }

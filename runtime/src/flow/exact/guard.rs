@@ -161,7 +161,9 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             return;
         }
         let rest = polynomial.deflated(order);
-        let fall = rest.first_fall();
+        // What touches zero by no more than rounding errors does not fall.
+        let touches = |theta| order == 0 && polynomial.depth(theta) <= NOISE * terms;
+        let fall = rest.first_fall().filter(|(theta, _)| !touches(*theta));
         self.doubtful |=
             error > NOISE * terms && is_doubtful(&rest, fall, error * DEFLATED[order.min(3)]);
         if let Some((theta, until)) = fall {

@@ -14,7 +14,7 @@ use crate::flow::{
     Segment, Want,
 };
 use crate::integrate::linear::Blur;
-use crate::integrate::{IntegrationError, Motion};
+use crate::integrate::{Dense, IntegrationError, Motion};
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -226,8 +226,19 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         }
         self.note_nearest(stepper, whole, &nearest)?;
         self.observe(stepper, &dense);
+        if stepper.is_linear() {
+            self.offer_middle(stepper.length(), &dense);
+        }
         self.arrive(stepper, field, strike.is_some())?;
         Ok(strike)
+    }
+
+    fn offer_middle(&mut self, length: f64, dense: &Dense<N>) {
+        let (half, mode) = (0.5 * length, self.modes);
+        self.calm.offer_middle(self.time + half, half, || Place {
+            state: dense.state(half / dense.length()),
+            mode,
+        });
     }
 
     /// Goes on to the end of the step, which is `struck` by an event or not.

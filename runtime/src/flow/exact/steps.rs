@@ -38,6 +38,11 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         }
     }
 
+    /// Whether they are made in closed form.
+    pub(super) fn is_linear(&self) -> bool {
+        matches!(self, Self::Linear(_))
+    }
+
     /// Whether a motion can begin where they do.
     pub(super) fn check_start(&self) -> Result<(), IntegrationError> {
         either!(self, stepper => stepper.check_start())
