@@ -140,7 +140,9 @@ fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
         let rates = velocity.jacobian.row_iter();
         let rates = rates.map(|row| row.iter().zip(usual).map(|(s, size)| s * size).collect());
         for slopes in rates.chain(slopes_of_speeds(flow, &state, usual)) {
-            let largest = slopes.iter().fold(0.0_f64, |most, s: &f64| most.max(s.abs()));
+            let largest = slopes
+                .iter()
+                .fold(0.0_f64, |most, s: &f64| most.max(s.abs()));
             if largest > 0.0 && slopes.iter().all(|s| s.is_finite()) {
                 rows.push(slopes.iter().map(|s| s / largest).collect());
             }
