@@ -63,7 +63,7 @@ pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
     let jacobian = flow.velocity(&place).ok()?.jacobian;
     let sides = sides(flow.as_ref(), &place, problem.magnitude());
     let spectrum = Spectrum::between(&jacobian, &sides);
-    inside.then(|| Equilibrium { place, spectrum })
+    inside.then_some(Equilibrium { place, spectrum })
 }
 
 /// Whether two are one; which way a contact slides tells them apart only where it matters.
