@@ -55,7 +55,7 @@ impl Floquet {
     }
 
     /// Whether a multiplier is 1 as far as its error tells.
-    pub(super) fn may_be_one(&self) -> bool {
+    pub(crate) fn may_be_one(&self) -> bool {
         let mut all = self.multipliers.iter().zip(&self.errors);
         all.any(|(mu, error)| (mu - 1.0).norm() <= *error)
     }

@@ -24,7 +24,7 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
     accuracy: f64,
 ) -> Vec<Monitor<'a, P>> {
     let branch_point = Monitor::new(Kind::BranchPoint, closed)
-        .only_if(|ends| !turns(ends))
+        .only_if(move |ends| !turns(ends) && !stand(ends, accuracy))
         .judged(move |ends, at: &P| {
             // So near a meeting a multiplier is 1 but for its digits.
             let halves = at.asymmetry();
@@ -37,7 +37,10 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
             })
         });
     let turn = Monitor::new(Kind::Fold, P::slope)
-        .only_if(|ends| critical(ends) || unsure(ends) || asymmetry(ends).is_finite())
+        .only_if(move |ends| {
+            let marginal = critical(ends) || unsure(ends);
+            asymmetry(ends).is_finite() || marginal && !stand(ends, accuracy)
+        })
         .steady_if(|ends| !asymmetry(ends).is_finite() && stays_off(ends))
         .judged(turn);
     let mut named = vec![branch_point, Monitor::new(Kind::Flip, opened), turn];
@@ -96,6 +99,13 @@ fn critical<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
 /// Whether one is 1 at both, as far as its errors tell: where another is large, only the turn of r tells a fold.
 fn unsure<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
     ends.iter().all(|end| end.floquet().may_be_one())
+}
+
+/// Whether r stands still between two points at which a multiplier is 1, as far as errors tell: orbits there are a family,
+/// and it is their errors that turn r or move the multiplier.
+fn stand<P: PeriodicPoint>(ends: [&P; 2], accuracy: f64) -> bool {
+    let [from, to] = ends.map(P::r);
+    (to - from).abs() <= accuracy * to.abs() && unsure(ends)
 }
 
 /// Whether no multiplier is near 1 or comes near it between two points: where r turns, one is 1.

@@ -4,6 +4,7 @@
 //! system as long as its contacts slide the way the mode says.
 
 mod branch;
+mod corner;
 mod free;
 mod krawczyk;
 mod newton;

@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::corner::sides;
 use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::ZeroProblem;
 use crate::motion::{Family, Modes, Place};
@@ -60,10 +61,9 @@ pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
     flow.check(&place).ok()?;
     let inside = flow.margins(&place).iter().all(|(_, margin)| *margin > 0.0);
     let jacobian = flow.velocity(&place).ok()?.jacobian;
-    inside.then(|| Equilibrium {
-        place,
-        spectrum: Spectrum::of(&jacobian),
-    })
+    let sides = sides(flow.as_ref(), &place, problem.magnitude());
+    let spectrum = Spectrum::between(&jacobian, &sides);
+    inside.then_some(Equilibrium { place, spectrum })
 }
 
 /// Whether two are one; which way a contact slides tells them apart only where it matters.

@@ -2,13 +2,14 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::corner::sides;
 use super::resting::{Rows, binds, held};
 use super::{EquilibriumPoint, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::IntegrationError;
-use crate::motion::{Family, Modes, Place, Velocity, sticking};
+use crate::motion::{Family, Flow, Modes, Place, Velocity, sticking};
 
 /// Unknowns are the states; the equations are their rates, and where contacts stick or rest on a press combinations of them
 /// and of what is held.
@@ -47,11 +48,14 @@ impl EquilibriumProblem {
         &self.magnitude
     }
 
-    /// The eigenvalues where its velocity is this: without those that are zero because contacts stick.
+    /// The eigenvalues at these unknowns, where its velocity is this: without those that are zero because contacts stick.
     #[must_use]
-    pub fn spectrum(&self, velocity: &Velocity) -> Spectrum {
+    pub fn spectrum(&self, flow: &dyn Flow, z: &DVector<f64>, velocity: &Velocity) -> Spectrum {
         match sticking(&self.modes) {
-            0 => Spectrum::of(&velocity.jacobian),
+            0 => {
+                let sides = sides(flow, &self.place(z), &self.magnitude);
+                Spectrum::between(&velocity.jacobian, &sides)
+            }
             lost => Spectrum::across(&velocity.jacobian, lost),
         }
     }

@@ -5,6 +5,9 @@ use nalgebra::{Complex, DMatrix};
 use crate::bifurcation::{Growth, Growths, Stability};
 use crate::linear::{Eigenvalue, eigenvalues};
 
+/// Eigenvalues that differ by no more than this share of the largest on both sides of an equilibrium do so for its curvature.
+const CURVED: f64 = 1e-6;
+
 /// The eigenvalues of a Jacobian.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
@@ -22,7 +25,14 @@ impl Spectrum {
     /// Of an n × n Jacobian.
     #[must_use]
     pub fn of(jacobian: &DMatrix<f64>) -> Self {
-        Self::judged(&eigenvalues(jacobian), jacobian.nrows())
+        Self::between(jacobian, &[])
+    }
+
+    /// The same of an equilibrium on a corner, with these Jacobians on its sides: its rates known to what they differ by.
+    #[must_use]
+    pub(super) fn between(jacobian: &DMatrix<f64>, sides: &[DMatrix<f64>]) -> Self {
+        let sides: Vec<_> = sides.iter().map(eigenvalues).collect();
+        Self::judged(&eigenvalues(jacobian), jacobian.nrows(), &sides)
     }
 
     /// The same without the `neutral` eigenvalues that are zero because an equilibrium belongs to a set, and
@@ -33,11 +43,28 @@ impl Spectrum {
         all.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
         let others = jacobian.nrows().saturating_sub(neutral);
         all.truncate(others);
-        Self::judged(&all, others)
+        Self::judged(&all, others, &[])
     }
 
-    fn judged(all: &[Eigenvalue], count: usize) -> Self {
-        let growth = |one: &Eigenvalue| Growth::new(one.value, one.error(f64::EPSILON));
+    fn judged(all: &[Eigenvalue], count: usize, sides: &[Vec<Eigenvalue>]) -> Self {
+        let largest = all
+            .iter()
+            .fold(0.0_f64, |most, one| most.max(one.value.norm()));
+        // Rates alone: both halves of a turn may take other times.
+        let apart = |one: &Eigenvalue| {
+            let off = |other: &Eigenvalue| one.value - other.value;
+            let nearest = |side: &Vec<Eigenvalue>| {
+                let all = side.iter().map(off);
+                all.min_by(|a, b| a.norm().total_cmp(&b.norm()))
+            };
+            let nearest = sides.iter().filter_map(nearest);
+            nearest.fold(0.0_f64, |most, off| most.max(off.re.abs()))
+        };
+        let growth = |one: &Eigenvalue| {
+            let (rounding, apart) = (one.error(f64::EPSILON), apart(one));
+            let curved = apart <= CURVED * largest;
+            Growth::new(one.value, if curved { rounding } else { rounding + apart })
+        };
         let growths = Growths::new(all.iter().map(growth).collect());
         let value = |one: &Growth| {
             let re = if one.is_marginal() { 0.0 } else { one.rate };

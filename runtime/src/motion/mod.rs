@@ -123,6 +123,11 @@ pub trait Flow: Send + Sync {
         Vec::new()
     }
 
+    /// The number of surfaces on which laws with internal state have a corner.
+    fn corners(&self) -> usize {
+        0
+    }
+
     /// The magnitude at which a state that a law carries stops; infinite for any other.
     fn stop(&self, _state: usize) -> f64 {
         f64::INFINITY

@@ -2,6 +2,7 @@
 
 use super::passage::fixed;
 use super::{Contacts, Derivatives, Flow, Passage, Place, Reading, Velocity};
+use crate::field::Field;
 use crate::flow::{self, FlowError, SmoothFlow, Want};
 use crate::model::{Model, Values};
 
@@ -64,6 +65,10 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
         let passage = Flow::advance(self, from, time, Want::DERIVATIVES)?;
         let derivatives = passage.derivatives.ok_or(FlowError::BadTime { time })?;
         Ok((passage.end, derivatives))
+    }
+
+    fn corners(&self) -> usize {
+        Field::corners(self.field())
     }
 
     fn stop(&self, state: usize) -> f64 {

@@ -5,6 +5,7 @@ use nalgebra::DVector;
 use super::begin::begin;
 use super::border::{between, cross, name};
 use super::bound::unbounded;
+use super::halved::Halved;
 use super::homoclinic::homoclinic;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
@@ -131,12 +132,26 @@ impl Reader for Orbits {
         orbit.repeats(SAME_ORBIT) || back()
     }
 
-    /// Tells a branch point from one at which a symmetry is lost.
+    /// Tells a branch point from one at which a symmetry is lost, which orbits that have it tell better where it is.
     fn refine(&self, problem: &OrbitProblem, found: &mut Located<Orbit>) {
         let family = &problem.family;
+        if found.kind != Kind::BranchPoint {
+            return;
+        }
         // An orbit that cannot be gone around once more has no symmetry that could be told.
-        if found.kind == Kind::BranchPoint && found.point.loses_symmetry(family) == Ok(true) {
-            found.kind = Kind::SymmetryBreaking;
+        let Ok(Some((symmetry, halfway))) = found.point.lost_symmetry(family) else {
+            return;
+        };
+        found.kind = Kind::SymmetryBreaking;
+        let magnitude = found.point.magnitude();
+        let halved = halfway.then(|| Halved::of(&found.point, symmetry, &magnitude));
+        let [from, to] = found.sides.map(|(r, _)| r);
+        let near = (found.r, found.r.abs().max((to - from).abs()));
+        let lost = halved.and_then(|halved| halved.lost(family, near, self.accuracy));
+        if let Some([r, error]) = lost
+            && (r - from) * (r - to) <= 0.0
+        {
+            (found.r, found.error) = (r, error);
         }
     }
 

@@ -27,3 +27,17 @@ impl Guess {
         self.magnitude.iter().map(|size| share * size).collect()
     }
 }
+
+/// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.
+pub(super) fn magnitude_of(start: &[f64]) -> Vec<f64> {
+    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let other = if largest > 0.0 { largest } else { 1.0 };
+    let size = |x: &f64| {
+        if x.abs() > 1e-3 * other {
+            x.abs()
+        } else {
+            other
+        }
+    };
+    start.iter().map(size).collect()
+}

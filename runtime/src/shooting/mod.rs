@@ -18,6 +18,7 @@ mod equations;
 mod error;
 mod grip;
 mod guess;
+mod halved;
 mod homoclinic;
 mod hopf;
 mod least;

@@ -3,7 +3,7 @@
 use super::anchor::anchored;
 use super::converge::{ROUGH, calmly, converge, from, missed};
 use super::error::OrbitError;
-use super::guess::Guess;
+use super::guess::{Guess, magnitude_of};
 use super::least::{midway, parts};
 use super::neutral::neutral;
 use super::orbit::Orbit;
@@ -274,18 +274,4 @@ impl Failed {
         let other = || swung_about(family, r, guess, search).filter(drawn);
         calm.and_then(taken).or_else(other).map(Ok)
     }
-}
-
-/// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.
-fn magnitude_of(start: &[f64]) -> Vec<f64> {
-    let largest = start.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let other = if largest > 0.0 { largest } else { 1.0 };
-    let size = |x: &f64| {
-        if x.abs() > 1e-3 * other {
-            x.abs()
-        } else {
-            other
-        }
-    };
-    start.iter().map(size).collect()
 }

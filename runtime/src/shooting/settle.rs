@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use super::guess::Guess;
+use super::guess::{Guess, magnitude_of};
 use super::quiet::Quiet;
 use super::shift::Shifts;
 use super::turning::{half, turning};
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, Passage, Place, STILL, apart, is_still};
+use crate::motion::{Flow, Modes, NOISE, Passage, Place, STILL, apart, is_still};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -98,6 +98,8 @@ struct Watch {
     extent: Vec<f64>,
     /// The widest extent that each state had.
     widest: Vec<f64>,
+    /// What is usual for each state, as far as the start tells.
+    usual: Vec<f64>,
     first_extent: f64,
     swings: Vec<f64>,
     quiet: Quiet,
@@ -111,6 +113,7 @@ impl Watch {
             shifts: None,
             extent: vec![0.0; place.state.len()],
             widest: vec![0.0; place.state.len()],
+            usual: magnitude_of(&place.state),
             quiet: Quiet::new(place.state.len()),
             place,
             time: 0.0,
@@ -263,14 +266,15 @@ impl Watch {
         runs
     }
 
-    /// Half of what each state swings by; what has died away, or keeps still, is measured in what it was, or is.
+    /// Half of what each state swings by; what has died away, or keeps still, is measured in what it was, or is. Rounding errors
+    /// are no swing.
     fn magnitude(&self) -> Vec<f64> {
         let swing = |j: usize| {
             let (extent, state) = (self.extent[j], self.place.state[j].abs());
-            let size = if is_still(extent, state) {
-                state
-            } else {
-                half(extent)
+            let size = match is_still(extent, state) {
+                _ if self.widest[j] <= NOISE * self.usual[j] => half(0.0),
+                true => state,
+                false => half(extent),
             };
             size.max(STILL * self.widest[j])
         };

@@ -1,7 +1,8 @@
 //! Shifts of states that change nothing: an angle that has turned, a carriage that has moved on.
 //!
 //! Where no rate depends on where the states are along a direction, a motion that has moved on along it is as good as one
-//! that has come back, and so is one in which an angle has turned once. Orbits are sought modulo such shifts.
+//! that has come back, and so is one in which an angle has turned once. Orbits are sought modulo such shifts. A wall is not
+//! felt before it is hit, nor what a constant force opposes: gaps and relative speeds must not depend on it either.
 
 use std::f64::consts::TAU;
 
@@ -21,6 +22,8 @@ const SAME: f64 = 1e-7;
 const SMALL: f64 = 1e-6;
 /// Singular values below this share of the largest are zero.
 const FREE: f64 = 1e-9;
+/// Distance in usual sizes over which slopes of gaps and relative speeds are known to [`FREE`].
+const BESIDE: f64 = 1e-5;
 /// Most parts of a turn that may change nothing: steps of a motor, blades, teeth.
 const PARTS: u32 = 400;
 /// How far from half a turn it is that is rounded up: what turns by simple parts is not to hang on rounding errors.
@@ -122,7 +125,7 @@ fn gain(from: &[f64], to: &[f64]) -> Vec<f64> {
     to.iter().zip(from).map(|(to, from)| to - from).collect()
 }
 
-/// Directions in which no slope of the rates points, anywhere, in units of the states.
+/// Directions in which no slope of the rates, gaps and relative speeds points, anywhere, in units of the states.
 fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
     let order = usual.len();
     let mut rows = Vec::new();
@@ -134,11 +137,14 @@ fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
         let Ok(velocity) = velocity else {
             continue;
         };
-        for row in velocity.jacobian.row_iter() {
-            let scaled: Vec<f64> = row.iter().zip(usual).map(|(s, size)| s * size).collect();
-            let largest = scaled.iter().fold(0.0_f64, |most, s| most.max(s.abs()));
-            if largest > 0.0 && largest.is_finite() {
-                rows.push(scaled.iter().map(|s| s / largest).collect());
+        let rates = velocity.jacobian.row_iter();
+        let rates = rates.map(|row| row.iter().zip(usual).map(|(s, size)| s * size).collect());
+        for slopes in rates.chain(slopes_of_speeds(flow, &state, usual)) {
+            let largest = slopes
+                .iter()
+                .fold(0.0_f64, |most, s: &f64| most.max(s.abs()));
+            if largest > 0.0 && slopes.iter().all(|s| s.is_finite()) {
+                rows.push(slopes.iter().map(|s| s / largest).collect());
             }
         }
     }
@@ -154,6 +160,22 @@ fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
     let null = (0..order).filter(|i| values[*i] <= least);
     let null: Vec<_> = null.map(|i| vt.row(i).transpose()).collect();
     Echelon::of(&null, order, &[]).directions(usual)
+}
+
+/// Slopes of the relative speed of each contact and the gap of each press, in usual sizes of the states.
+fn slopes_of_speeds(flow: &dyn Flow, state: &[f64], usual: &[f64]) -> Vec<Vec<f64>> {
+    let beside = |j: usize, steps: f64| {
+        let mut state = state.to_vec();
+        state[j] += steps * usual[j];
+        flow.speeds(&state)
+    };
+    let columns = (0..usual.len()).map(|j| (beside(j, BESIDE), beside(j, -BESIDE)));
+    let columns: Vec<_> = columns.collect();
+    let slope = |i: usize, (high, low): &(Vec<f64>, Vec<f64>)| (high[i] - low[i]) / (2.0 * BESIDE);
+    let contacts = 0..flow.speeds(state).len();
+    contacts
+        .map(|i| columns.iter().map(|column| slope(i, column)).collect())
+        .collect()
 }
 
 /// States of these sizes, spread evenly.
@@ -175,7 +197,7 @@ pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     })
 }
 
-/// Whether the rates are the same everywhere after this shift, as far as states of `usual` sizes tell.
+/// Whether rates, gaps and relative speeds are the same everywhere after this shift, as far as states of `usual` sizes tell.
 pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     let mut shares = shift.iter().zip(usual).map(|(d, size)| d.abs() / size);
     if !shares.any(|share| share > SMALL) {
@@ -186,6 +208,9 @@ pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> 
         Some((flow.velocity(&place).ok()?.f, place.modes))
     };
     let places: Vec<Vec<f64>> = spread(usual).collect();
+    if !keeps_speeds(flow, shift, &places) {
+        return false;
+    }
     let known: Vec<_> = places.iter().map(|here| rates(here)).collect();
     // Each rate in its own size: those of others have other units.
     let size = |j: usize| {
@@ -205,6 +230,22 @@ pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> 
         (here, there) => here.is_none() && there.is_none(),
     };
     known.iter().flatten().count() >= KNOWN && (0..TRIED).all(same)
+}
+
+/// Whether gaps and relative speeds are the same at all these places after a shift, but for those that have no value.
+fn keeps_speeds(flow: &dyn Flow, shift: &[f64], places: &[Vec<f64>]) -> bool {
+    let pairs = places.iter().map(|here| {
+        let there = flow.speeds(&moved(here, shift, -1.0));
+        (flow.speeds(here), there)
+    });
+    let pairs: Vec<_> = pairs.collect();
+    let same = |i: usize| {
+        let sizes = pairs.iter().map(|(here, _)| here[i].abs());
+        let size = sizes.fold(0.0, f64::max);
+        let mut differ = pairs.iter().map(|(here, there)| (here[i] - there[i]).abs());
+        !differ.any(|differ| differ > SAME * size)
+    };
+    (0..pairs.first().map_or(0, |(here, _)| here.len())).all(same)
 }
 
 /// The state moved by any share of a shift to where it is nearest to a point.

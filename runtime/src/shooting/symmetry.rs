@@ -127,25 +127,28 @@ impl Symmetry {
 }
 
 impl Orbit {
-    /// Whether the branch that crosses this orbit's at a branch point has lost a symmetry that this orbit has: the
-    /// direction in which it leaves changes sign where the orbit maps to itself.
+    /// The symmetry of this orbit that the branch has lost which crosses its own at a branch point, if it has lost one: the
+    /// direction in which it leaves changes sign where the orbit maps to itself. And whether that is half a period later.
     ///
     /// Looked for are symmetries of order two: changes of sign, exchanges of states (up to six of them), and half a
     /// turn of a drive; each leaves the orbit as it is at once, or after half its period.
     ///
     /// # Errors
     /// The flow fails on the orbit.
-    pub(crate) fn loses_symmetry(&self, family: &Family) -> Result<bool, FlowError> {
+    pub(super) fn lost_symmetry(
+        &self,
+        family: &Family,
+    ) -> Result<Option<(Symmetry, bool)>, FlowError> {
         let flow = family.at(self.r)?;
         let drive = flow.phase();
         let candidates = self.symmetries(flow.as_ref(), Symmetry::all(flow.order(), drive));
         if candidates.is_empty() {
-            return Ok(false);
+            return Ok(None);
         }
         let after = |time: f64| flow.advance(&self.place, time, Want::DERIVATIVES);
         let (half, whole) = (after(0.5 * self.period)?, after(self.period)?);
         let start = &self.place.state;
-        for one in &candidates {
+        for one in candidates {
             let image = one.of(start);
             let (map, fixed) = if self.are_one(&image, start, drive, CLOSE) {
                 (&whole.derivatives, 1.0)
@@ -156,10 +159,10 @@ impl Orbit {
             };
             let Some(map) = map else { continue };
             if changes_sign(&one.matrix(), &map.state, fixed) {
-                return Ok(true);
+                return Ok(Some((one, fixed < 0.0)));
             }
         }
-        Ok(false)
+        Ok(None)
     }
 
     /// The symmetry that the orbit has after half its period, if it has one.

@@ -18,7 +18,8 @@ pub(super) fn stands_still(orbits: &[Orbit], accuracy: f64) -> Option<f64> {
         .map(|first| &orbits[first..])?;
     let stays = |orbit: &Orbit| {
         let still = (orbit.r - last).abs() <= accuracy * last.abs();
-        still && orbit.floquet.pull() <= MARGIN * accuracy
+        let marginal = || orbit.floquet.pull() <= MARGIN * accuracy;
+        still && (marginal() || orbit.floquet.may_be_one())
     };
     recent.iter().all(stays).then_some(last)
 }
