@@ -2,6 +2,7 @@
 
 use super::anchor::{anchored, once_around, problem};
 use super::error::OrbitError;
+use super::flat::{EXTENT, at_rest, is_flat};
 use super::guess::Guess;
 use super::least::{between, shorter};
 use super::neutral::{pins, suspect};
@@ -13,12 +14,10 @@ use super::shot::Shot;
 use crate::continuation::{Corrected, Failure, ZeroProblem, correct_at};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow, NOISE};
+use crate::motion::{Family, NOISE};
 
 type Found = Corrected<Shot>;
 
-/// An orbit whose extent is below this share of its states is an equilibrium.
-const EXTENT: f64 = 1e-6;
 /// Accuracy of the first orbit that is found.
 pub(super) const ROUGH: f64 = 1e-7;
 /// Accuracy at which it can still be told how often a motion has gone around.
@@ -268,27 +267,6 @@ fn newton(
         });
     }
     Ok((found, problem))
-}
-
-/// Whether nothing changes once around but what runs on, and that as evenly as it begins.
-fn is_flat(shot: &Shot, magnitude: &[f64]) -> bool {
-    let run = |j: usize| shot.shift.as_ref().map_or(0.0, |run| run[j]);
-    let (low, high) = shot.extent();
-    (0..low.len()).all(|j| {
-        let size = low[j].abs().max(high[j].abs()).max(magnitude[j]);
-        let evenly = shot.velocity.f[j] * shot.period - run(j);
-        high[j] - low[j] - run(j).abs() <= EXTENT * size
-            && (run(j) == 0.0 || evenly.abs() <= EXTENT * run(j).abs())
-    })
-}
-
-/// Whether a guess hardly moves in its period: there Newton's matrix is singular for any period.
-fn at_rest(flow: &dyn Flow, guess: &Guess) -> Result<bool, FlowError> {
-    let velocity = flow.velocity(&guess.place)?.f;
-    Ok(
-        (0..velocity.len())
-            .all(|j| velocity[j].abs() * guess.period <= EXTENT * guess.magnitude[j]),
-    )
 }
 
 /// Largest relative difference of period and extrema between two computations of one orbit; these are its usual sizes.

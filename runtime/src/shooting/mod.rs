@@ -16,6 +16,7 @@ mod division;
 mod echelon;
 mod equations;
 mod error;
+mod flat;
 mod grip;
 mod guess;
 mod halved;
