@@ -22,9 +22,7 @@ type Found = Corrected<Shot>;
 pub(super) const ROUGH: f64 = 1e-7;
 /// Accuracy at which it can still be told how often a motion has gone around.
 const LOOSEST: f64 = 1e-6;
-/// What is local error of a motion in closed form.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Error of a period over the local error below which an agreement of two runs is one by chance.
+/// Error of a period over the local tolerance below which an agreement of two runs is one by chance.
 pub(super) const CHANCE: f64 = 4.0;
 /// What is reported over what two runs differ by: they share part of their errors.
 pub(super) const DOUBT: f64 = 1.5;
@@ -164,7 +162,7 @@ pub(super) fn from(
         error = difference(&loose.0, &tight.0, &guess.magnitude);
         blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     }
-    let (tight, problem) = tight;
+    let tight = tight.0;
     let long = guess.moved(&tight);
     let flow = family.with_tolerance(fine).with_magnitude(&guess.magnitude);
     let again = |guess: &Guess| Some(newton(guess, accuracy, fine, false).ok()?.0);
@@ -180,11 +178,7 @@ pub(super) fn from(
     };
     let mut orbit = Orbit::read(family, solution, error, work);
     // What hardly attracts keeps the error of each period: two runs may agree by chance.
-    let local = match problem.work.linearisations {
-        0 => ROUNDING,
-        _ => tolerance.explicit().relative,
-    };
-    let least = CHANCE * local / orbit.floquet.pull();
+    let least = CHANCE * tolerance.explicit().relative / orbit.floquet.pull();
     // Extrema are those of the last motion, one correction away from the orbit.
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * orbit.error_estimate.max(least).max(last);

@@ -266,15 +266,15 @@ impl Watch {
         runs
     }
 
-    /// Half of what each state swings by, but for rounding; what died away, or keeps still, is measured in what it was, or is.
+    /// Half of what each state swings by; what has died away, or keeps still, is measured in what it was, or is. Rounding errors
+    /// are no swing.
     fn magnitude(&self) -> Vec<f64> {
         let swing = |j: usize| {
             let (extent, state) = (self.extent[j], self.place.state[j].abs());
-            let least = STILL * self.widest[j];
             match is_still(extent, state) {
                 _ if self.widest[j] <= NOISE * self.usual[j] => half(0.0),
-                true => state.max(least),
-                false => half(extent).max(least),
+                true => state,
+                false => half(extent).max(STILL * self.widest[j]),
             }
         };
         (0..self.extent.len()).map(swing).collect()

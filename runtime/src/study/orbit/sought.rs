@@ -129,9 +129,12 @@ impl System {
             off.fold(0.0, f64::max) <= SETTLED * size
         };
         match found.iter().map(|one| &one.place.state).find(close) {
-            Some(state) => OrbitError::Equilibrium {
-                state: flow.values(state),
-            },
+            Some(state) => {
+                let rounding = vec![f64::EPSILON * size; state.len()];
+                OrbitError::Equilibrium {
+                    state: flow.values(state).within(rounding),
+                }
+            }
             None => error,
         }
     }
