@@ -13,7 +13,7 @@ use super::isola::Unfolding;
 use super::plane::Plane;
 use super::point::{CriticalEquilibrium, CurvePoint};
 use crate::continuation::{self, Branch, Failure, Kind, Monitor, Reader, Settings};
-use crate::equilibrium::{EquilibriumProblem, Onset, Spectrum};
+use crate::equilibrium::{EquilibriumProblem, Onset};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::motion::{Place, Velocity};
@@ -86,10 +86,7 @@ impl Reader for Equilibria {
         let onset = onset.and_then(|(flow, turns)| Onset::of(flow.as_ref(), &place, turns));
         let count = z.len();
         let of = CriticalEquilibrium {
-            spectrum: flow.as_ref().map_or_else(
-                || Spectrum::of(&velocity.jacobian),
-                |flow| problem.subject.spectrum(flow.as_ref(), &z, velocity),
-            ),
+            spectrum: problem.subject.spectrum(flow.as_deref(), &place, velocity),
             pair,
             onset,
             margins: flow.map_or_else(Vec::new, |flow| flow.margins(&place)),

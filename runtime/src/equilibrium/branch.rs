@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use nalgebra::DVector;
 
+use super::EquilibriumProblem;
 use super::special::{EquilibriumPoint, monitors, turns};
-use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::{self, Failure, Monitor, Point, Reader, Settings, Walked, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -62,14 +62,11 @@ impl Reader for Equilibria {
         _work: Work,
     ) -> EquilibriumPoint {
         let (place, velocity) = (problem.place(&point.z), &point.extra);
-        let flow = problem.family.at(point.r);
+        let flow = problem.family.at(point.r).ok();
         EquilibriumPoint {
-            spectrum: flow.as_ref().map_or_else(
-                |_| Spectrum::of(&velocity.jacobian),
-                |flow| problem.spectrum(flow.as_ref(), &point.z, velocity),
-            ),
+            spectrum: problem.spectrum(flow.as_deref(), &place, velocity),
             residual: point.residual,
-            margins: flow.map_or_else(|_| Vec::new(), |flow| flow.margins(&place)),
+            margins: flow.map_or_else(Vec::new, |flow| flow.margins(&place)),
             state: place.state,
             r: point.r,
             way: point.way(&problem.scale()),

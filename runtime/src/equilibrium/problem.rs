@@ -48,12 +48,19 @@ impl EquilibriumProblem {
         &self.magnitude
     }
 
-    /// The eigenvalues at these unknowns, where its velocity is this: without those that are zero because contacts stick.
+    /// The eigenvalues at a place, where its velocity is this: without those that are zero because contacts stick. The flow,
+    /// where there is one, tells the slopes on both sides of a corner.
     #[must_use]
-    pub fn spectrum(&self, flow: &dyn Flow, z: &DVector<f64>, velocity: &Velocity) -> Spectrum {
+    pub fn spectrum(
+        &self,
+        flow: Option<&dyn Flow>,
+        place: &Place,
+        velocity: &Velocity,
+    ) -> Spectrum {
         match sticking(&self.modes) {
             0 => {
-                let sides = sides(flow, &self.place(z), &self.magnitude);
+                let sides = flow.map(|flow| sides(flow, place, &self.magnitude));
+                let sides = sides.unwrap_or_default();
                 Spectrum::between(&velocity.jacobian, &sides)
             }
             lost => Spectrum::across(&velocity.jacobian, lost),

@@ -9,6 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector};
 
+use super::converge::DOUBT;
 use super::orbit::Orbit;
 use super::symmetry::Symmetry;
 use crate::flow::Want;
@@ -27,8 +28,6 @@ const CLOSES: f64 = 1e-8;
 const FREE: f64 = 1e-9;
 /// Shares of the accuracy to which motions are followed: the second tells the error of the first.
 const SHARPER: [f64; 2] = [0.02, 0.002];
-/// What is reported over what two runs differ by.
-const DOUBT: f64 = 1.5;
 
 /// An orbit that is its own image after half its period.
 #[derive(Debug, Clone)]
