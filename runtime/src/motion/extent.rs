@@ -3,7 +3,7 @@
 /// An extent below this share of a state is rounding error.
 const RESTS: f64 = 1e-8;
 /// What is left of a state that rests at zero, as a share of what is usual for it: rounding.
-pub(crate) const NOISE: f64 = 1e-20;
+pub(crate) const NOISE: f64 = 1e-15;
 
 /// A swing below this share of a state may be the errors of what keeps still while something fast would bring it back.
 pub(crate) const STILL: f64 = 1e-6;

@@ -22,7 +22,9 @@ type Found = Corrected<Shot>;
 pub(super) const ROUGH: f64 = 1e-7;
 /// Accuracy at which it can still be told how often a motion has gone around.
 const LOOSEST: f64 = 1e-6;
-/// Error of a period over the local tolerance below which an agreement of two runs is one by chance.
+/// Local error of a motion in closed form: rounding, of its terms and where events are found.
+const ROUNDING: f64 = 128.0 * f64::EPSILON;
+/// Error of a period over the local error below which an agreement of two runs is one by chance.
 pub(super) const CHANCE: f64 = 4.0;
 /// What is reported over what two runs differ by: they share part of their errors.
 pub(super) const DOUBT: f64 = 1.5;
@@ -162,7 +164,7 @@ pub(super) fn from(
         error = difference(&loose.0, &tight.0, &guess.magnitude);
         blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     }
-    let tight = tight.0;
+    let (tight, problem) = tight;
     let long = guess.moved(&tight);
     let flow = family.with_tolerance(fine).with_magnitude(&guess.magnitude);
     let again = |guess: &Guess| Some(newton(guess, accuracy, fine, false).ok()?.0);
@@ -178,7 +180,11 @@ pub(super) fn from(
     };
     let mut orbit = Orbit::read(family, solution, error, work);
     // What hardly attracts keeps the error of each period: two runs may agree by chance.
-    let least = CHANCE * tolerance.explicit().relative / orbit.floquet.pull();
+    let local = match problem.work.linearisations {
+        0 => ROUNDING,
+        _ => tolerance.explicit().relative,
+    };
+    let least = CHANCE * local / orbit.floquet.pull();
     // Extrema are those of the last motion, one correction away from the orbit.
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * orbit.error_estimate.max(least).max(last);
@@ -269,11 +275,10 @@ fn difference(a: &Corrected<Shot>, b: &Corrected<Shot>, usual: &[f64]) -> f64 {
     let period = (a.z[a.z.len() - 1] / b.z[b.z.len() - 1] - 1.0).abs();
     let ((low_a, high_a), (low_b, high_b)) = (first.extent(), second.extent());
     (0..low_a.len()).fold(period.max(1e-15), |largest, j| {
-        let size = high_b[j]
-            .abs()
-            .max(low_b[j].abs())
-            .max(NOISE * usual[j])
-            .max(f64::MIN_POSITIVE);
+        let size = match high_b[j].abs().max(low_b[j].abs()) {
+            rounding if rounding <= NOISE * usual[j] => usual[j],
+            size => size,
+        };
         largest
             .max((high_a[j] - high_b[j]).abs() / size)
             .max((low_a[j] - low_b[j]).abs() / size)

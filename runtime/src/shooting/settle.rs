@@ -266,15 +266,17 @@ impl Watch {
         runs
     }
 
-    /// Half of what each state swings by; what has died away, or keeps still, is measured in what it was, or is. Rounding errors
-    /// are no swing.
+    /// Half of what each state swings by, but for rounding; what keeps still is measured in what it is, what died away in what
+    /// it was.
     fn magnitude(&self) -> Vec<f64> {
         let swing = |j: usize| {
-            let (extent, state) = (self.extent[j], self.place.state[j].abs());
+            let (extent, widest) = (self.extent[j], self.widest[j]);
+            let state = self.place.state[j].abs();
             match is_still(extent, state) {
-                _ if self.widest[j] <= NOISE * self.usual[j] => half(0.0),
+                _ if widest <= NOISE * self.usual[j] => half(0.0),
+                _ if extent <= STILL * widest => half(widest),
                 true => state,
-                false => half(extent).max(STILL * self.widest[j]),
+                false => half(extent),
             }
         };
         (0..self.extent.len()).map(swing).collect()

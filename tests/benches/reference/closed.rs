@@ -60,11 +60,7 @@ fn row<M: Model<N>, const N: usize>(model: M, design: usize, start: [f64; N]) {
     let mut events = 0;
     let mut best = |integrated: bool| {
         let flow = family.at(r).expect("a value within bounds");
-        let flow = if integrated {
-            flow
-        } else {
-            flow.in_closed_form()
-        };
+        let flow = if integrated { flow.integrated() } else { flow };
         let place = flow.place(state).expect("a place");
         super::clock::best(Duration::from_secs(1), || {
             let passage = flow.advance(&place, orbit.period, Want::DERIVATIVES);

@@ -267,8 +267,8 @@ fn compare<M: Model<N>, const N: usize>(
             magnitude: [1.0; N],
         };
         let r = model.values().as_ref()[design];
-        let closed = family.at(r).unwrap().in_closed_form();
-        let integrated = family.at(r).unwrap();
+        let closed = family.at(r).unwrap();
+        let integrated = family.at(r).unwrap().integrated();
         let mut state: [f64; N] = random.array(|random| random.real(1.0));
         if let Some(phase) = M::INFO.drive {
             state[phase] = random.between(0.0, TAU);

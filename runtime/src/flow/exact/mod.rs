@@ -38,6 +38,7 @@ use run::Run;
 pub use settle::Arrival;
 use settle::Rest;
 use stretch::Stretches;
+pub(crate) use stretch::in_closed_form;
 
 /// Rounding error of a relative speed in units of its terms, below which it is none.
 const NO_SPEED: f64 = 4.0 * f64::EPSILON;
@@ -89,16 +90,15 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             system,
             settings,
             arrival: Arrival::default(),
-            stretches: None,
+            stretches: Stretches::of_model(),
         })
     }
 
-    /// The same flow in closed form between events, where the model is proven to be linear there: a motion without the
-    /// errors of an integrator, at a ninth to a fourth of its cost. It is not chosen by itself: where a contact sticks for
-    /// good, what dies away beside it dies away to nothing, and shooting does not know yet in what to measure that.
+    /// The same flow by the integrator alone, also where the model is proven to be linear between events and closed forms
+    /// are taken for it: slower, with the integrator's errors, and so an independent check.
     #[must_use]
-    pub fn in_closed_form(mut self) -> Self {
-        self.stretches = Stretches::of_model();
+    pub fn integrated(mut self) -> Self {
+        self.stretches = None;
         self
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::field::exact::{ExactField, Modes};
 use crate::integrate::Tolerance;
 use crate::integrate::linear::{Blur, LinearFlow};
-use crate::model::Model;
+use crate::model::{Model, ModelInfo};
 
 /// States up to which closed forms are cheaper than the integrator: of a row of masses with friction, once for each value of
 /// a parameter and with all derivatives, eight times for 4 states and six times for 12, as their maps are found for each
@@ -17,6 +17,11 @@ const KEPT: usize = 64;
 /// lengthens its steps where fast motions have died away.
 const SHARE: f64 = 0.1;
 
+/// Whether exact motions of a model are followed in closed form between events: it is proven to be linear there, and small.
+pub(crate) fn in_closed_form(info: &ModelInfo) -> bool {
+    info.states.len() <= LARGEST && info.is_linear()
+}
+
 /// The flows in closed form that were needed so far.
 pub(super) struct Stretches<M: Model<N>, const N: usize>(Mutex<Vec<Stretch<M, N>>>);
 
@@ -26,7 +31,7 @@ type Stretch<M, const N: usize> = ((Modes<M, N>, Blur), Option<Arc<LinearFlow<N>
 impl<M: Model<N>, const N: usize> Stretches<M, N> {
     /// None needed yet; `None` if the model is not proven to be linear, or is large.
     pub(super) fn of_model() -> Option<Self> {
-        (N <= LARGEST && M::INFO.is_linear()).then(|| Self(Mutex::default()))
+        in_closed_form(M::INFO).then(|| Self(Mutex::default()))
     }
 
     /// The flow of a field in closed form, if so many steps are more than enough for this time.

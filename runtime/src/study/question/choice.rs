@@ -1,6 +1,7 @@
 //! Which method a question deserves when only an accuracy is asked for.
 
 use super::dynamics::Dynamics;
+use crate::flow::exact::in_closed_form;
 use crate::integrate::Tolerance;
 use crate::model::ModelInfo;
 
@@ -41,8 +42,13 @@ pub fn choose(info: &ModelInfo, dynamics: Option<Dynamics>, accuracy: f64) -> Ch
             "exact dynamics",
             tolerance.explicit(),
             format!(
-                "the law of {} is switched, not smoothed: without a layer nothing is stiff, and no smoothing error enters",
-                names.join(", ")
+                "the law of {} is switched, not smoothed: without a layer nothing is stiff, and no smoothing error enters{}",
+                names.join(", "),
+                if in_closed_form(info) {
+                    "; between events the model is linear, and moves in closed form, without an integrator"
+                } else {
+                    ""
+                }
             ),
         ),
         Dynamics::Smoothed(_) => (
@@ -74,6 +80,7 @@ mod tests {
         let chosen = choose(Belt::INFO, None, 1e-6);
         assert_eq!(chosen.dynamics, Dynamics::Exact);
         assert!(chosen.reason.contains("chosen") && chosen.reason.contains("the law of F"));
+        assert!(!chosen.reason.contains("closed form") && !Belt::INFO.is_linear());
         let copy = Dynamics::Smoothed(Smoothing {
             kernel: Kernel::Tanh,
             size: 1e5,
