@@ -11,6 +11,16 @@ const REACHES: std::ops::Range<i32> = -60..-10;
 const GROWN: f64 = 1.0 / ROOT_OF_EPSILON;
 const ROOT_OF_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
 
+/// The largest state and its number, if it has left the usual ones of this model behind.
+pub(super) fn grown(model: &ModelInfo, state: &[f64]) -> Option<(usize, f64)> {
+    let starts = model.states.iter().map(|state| state.start.abs());
+    let usual = starts.fold(0.0, f64::max);
+    let usual = if usual > 0.0 { usual } else { 1.0 };
+    let sizes = state.iter().copied().enumerate();
+    let largest = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    largest.filter(|(_, value)| value.is_finite() && value.abs() >= GROWN * usual)
+}
+
 impl FlowError {
     /// A law that is out of its bounds, with when and where.
     pub(super) fn beyond(found: &Beyond, time: f64, state: &[f64]) -> Self {
@@ -40,21 +50,14 @@ impl FlowError {
             }
             _ => return Self::Integration(error).named(model),
         };
-        let starts = model.states.iter().map(|state| state.start.abs());
-        let usual = starts.fold(0.0, f64::max);
-        let usual = if usual > 0.0 { usual } else { 1.0 };
-        let sizes = state.iter().copied().enumerate();
-        let largest = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        match largest {
-            Some((j, value)) if value.is_finite() && value.abs() >= GROWN * usual => {
-                Self::Unbounded {
-                    state: model.states.get(j).map_or("?", |state| state.name),
-                    value,
-                    time,
-                    cause,
-                }
-            }
-            _ => Self::Integration(error).named(model),
+        match grown(model, state) {
+            Some((j, value)) => Self::Unbounded {
+                state: model.states.get(j).map_or("?", |state| state.name),
+                value,
+                time,
+                cause,
+            },
+            None => Self::Integration(error).named(model),
         }
     }
 

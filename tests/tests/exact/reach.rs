@@ -8,6 +8,7 @@ use stickslip::model;
 use stickslip::model::Model;
 use stickslip::motion::Family;
 use stickslip_models::friction::{Coulomb, LuGre};
+use stickslip_models::press::Rigid;
 use stickslip_tests::exact;
 
 model! {
@@ -218,17 +219,33 @@ model! {
     }
 }
 
-fn simulated<M: Model<2>>(model: M, start: [f64; 2]) -> FlowError {
+model! {
+    /// A block that falls over one of its two corners, and has no side to fall on.
+    pub struct Falling {
+        state y = 0.03;
+        state th = 0.3;
+        state v = 0.0;
+        state w = 0.0;
+        press A = Rigid { restitution: 0.0 } closing y + 0.1 * th;
+        press B = Rigid { restitution: 0.0 } closing y - 0.1 * th;
+        der(y) = v;
+        der(th) = w;
+        der(v) = A + B - 10.0;
+        der(w) = 0.1 * (A - B) + 10.0 * th;
+    }
+}
+
+fn simulated<M: Model<N>, const N: usize>(model: M, start: [f64; N], time: f64) -> FlowError {
     let family: Family = exact::family(model, 1e-9).into();
     let flow = family.at(0.0).expect("parameters within bounds");
     let place = flow.place(&start).expect("a start");
-    let ended = flow.advance(&place, 10.0, Want::default());
+    let ended = flow.advance(&place, time, Want::default());
     ended.expect_err("it has an end")
 }
 
 #[test]
 fn what_grows_without_bound_is_said_to() {
-    let error = simulated(Runaway::default(), [1.0, 1.0]);
+    let error = simulated(Runaway::default(), [1.0, 1.0], 10.0);
     let FlowError::Unbounded { state, time, .. } = error else {
         panic!("{error:?}");
     };
@@ -241,11 +258,21 @@ fn what_grows_without_bound_is_said_to() {
     );
 }
 
+/// Where numbers overflow, the corner on which it turns has no force that could be told; it has fallen long before.
+#[test]
+fn what_falls_for_ever_grows_without_bound() {
+    let error = simulated(Falling::default(), [0.03, 0.3, 0.0, 0.0], 1e4);
+    let FlowError::Unbounded { value, .. } = error else {
+        panic!("{error:?}");
+    };
+    assert!(value > 1e100, "{value}");
+}
+
 /// From v = 1 it falls to 0 in the time ∫ dv/(1 − a ln v) < 1, where ln has no value; or begins there.
 #[test]
 fn a_formula_without_a_value_is_named_with_its_line() {
     for (v, latest) in [(1.0, 1.0), (0.0, 0.0)] {
-        let error = simulated(Aged::default(), [1.0, v]);
+        let error = simulated(Aged::default(), [1.0, v], 10.0);
         let FlowError::Undefined { time, .. } = error else {
             panic!("{error:?}");
         };

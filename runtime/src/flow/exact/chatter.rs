@@ -8,6 +8,7 @@ use super::run::{NO_TIME, Run};
 use crate::field::exact::{Mode, Modes, Snapshot};
 use crate::flow::FlowError;
 use crate::flow::saltation::{Tracked, product};
+use crate::flow::told::grown;
 use crate::integrate::IntegrationError;
 use crate::model::Model;
 
@@ -162,5 +163,17 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             return cause.into();
         }
         error.into()
+    }
+
+    /// Of numbers that overflow contacts say nothing.
+    pub(super) fn outgrown(&self, error: FlowError) -> FlowError {
+        let state = self.carried.state();
+        match error {
+            FlowError::Contact(_) if grown(M::INFO, state).is_some() => {
+                let (time, state) = (self.time, state.to_vec().into());
+                IntegrationError::NotFinite { time, state }.into()
+            }
+            error => error,
+        }
     }
 }

@@ -96,7 +96,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         self.depart()?;
         self.sample(0.0, *self.carried.state());
         while self.goes_on() {
-            self.segment()?;
+            if let Err(error) = self.segment() {
+                return Err(self.outgrown(error));
+            }
         }
         self.close_segment();
         let state = *self.carried.state();
