@@ -55,6 +55,8 @@ pub struct Axis {
     pub range: Option<[f64; 2]>,
     /// Whether it is logarithmic.
     pub logarithmic: bool,
+    /// Whether it counts: between whole numbers there is nothing to mark.
+    pub counts: bool,
 }
 
 impl Figure {
@@ -166,12 +168,19 @@ impl Axis {
             label: label.to_owned(),
             range: None,
             logarithmic: false,
+            counts: false,
         }
     }
 
     /// The same axis from `low` to `high`.
     pub fn from(mut self, low: f64, high: f64) -> Self {
         self.range = Some([low, high]);
+        self
+    }
+
+    /// The same axis, of whole numbers.
+    pub fn counting(mut self) -> Self {
+        self.counts = true;
         self
     }
 

@@ -18,6 +18,7 @@ pub(super) struct Scale {
     /// The values at the ends, or their decadic logarithms.
     pub(super) ends: [f64; 2],
     pub(super) logarithmic: bool,
+    counts: bool,
 }
 
 impl Scale {
@@ -45,7 +46,13 @@ impl Scale {
         Self {
             ends: [low - free, high + free],
             logarithmic,
+            counts: axis.counts,
         }
+    }
+
+    /// The lowest power of ten of which multiples are marked.
+    pub(super) fn finest(&self) -> i32 {
+        if self.counts { 0 } else { i32::MIN }
     }
 
     /// The share of the axis below a value: 0 and 1 at its ends, not finite if it has no place.

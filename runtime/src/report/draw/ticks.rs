@@ -54,6 +54,7 @@ impl Scale {
     /// Multiples of 1, 2 or 5 of a power of ten from `low` to `high`.
     fn even(&self, [low, high]: [f64; 2], fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
         let finest = (0.01 * (high - low)).log10().floor() as i32;
+        let finest = finest.max(self.finest());
         let steps = (finest..).flat_map(|power| [1, 2, 5].map(|digit| (digit, power)));
         let sets = steps.map(|(digit, power)| {
             let step = value(digit, power);
@@ -189,6 +190,19 @@ mod tests {
         assert_eq!(logarithmic(0.9, 11.0).unlabelled().len(), 9);
         assert_eq!(logarithmic(1e-20, 1.0).unlabelled().len(), 21);
         assert!(scale(0.9, 11.0).unlabelled().is_empty());
+    }
+
+    #[test]
+    fn what_counts_is_marked_at_whole_numbers() {
+        for (high, wanted) in [
+            (4.0, vec!["3", "4"]),
+            (12.0, vec!["4", "6", "8", "10", "12"]),
+        ] {
+            let axis = Axis::new("").from(3.0, high).counting();
+            let ticks = Scale::new(&axis, std::iter::empty()).ticks(|ticks| ticks.len() <= 6);
+            let labels: Vec<_> = ticks.iter().map(|tick| tick.label.as_str()).collect();
+            assert_eq!(labels, wanted);
+        }
     }
 
     #[test]

@@ -63,5 +63,6 @@ fn axis(text: &str) -> Axis {
         label: ends.map_or(text, |(label, _)| label).to_owned(),
         range: ends.map(|(_, ends)| ends),
         logarithmic,
+        counts: false,
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn picture(info: &ModelInfo, record: &NeedsRecord) -> Figure {
 }
 
 fn errors(need: &ModesNeed, record: &NeedsRecord) -> Panel {
-    let x = Axis::new(&format!("modes of {} that are kept", need.structure));
+    let x = Axis::new(&format!("modes of {} that are kept", need.structure)).counting();
     let along = |value: fn(&ModesPoint) -> Option<f64>| -> Vec<[f64; 2]> {
         let points = need.scan.iter().rev();
         let points = points.filter_map(|point| Some([point.modes as f64, value(point)?]));
@@ -44,20 +44,21 @@ fn errors(need: &ModesNeed, record: &NeedsRecord) -> Panel {
 }
 
 fn shapes(structure: &Structure) -> Panel {
-    let x = Axis::new(&format!("mode of {}", structure.name));
+    let x = Axis::new(&format!("mode of {}", structure.name)).counting();
     let at = |(j, point): (usize, &StructurePoint)| {
+        // One legend serves both panels: what the other one shows has symbols of its own.
+        let series = ERRORS + j;
         let modes = structure.modes.iter().enumerate();
         let places = modes.map(|(k, mode)| [(k + 1) as f64, mode.shape[j]]);
-        marked(point.name, j, MARKERS[j % MARKERS.len()], places.collect())
+        let marker = MARKERS[series % MARKERS.len()];
+        marked(point.name, series, marker, places.collect())
     };
     let points = structure.points.iter().enumerate();
-    Panel::new(
-        x,
-        Axis::new("displacement at its points, for a modal mass of 1"),
-    )
-    .curves(points.flat_map(at))
+    Panel::new(x, Axis::new("mass-normalised shape")).curves(points.flat_map(at))
 }
 
+/// Series of the panel of errors.
+const ERRORS: usize = 3;
 const MARKERS: [Marker; 4] = [
     Marker::Circle,
     Marker::Square,
