@@ -6,6 +6,7 @@ mod derivatives;
 mod enclosed_cycles;
 mod ground;
 mod henon;
+mod late;
 mod levers;
 mod linear;
 mod metamorphic;

@@ -1,7 +1,7 @@
 //! What is noted along the way: near misses, extrema, samples of the path, stretches of constant mode.
 
 use super::guard::Sighting;
-use super::run::{NO_TIME, Run};
+use super::run::Run;
 use super::steps::Steps;
 use crate::field::exact::{Mode, Modes};
 use crate::flow::saltation::Tracked;
@@ -9,6 +9,8 @@ use crate::flow::{Event, EventKind, FlowError, Sample, Segment, nodes};
 use crate::integrate::Dense;
 use crate::model::Model;
 
+/// Part of the passage within which a gap that is nearest to closing is nearest at an event.
+const INSTANT: f64 = 1e-10;
 /// Samples of the path for each step.
 const SAMPLES: u32 = 8;
 
@@ -50,7 +52,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let (system, state) = (&self.flow.system, *self.carried.state());
         let at = system.moving(&state, &self.modes)?;
         let bends = system.second_rates(&state, &self.modes, &at.field);
-        let instant = NO_TIME * self.span;
+        let instant = INSTANT * self.span;
         for contact in M::INFO.contacts.len()..system.contacts() {
             let modes = [before, &self.modes].map(|modes| modes.as_slice()[contact]);
             let (gap, bend) = (at.speed.as_ref()[contact], bends.as_ref()[contact]);

@@ -18,7 +18,8 @@ use crate::integrate::{Dense, IntegrationError, Motion};
 use crate::model::Model;
 use crate::scalar::Inline;
 
-pub(super) const NO_TIME: f64 = 1e-10;
+/// Part of a passage that is no time: of one a million million times as long as a turn, a small part of that still.
+pub(super) const NO_TIME: f64 = 1e-13;
 /// Trial steps through which derivatives are worth carrying.
 const DIFFERENTIATED: u64 = 50_000;
 /// Part of the passage that its first step may be.
@@ -251,8 +252,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         struck: bool,
     ) -> Result<(), FlowError> {
         let length = stepper.length();
-        let last = !struck && self.time + length >= self.span;
-        self.time = if last { self.span } else { self.time + length };
+        let time = self.time + length;
+        // A rest that the time cannot resolve is none, and an event just before it is at the end.
+        let last = self.span - time <= f64::EPSILON * self.span;
+        self.time = if last { self.span } else { time };
         self.departure = Inline::from_fn(|_| Departure::default());
         self.rates.1 = if struck { f64::NAN } else { length };
         self.longest = self.longest.max(length);

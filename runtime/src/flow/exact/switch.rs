@@ -41,6 +41,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let at = system.moving(state, &self.modes)?;
         let scales = self.flow.speed_scales(state);
         let began = system.speeds(stepper.from().state());
+        // Where no state can be told from where the step began, a guard is as near to zero as it comes.
+        let resolved = state != stepper.from().state();
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
         let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
         let mut grazes = false;
@@ -74,7 +76,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 // Next to where a gap opens or friction turns beside it, rounding alone falls: nothing hits that goes away. What
                 // closes without any time would do so for ever.
                 let opens = *mode == Mode::Open && value.eps > 0.0 && stepper.length() > 0.0;
-                if was_awaited && (opens || value.re > FALLEN * scale) {
+                let missed = resolved && value.re > FALLEN * scale;
+                if was_awaited && (opens || missed) {
                     return Ok(None);
                 }
                 if was_awaited {
