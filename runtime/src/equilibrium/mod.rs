@@ -15,6 +15,7 @@ mod special;
 mod spectrum;
 mod starts;
 mod sticking;
+mod sticking_equations;
 
 pub use branch::{Branch, follow, settings};
 pub use krawczyk::{Proof, Unproven, prove};

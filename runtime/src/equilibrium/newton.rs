@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::corner::sides;
+use super::problem::usual;
 use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::ZeroProblem;
 use crate::motion::{Family, Modes, Place};
@@ -14,7 +15,7 @@ const LEAST_DAMPING: f64 = 1.0 / 1024.0;
 const CONVERGED: f64 = 1e-13;
 /// A correction that no longer shrinks has converged if it is below this.
 const STALLED: f64 = 1e-9;
-/// Two equilibria closer than this are one.
+/// Two equilibria closer than this are one, in units of what their states usually are, or of 1 where that is less.
 const SAME_STATE: f64 = 1e-7;
 
 /// An equilibrium.
@@ -35,13 +36,14 @@ pub fn find(
     modes: impl Fn(&[f64]) -> Vec<Modes>,
 ) -> Vec<Equilibrium> {
     let mut found: Vec<Equilibrium> = Vec::new();
+    let first = starts.first().map_or(&[][..], Vec::as_slice);
     for start in starts {
         for modes in modes(start) {
             let state = start.clone();
             if let Some(new) = settle(family, r, &Place { state, modes })
                 && !found
                     .iter()
-                    .any(|old| same(family, r, [&old.place, &new.place]))
+                    .any(|old| same(family, r, [&old.place, &new.place], first))
             {
                 found.push(new);
             }
@@ -67,7 +69,7 @@ pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
 }
 
 /// Whether two are one; which way a contact slides tells them apart only where it matters.
-fn same(family: &Family, r: f64, [a, b]: [&Place; 2]) -> bool {
+fn same(family: &Family, r: f64, [a, b]: [&Place; 2], first: &[f64]) -> bool {
     let alike = || {
         let margins = family.at(r).map(|flow| flow.margins(a));
         let matters = |i: usize| margins.iter().flatten().any(|(one, _)| *one == i);
@@ -76,13 +78,13 @@ fn same(family: &Family, r: f64, [a, b]: [&Place; 2]) -> bool {
             a == b || (a.rubs() && b.rubs() && !a.binds() && !b.binds() && !matters(i))
         })
     };
-    near(&a.state, &b.state) && (a.modes == b.modes || alike())
+    near(&a.state, &b.state, first) && (a.modes == b.modes || alike())
 }
 
-/// Whether two equilibria of one mode are one, as far as numbers can tell.
-pub(super) fn near(a: &[f64], b: &[f64]) -> bool {
-    a.iter().zip(b).all(|(a, b)| {
-        let size = a.abs().max(b.abs()).max(1.0);
+/// Whether two equilibria of one mode are one, as far as numbers can tell, where states are as large as this one shows.
+pub(super) fn near(a: &[f64], b: &[f64], like: &[f64]) -> bool {
+    a.iter().zip(b).zip(like).all(|((a, b), like)| {
+        let size = a.abs().max(b.abs()).max(usual(*like).min(1.0));
         (a - b).abs() <= SAME_STATE * size
     })
 }

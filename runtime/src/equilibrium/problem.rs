@@ -31,12 +31,11 @@ impl EquilibriumProblem {
     /// The problem of an equilibrium near `state`.
     #[must_use]
     pub fn new(family: Family, modes: Modes, state: &[f64]) -> Self {
-        let usual = |y: &f64| if y.abs() > TINY { y.abs() } else { 1.0 };
         Self {
             family,
             modes,
             work: Work::default(),
-            magnitude: state.iter().map(usual).collect(),
+            magnitude: state.iter().map(|y| usual(*y)).collect(),
             rates: vec![0.0; state.len()],
             combinations: None,
         }
@@ -130,7 +129,12 @@ fn not_finite(z: &DVector<f64>) -> FlowError {
 }
 
 /// A state below this is rounding error, and its usual magnitude unknown.
-const TINY: f64 = 1e-12;
+pub(super) const TINY: f64 = 1e-12;
+
+/// The magnitude of a state as far as this value shows it.
+pub(super) fn usual(y: f64) -> f64 {
+    if y.abs() > TINY { y.abs() } else { 1.0 }
+}
 
 impl ZeroProblem for EquilibriumProblem {
     type Error = FlowError;

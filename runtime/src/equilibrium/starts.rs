@@ -1,11 +1,15 @@
 //! Where equilibria are looked for.
 
+use super::problem::{TINY, usual};
 use crate::math::Spread;
 
-/// Places spread around the first one.
+/// Places spread around the origin.
 const SPREAD: usize = 24;
+/// Share of the largest state below which another is of a size of its own.
+const SMALL: f64 = 0.1;
 
-/// `first`, the origin, and places spread evenly around both: the same ones every time.
+/// `first`, the origin, and places spread evenly around both, as far as the largest state shows, and where some states are
+/// of other sizes, as far as each shows: the same ones every time.
 #[must_use]
 pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
     let order = first.len();
@@ -16,12 +20,19 @@ pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
         first.iter().map(|y| -y).collect(),
     ];
     let spread = Spread::new(order);
-    let scaled = |k: usize| {
-        let point = spread.point(k);
-        point
-            .map(|share| 2.0 * reach * (2.0 * share - 1.0))
-            .collect()
+    let mut within = |reaches: &[f64]| {
+        let scaled = |k: usize| {
+            let shares = spread.point(k).zip(reaches);
+            shares.map(|(share, reach)| 2.0 * reach * (2.0 * share - 1.0))
+        };
+        places.extend((0..SPREAD).map(|k| scaled(k).collect::<Vec<f64>>()));
     };
-    places.extend((0..SPREAD).map(scaled));
+    within(&vec![reach; order]);
+    if first
+        .iter()
+        .any(|y| y.abs() > TINY && y.abs() < SMALL * reach)
+    {
+        within(&first.iter().map(|y| usual(*y)).collect::<Vec<f64>>());
+    }
     places
 }

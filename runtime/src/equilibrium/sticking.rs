@@ -5,16 +5,15 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
 use super::free::{modulo_kernel, restricted};
+use super::problem::usual;
 use super::resting::held;
+use super::sticking_equations::RANK;
 use crate::field::exact::Mode;
 use crate::linear::svd;
-use crate::motion::{Contacts, Flow, Modes, Place, Row, sticking};
+use crate::motion::{Contacts, Flow, Modes, sticking};
 
-const ITERATIONS: usize = 60;
-/// Equations are fulfilled to this, relative to their terms.
-const FULFILLED: f64 = 1e-11;
-/// Singular values below this share of the largest are zero.
-const RANK: f64 = 1e-9;
+/// Distance of two sets, in units of their states, up to which they may be one.
+const SAME: f64 = 1e-7;
 /// Contacts whose corners are tried one by one.
 const CORNERS: usize = 6;
 
@@ -35,16 +34,50 @@ pub struct StickingSet {
     pub spectrum: Spectrum,
 }
 
-/// The sticking equilibria of `flow`, looked for from each of `starts` in each of `modes`; a mode is reported once.
+/// The sticking equilibria of `flow`, looked for from each of `starts` in each of `modes`, each set once.
 #[must_use]
 pub fn sticking_sets(flow: &dyn Flow, starts: &[Vec<f64>], modes: &[Modes]) -> Vec<StickingSet> {
-    let set = |modes: &Modes| {
-        starts.iter().find_map(|start| {
-            let modes = &pinned(flow, modes, start)?;
-            Sought { flow, modes }.set(start)
-        })
+    let sets = |modes: &Modes| {
+        let mut found: Vec<StickingSet> = Vec::new();
+        for start in starts {
+            if let Some(set) = further(flow, modes, start, &found) {
+                found.push(set);
+            }
+        }
+        found
     };
-    modes.iter().filter_map(set).collect()
+    modes.iter().flat_map(sets).collect()
+}
+
+/// The set to which a start leads, unless it has been found.
+fn further(
+    flow: &dyn Flow,
+    modes: &Modes,
+    start: &[f64],
+    found: &[StickingSet],
+) -> Option<StickingSet> {
+    let modes = &pinned(flow, modes, start)?;
+    let sizes = start.iter().map(|y| usual(*y)).collect();
+    let sought = Sought { flow, modes, sizes };
+    if found.iter().any(|set| sought.is_straight(start, set)) {
+        return None;
+    }
+    let set = sought.set(start)?;
+    (!found.iter().any(|old| old.meets(&set))).then_some(set)
+}
+
+impl StickingSet {
+    /// Whether the two have a state in common, as far as their corners tell.
+    fn meets(&self, other: &Self) -> bool {
+        let sides = self.low.iter().zip(&self.high);
+        let others = other.low.iter().zip(&other.high);
+        sides
+            .zip(others)
+            .all(|((low, high), (other_low, other_high))| {
+                let blur = SAME * usual(low.abs().max(high.abs()));
+                low - blur <= *other_high && *other_low <= high + blur
+            })
+    }
 }
 
 /// The modes with what sticks pinned where a press at rest holds the same; `None` if it is to slide there.
@@ -55,9 +88,12 @@ fn pinned(flow: &dyn Flow, modes: &Modes, start: &[f64]) -> Option<Modes> {
     stays.then_some(pinned)
 }
 
-struct Sought<'a> {
-    flow: &'a dyn Flow,
-    modes: &'a Modes,
+/// Where sticking equilibria are looked for.
+pub(super) struct Sought<'a> {
+    pub(super) flow: &'a dyn Flow,
+    pub(super) modes: &'a Modes,
+    /// What states are measured in.
+    pub(super) sizes: Vec<f64>,
 }
 
 impl Sought<'_> {
@@ -77,7 +113,7 @@ impl Sought<'_> {
         };
         let (low, high) = (extreme(f64::min), extreme(f64::max));
         let at = self.at(&state)?;
-        if !self.admissible(&state, &at) {
+        if !self.admissible(&state, &at) || !self.joins(&state, &corners) {
             return None;
         }
         Some(StickingSet {
@@ -114,6 +150,31 @@ impl Sought<'_> {
         Some(Spectrum::across(&left, twice))
     }
 
+    /// Whether all between a state and these corners is in the set as well: corners of two sets make none.
+    fn joins(&self, state: &[f64], corners: &[Vec<f64>]) -> bool {
+        corners.iter().all(|corner| {
+            let half: Vec<f64> = (state.iter().zip(corner))
+                .map(|(a, b)| f64::midpoint(*a, *b))
+                .collect();
+            let half = self.solve(&half, &[]);
+            half.is_some_and(|half| self.at(&half).is_some_and(|at| self.admissible(&half, &at)))
+        })
+    }
+
+    /// Whether the equations at a start are linear continuations of those in a set, to which they lead then.
+    fn is_straight(&self, start: &[f64], set: &StickingSet) -> bool {
+        let limits = vec![1.0; self.modes.len()];
+        let [here, there] = [start, &set.state].map(|state| self.equations(state, &limits));
+        let (Some((here, lacks)), Some((there, lacked))) = (here, there) else {
+            return false;
+        };
+        let way = start.iter().zip(&set.state).zip(&self.sizes);
+        let way = way.map(|((to, from), size)| (to - from) / size);
+        let way = DVector::from_iterator(start.len(), way);
+        let bends = (lacks + &there * &way - lacked).amax() > RANK * way.amax();
+        self.modes == &set.modes && !bends && (here - there).amax() <= RANK
+    }
+
     fn rank(&self, inside: &[f64]) -> Option<usize> {
         let (matrix, _) = self.equations(inside, &[])?;
         let values = svd(matrix)?.singular_values;
@@ -145,80 +206,6 @@ impl Sought<'_> {
                     sliding => contact.speed.value * sliding.sign() > 0.0,
                 }
             })
-    }
-
-    fn place(&self, state: &[f64]) -> Place {
-        Place {
-            state: state.to_vec(),
-            modes: self.modes.clone(),
-        }
-    }
-
-    fn at(&self, state: &[f64]) -> Option<Contacts> {
-        self.flow.contacts(&self.place(state)).ok()
-    }
-
-    /// f = 0, w = 0 of the sticking contacts, closed gaps, and, for signs given, forces at the limit: as a matrix of slopes,
-    /// and what is missing.
-    fn equations(&self, state: &[f64], signs: &[f64]) -> Option<(DMatrix<f64>, DVector<f64>)> {
-        let Contacts { f, jacobian, all } = self.at(state)?;
-        let stuck = || {
-            let pairs = self.modes.iter().zip(&all);
-            pairs.filter_map(|(mode, contact)| (*mode == Mode::Stick).then_some(contact))
-        };
-        let loaded = stuck().zip(signs);
-        let limits = loaded.map(|(contact, sign)| limit(&contact.force, &contact.stick, *sign));
-        let held = held(self.flow, &self.place(state)).ok()?;
-        let more: Vec<Row> = held.into_iter().chain(limits).collect();
-        let order = f.len();
-        let matrix = DMatrix::from_fn(order + more.len(), order, |i, j| {
-            match i.checked_sub(order) {
-                None => jacobian[(i, j)],
-                Some(i) => more[i].slopes[j],
-            }
-        });
-        let values = f.iter().copied().chain(more.iter().map(|row| row.value));
-        let missing = values.map(|value| -value).collect::<Vec<f64>>();
-        Some((matrix, DVector::from_vec(missing)))
-    }
-
-    /// Gauss and Newton's shortest steps; `None` unless every equation is fulfilled in the end.
-    fn solve(&self, start: &[f64], signs: &[f64]) -> Option<Vec<f64>> {
-        let mut state = start.to_vec();
-        for _ in 0..ITERATIONS {
-            let (matrix, right) = self.equations(&state, signs)?;
-            if !matrix.iter().chain(&right).all(|number| number.is_finite()) {
-                return None;
-            }
-            let done = matrix.row_iter().zip(&right).all(|(row, right)| {
-                let terms: f64 = row.iter().zip(&state).map(|(g, y)| (g * y).abs()).sum();
-                right.abs() <= FULFILLED * terms.max(row.norm())
-            });
-            if done {
-                return Some(state);
-            }
-            let svd = svd(matrix)?;
-            let step = svd.solve(&right, RANK * svd.singular_values.max()).ok()?;
-            // What cannot be fulfilled is as near to it as it gets.
-            let mut changes = state.iter().zip(&step);
-            if changes.all(|(y, change)| change.abs() <= FULFILLED * y.abs()) {
-                return None;
-            }
-            for (y, change) in state.iter_mut().zip(&step) {
-                *y += change;
-            }
-        }
-        None
-    }
-}
-
-/// λ − sign · stick.
-fn limit(force: &Row, stick: &Row, sign: f64) -> Row {
-    let slopes = force.slopes.iter().zip(&stick.slopes);
-    Row {
-        value: force.value - stick.value * sign,
-        slopes: slopes.map(|(force, stick)| force - stick * sign).collect(),
-        design: force.design - stick.design * sign,
     }
 }
 

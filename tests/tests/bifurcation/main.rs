@@ -2,6 +2,7 @@
 
 mod alike;
 mod atlas;
+mod bands;
 mod borders;
 mod branch;
 mod corner;
