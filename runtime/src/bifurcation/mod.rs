@@ -11,6 +11,7 @@ mod monitors;
 mod periodic;
 mod stability;
 pub mod test_function;
+mod units;
 
 pub use crate::continuation::Kind;
 pub use ending::{explain, falls};
@@ -19,3 +20,4 @@ pub use growth::{Growth, Growths};
 pub use monitors::monitors;
 pub use periodic::PeriodicPoint;
 pub use stability::Stability;
+pub(crate) use units::Disturbances;

@@ -7,7 +7,7 @@ use super::guess::Guess;
 use super::lows::section;
 use super::pin::{Pin, through};
 use super::shot::{Shot, usual};
-use crate::bifurcation::{Floquet, floquet};
+use crate::bifurcation::{Disturbances, Floquet, floquet};
 use crate::field::Work;
 use crate::motion::{Event, Family, Place, Segment, most_stuck};
 
@@ -130,6 +130,14 @@ impl Orbit {
         let derivatives = passages.clone().filter_map(|p| p.derivatives.as_ref());
         let zeros = zeros.max(derivatives.map(|d| d.lost).max().unwrap_or(0));
         let (monodromy, determinant) = shot.monodromy();
+        let unknown = vec![1.0; min.len()];
+        let sizes = usual(&min, &max, shot.shift.as_deref(), &unknown);
+        let all = Disturbances {
+            monodromy,
+            velocity: shot.velocity.f.clone(),
+            factors: shot.factors(),
+        };
+        let all = all.in_units(&sizes);
         Self {
             r,
             pins: shot.pins.clone(),
@@ -142,11 +150,11 @@ impl Orbit {
             min,
             period_count: shot.minima().count().max(1),
             floquet: floquet(
-                &monodromy,
-                &shot.velocity.f,
+                &all.monodromy,
+                &all.velocity,
                 Some(determinant),
                 zeros,
-                &shot.factors(),
+                &all.factors,
                 shot.pins.len(),
                 accuracy,
             ),

@@ -7,7 +7,7 @@ use super::candidate::Border;
 use super::once::once;
 use super::problem::BorderProblem;
 use super::sides::Sides;
-use crate::bifurcation::{Kind, floquet};
+use crate::bifurcation::{Disturbances, Kind, floquet};
 use crate::continuation::{Failure, SETTLED, ZeroProblem, correct_at};
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -195,7 +195,16 @@ impl Edge {
         let accuracy = near.error_estimate;
         let velocity = &self.sides.velocity;
         let neutral = self.sides.runs.pins.len();
-        let judged = || floquet(&map.state, velocity, None, zeros, &[], neutral, accuracy);
+        let judged = || {
+            let all = Disturbances {
+                monodromy: map.state.clone(),
+                velocity: velocity.clone(),
+                factors: Vec::new(),
+            };
+            let all = all.in_units(&near.magnitude());
+            let (phi, velocity) = (&all.monodromy, &all.velocity);
+            floquet(phi, velocity, None, zeros, &[], neutral, accuracy)
+        };
         let mut orbit = self.orbit.clone();
         // Where force drops, or an impact begins, the map has no limit.
         orbit.floquet = if self.border.drops || self.sides.is_unbounded(happens) {
