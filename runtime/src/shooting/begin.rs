@@ -29,11 +29,20 @@ pub(super) fn begin(
     let (mut problem, z) =
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
     problem.centre(r).map_err(Failure::Evaluation)?;
+    let plain = problem.clone();
     problem.balance(&orbit.segments, (&z, r));
-    problem
-        .float(&guess.place, r)
-        .map_err(Failure::Evaluation)?;
-    let mut direction = DVector::zeros(z.len() + 1);
-    direction[z.len()] = if upwards { 1.0 } else { -1.0 };
-    Branch::set_out(problem, (z, r), (&direction, 1.0), settings)
+    let balanced = problem.pins != plain.pins;
+    let set_out = |mut problem: OrbitProblem| {
+        problem
+            .float(&guess.place, r)
+            .map_err(Failure::Evaluation)?;
+        let mut direction = DVector::zeros(z.len() + 1);
+        direction[z.len()] = if upwards { 1.0 } else { -1.0 };
+        Branch::set_out(problem, (z.clone(), r), (&direction, 1.0), settings)
+    };
+    match set_out(problem) {
+        // A middle that hardly tells the place, as that of a spring without a linear part, leaves it where it is.
+        Err(_) if balanced => set_out(plain),
+        started => started,
+    }
 }

@@ -34,7 +34,7 @@ impl OrbitProblem {
         let contacts = 0..segments.first().map_or(0, |first| first.modes.len());
         let held: Vec<usize> = contacts.filter(|&i| sticks(segments, i)).collect();
         let free: Vec<usize> = (0..self.pins.len())
-            .filter(|&k| self.pins[k].conserved() && self.pins[k].centred.is_none())
+            .filter(|&k| self.pins[k].centred.is_none())
             .collect();
         if held.is_empty() || held.len() != free.len() || self.modes.len() > 1 {
             return;

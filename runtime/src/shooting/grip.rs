@@ -46,7 +46,10 @@ impl OrbitProblem {
         if !self.pins.is_empty() && closure > CLOSED {
             return Err(FlowError::Unpinned { closure });
         }
-        self.held = held;
+        // What has let go of a pin may move it later only.
+        let more = held.iter().filter(|contact| !self.held.contains(contact));
+        let more: Vec<usize> = more.copied().collect();
+        self.held.extend(more);
         Ok(())
     }
 

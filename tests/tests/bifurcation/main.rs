@@ -5,6 +5,7 @@ mod atlas;
 mod bands;
 mod borders;
 mod branch;
+mod carried;
 mod corner;
 mod curves;
 mod diagram;
