@@ -52,10 +52,14 @@ pub(super) fn digits(error: f64) -> usize {
     }
 }
 
-/// The digits of the design variable at a special point: ten, or as many as its error leaves.
+/// The digits of the design variable at a special point: ten, or as many as its error leaves, down to one.
 pub(super) fn certain(r: f64, error: Option<f64>) -> usize {
     const SHOWN: usize = 10;
-    error.map_or(SHOWN, |error| digits(error / r.abs()).min(SHOWN))
+    let left = |error: f64| match (r.abs() / error).log10() {
+        left if left.is_finite() => left.max(1.0) as usize,
+        _ => digits(error / r.abs()),
+    };
+    error.map_or(SHOWN, |error| left(error).min(SHOWN))
 }
 
 /// Words of which the first are shown, if they are many.
@@ -248,6 +252,14 @@ mod tests {
         assert_eq!(below(-0.001_234), "-0.0012");
         assert_eq!(below(33.333_333), "33.3333");
         assert_eq!([below(9e-6), below(0.0)], ["0", "0"]);
+    }
+
+    #[test]
+    fn a_special_point_has_the_digits_that_its_error_leaves() {
+        let errors = [3.4, 1e-3, 3e-8, 1e-15];
+        let left = errors.map(|error| certain(-11.28, Some(error)));
+        assert_eq!(left, [1, 4, 8, 10]);
+        assert_eq!(certain(-11.28, None), 10);
     }
 
     #[test]
