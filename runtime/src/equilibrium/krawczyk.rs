@@ -146,7 +146,7 @@ impl Operator {
     fn verdict(&self, image: &[Interval]) -> Result<Proof, Unproven> {
         let each = |read: fn(Interval) -> f64| image.iter().map(|y| read(*y)).collect();
         let state: Vec<f64> = each(Interval::middle);
-        if !near(&state, &self.state, &self.state) {
+        if !near(&state, &self.state, &vec![1.0; state.len()]) {
             return Err(Unproven::Elsewhere {
                 state: state.into(),
             });

@@ -53,7 +53,7 @@ model! {
 }
 
 fn flow<M: stickslip::model::Model<N> + Default, const N: usize>() -> ExactFlow<M, N> {
-    ExactFlow::new(&M::default(), None, Tolerance::for_accuracy(1e-9)).unwrap()
+    ExactFlow::new(&M::default(), None, Tolerance::for_accuracy(1e-12)).unwrap()
 }
 
 /// Rounding errors of the phase move the force by more than what a contact is released to.

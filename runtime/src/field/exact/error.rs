@@ -18,7 +18,7 @@ pub enum ContactError {
     },
     /// G_ii ≤ 0: a sign error in the model.
     #[error(
-        "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {}",
+        "the force of contact {contact} does not oppose its speed: a unit force changes it at the rate {}; where that is meant, as of a relay, a smooth copy knows what to do",
         brief(*.compliance)
     )]
     NotOpposing {
