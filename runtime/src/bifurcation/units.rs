@@ -69,7 +69,7 @@ mod tests {
             factors: Vec::new(),
         };
         let judged =
-            |all: &Disturbances| floquet(&all.monodromy, &all.velocity, None, 0, &[], 0, 2.4e-9);
+            |all: &Disturbances| floquet(&all.monodromy, &all.velocity, None, 0, &[], 0, 2.4e-8);
         assert_eq!(judged(&all).stability, Stability::Undecided);
         let all = all.in_units(&[4e-8, 0.08, 3.0]);
         let verdict = judged(&all);
