@@ -24,13 +24,14 @@ pub fn recurrence(
     phase: Option<usize>,
     tolerance: f64,
 ) -> Option<usize> {
-    let close = |a: &[f64], b: &[f64]| gap([a, b], extent, phase) <= tolerance;
+    let close = |a: &[f64], b: &[f64]| shares([a, b], extent, phase).all(|gap| gap <= tolerance);
     let returns = |n: usize| (n..points.len()).all(|i| close(&points[i], &points[i % n]));
     (1..=points.len() / 2).find(|&n| returns(n))
 }
 
 /// Whether a motion comes nearer to returning earlier than after `count` points, or at all if it does not: what it lacks after
-/// some number of them falls from each part of the points to the next, and evenly, as near a motion that attracts.
+/// some number of them falls from each part of the points to the next, and evenly, as near a motion that attracts. That is a
+/// sum of squares: where it turns about that motion as it falls, no state of its own falls evenly.
 #[must_use]
 pub fn approaches(
     points: &[Vec<f64>],
@@ -41,7 +42,10 @@ pub fn approaches(
     let most = points.len() / LEAST;
     (1..count.unwrap_or(most + 1).min(most + 1)).any(|n| {
         let pairs = points.iter().zip(&points[n..]);
-        let gaps: Vec<f64> = pairs.map(|(a, b)| gap([a, b], extent, phase)).collect();
+        let squares = |(a, b): (&Vec<f64>, &Vec<f64>)| -> f64 {
+            shares([a, b], extent, phase).map(|gap| gap * gap).sum()
+        };
+        let gaps: Vec<f64> = pairs.map(|pair| squares(pair).sqrt()).collect();
         let largest = |part: &[f64]| part.iter().fold(0.0_f64, |most, gap| most.max(*gap));
         let parts: Vec<f64> = gaps
             .chunks(gaps.len().div_ceil(PARTS))
@@ -54,9 +58,13 @@ pub fn approaches(
     })
 }
 
-/// How far two states are apart, the phase on the circle: the largest share of an extent.
-fn gap([a, b]: [&[f64]; 2], extent: &[f64], phase: Option<usize>) -> f64 {
-    let share = |j: usize| {
+/// How far two states are apart, each as a share of its extent, the phase on the circle.
+fn shares<'a>(
+    [a, b]: [&'a [f64]; 2],
+    extent: &'a [f64],
+    phase: Option<usize>,
+) -> impl Iterator<Item = f64> + 'a {
+    (0..extent.len()).map(move |j| {
         let gap = a[j] - b[j];
         let turns = if phase == Some(j) {
             (gap / TAU).round()
@@ -64,6 +72,5 @@ fn gap([a, b]: [&[f64]; 2], extent: &[f64], phase: Option<usize>) -> f64 {
             0.0
         };
         (gap - turns * TAU).abs() / extent[j].max(f64::MIN_POSITIVE)
-    };
-    (0..extent.len()).map(share).fold(0.0, f64::max)
+    })
 }

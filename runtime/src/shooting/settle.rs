@@ -266,17 +266,15 @@ impl Watch {
         runs
     }
 
-    /// Half of what each state swings by, but for rounding; what keeps still is measured in what it is, what died away in what
-    /// it was.
+    /// Half of what each state swings by; what keeps still is measured in what it is, what died away in what it was.
     fn magnitude(&self) -> Vec<f64> {
         let swing = |j: usize| {
-            let (extent, widest) = (self.extent[j], self.widest[j]);
-            let state = self.place.state[j].abs();
-            match is_still(extent, state) {
+            let (widest, state) = (self.widest[j], self.place.state[j].abs());
+            match is_still(self.extent[j], state) {
                 _ if widest <= NOISE * self.usual[j] => half(0.0),
-                _ if extent <= STILL * widest => half(widest),
+                _ if self.extent[j] <= STILL * widest => half(widest),
                 true => state,
-                false => half(extent),
+                false => half(self.extent[j]),
             }
         };
         (0..self.extent.len()).map(swing).collect()

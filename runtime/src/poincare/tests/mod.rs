@@ -150,6 +150,17 @@ fn what_still_settles_has_not_come_back() {
     assert!(approaches(&points, &[1.0], None, Some(2)));
 }
 
+/// A resonator that rings down over many turns of its drive, by 0.8 percent and 2.3 degrees in each.
+#[test]
+fn what_turns_about_a_motion_approaches_it() {
+    let point = |k: i32| {
+        let (size, angle) = (0.1 * 0.992_f64.powi(k), 0.04 * f64::from(k));
+        vec![size * angle.cos(), size * angle.sin()]
+    };
+    let points: Vec<Vec<f64>> = (0..64).map(point).collect();
+    assert!(approaches(&points, &[1.0, 1.0], None, None));
+}
+
 #[test]
 fn what_drifts_or_roams_approaches_nothing() {
     let drifts: Vec<f64> = (0..64).map(|k| 1e-3 * f64::from(k)).collect();
