@@ -7,7 +7,7 @@ use super::Spectrum;
 use super::free::{modulo_kernel, restricted};
 use super::problem::usual;
 use super::resting::held;
-use super::sticking_equations::RANK;
+use super::sticking_equations::{RANK, Sought};
 use crate::field::exact::Mode;
 use crate::linear::svd;
 use crate::motion::{Contacts, Flow, Modes, sticking};
@@ -86,14 +86,6 @@ fn pinned(flow: &dyn Flow, modes: &Modes, start: &[f64]) -> Option<Modes> {
     let mut pairs = pinned.iter().zip(modes);
     let stays = pairs.all(|(now, before)| now == before || *before == Mode::Stick);
     stays.then_some(pinned)
-}
-
-/// Where sticking equilibria are looked for.
-pub(super) struct Sought<'a> {
-    pub(super) flow: &'a dyn Flow,
-    pub(super) modes: &'a Modes,
-    /// What states are measured in.
-    pub(super) sizes: Vec<f64>,
 }
 
 impl Sought<'_> {

@@ -3,16 +3,23 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::resting::held;
-use super::sticking::Sought;
 use crate::field::exact::Mode;
 use crate::linear::svd;
-use crate::motion::{Contacts, Place, Row};
+use crate::motion::{Contacts, Flow, Modes, Place, Row};
 
 const ITERATIONS: usize = 60;
 /// Equations are fulfilled to this, relative to their terms.
 const FULFILLED: f64 = 1e-11;
 /// Singular values below this share of the largest are zero.
 pub(super) const RANK: f64 = 1e-9;
+
+/// Where sticking equilibria are looked for.
+pub(super) struct Sought<'a> {
+    pub(super) flow: &'a dyn Flow,
+    pub(super) modes: &'a Modes,
+    /// What states are measured in.
+    pub(super) sizes: Vec<f64>,
+}
 
 impl Sought<'_> {
     pub(super) fn place(&self, state: &[f64]) -> Place {
