@@ -22,9 +22,9 @@ type Found = Corrected<Shot>;
 pub(super) const ROUGH: f64 = 1e-7;
 /// Accuracy at which it can still be told how often a motion has gone around.
 const LOOSEST: f64 = 1e-6;
-/// Local error of a motion in closed form: the rounding of its terms and of where events are found. As little as covers what
+/// Local error of a motion in closed form, in units of the last place: the rounding of its terms and of where events are found. As little as covers what
 /// interval arithmetic proves of a drill string next to its fold.
-const ROUNDING: f64 = 74.0 * f64::EPSILON;
+const ROUNDING: f64 = 74.0;
 /// Error of a period over the local error below which an agreement of two runs is one by chance.
 pub(super) const CHANCE: f64 = 4.0;
 /// What is reported over what two runs differ by: they share part of their errors.
@@ -181,15 +181,27 @@ pub(super) fn from(
     };
     let mut orbit = Orbit::read(family, solution, error, work);
     // What hardly attracts keeps the error of each period: two runs may agree by chance.
-    let local = match problem.work.linearisations {
-        0 => ROUNDING,
-        _ => tolerance.explicit().relative,
+    // Two runs in closed form differ by rounding alone, which says little of how large it may be.
+    let (local, share) = match problem.work.linearisations {
+        0 => (
+            f64::EPSILON * ROUNDING.max(offset(shot, &guess.magnitude)),
+            CHANCE * CHANCE,
+        ),
+        _ => (tolerance.explicit().relative, 1.0),
     };
     let least = CHANCE * local / orbit.floquet.pull();
     // Extrema are those of the last motion, one correction away from the orbit.
     let last = tight.corrections.last().copied().unwrap_or(0.0);
-    orbit.error_estimate = DOUBT * orbit.error_estimate.max(least).max(last);
+    orbit.error_estimate = DOUBT * (share * orbit.error_estimate).max(least).max(last);
     Ok(orbit)
+}
+
+/// How many times as large as it swings a state is.
+fn offset(shot: &Shot, magnitude: &[f64]) -> f64 {
+    let (low, high) = shot.extent();
+    let sizes = low.iter().zip(&high).zip(magnitude);
+    let sizes = sizes.map(|((low, high), unit)| low.abs().max(high.abs()) / unit);
+    sizes.fold(1.0, f64::max)
 }
 
 /// The guess with what singles out its orbit where those beside it are orbits too.
