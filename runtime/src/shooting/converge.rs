@@ -22,8 +22,8 @@ type Found = Corrected<Shot>;
 pub(super) const ROUGH: f64 = 1e-7;
 /// Accuracy at which it can still be told how often a motion has gone around.
 const LOOSEST: f64 = 1e-6;
-/// Local error of a motion in closed form, in units of the last place: the rounding of its terms and of where events are found. As little as covers what
-/// interval arithmetic proves of a drill string next to its fold.
+/// Local error of a motion in closed form, in units of the last place: the rounding of its terms and of event times. As
+/// little as covers what interval arithmetic proves of a drill string next to its fold.
 const ROUNDING: f64 = 74.0;
 /// Error of a period over the local error below which an agreement of two runs is one by chance.
 pub(super) const CHANCE: f64 = 4.0;
