@@ -44,22 +44,23 @@ pub(super) fn short(value: f64) -> String {
 
 /// The digits that a result with this relative error deserves.
 pub(super) fn digits(error: f64) -> usize {
-    let digits = -error.log10();
-    if digits.is_finite() {
-        (digits.floor() as i32).clamp(4, 12) as usize
-    } else {
-        4
-    }
+    left(error, [4, 12])
 }
 
 /// The digits of the design variable at a special point: ten, or as many as its error leaves, down to one.
 pub(super) fn certain(r: f64, error: Option<f64>) -> usize {
     const SHOWN: usize = 10;
-    let left = |error: f64| match (r.abs() / error).log10() {
-        left if left.is_finite() => left.max(1.0) as usize,
-        _ => digits(error / r.abs()),
-    };
-    error.map_or(SHOWN, |error| left(error).min(SHOWN))
+    error.map_or(SHOWN, |error| left(error / r.abs(), [1, SHOWN]))
+}
+
+/// The digits that this relative error leaves, within these bounds; four where it says nothing.
+fn left(error: f64, [least, most]: [usize; 2]) -> usize {
+    let digits = -error.log10();
+    if digits.is_finite() {
+        (digits.max(0.0) as usize).clamp(least, most)
+    } else {
+        4
+    }
 }
 
 /// Words of which the first are shown, if they are many.

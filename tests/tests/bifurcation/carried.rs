@@ -1,9 +1,10 @@
 //! What friction holds on something that swings: where it lets go, and what is followed until then.
 
-use stickslip::field::Design;
 use stickslip::model;
-use stickslip::study::{Along, BranchRecord, Case, Kind, System};
+use stickslip::study::Kind;
 use stickslip_models::friction::Coulomb;
+
+use crate::borders::branch;
 
 model! {
     /// Torsion behind a cardan joint (after Asokanthan and Meehan 2000): the shaft sticks to a joint that swings.
@@ -42,25 +43,12 @@ model! {
     }
 }
 
-fn branch<M: stickslip::model::Model<N> + 'static, const N: usize>(
-    parameter: usize,
-    from: f64,
-    to: f64,
-) -> BranchRecord {
-    let design = Design::Parameter(parameter);
-    let case = Case {
-        along: Some(Along { design, from, to }),
-        ..Case::declared(M::INFO, stickslip::study::Dynamics::Exact)
-    };
-    System::of::<M, N>().branch(&case).unwrap()
-}
-
 /// J ω² β² is the most that friction bears: the load by which it holds more the one way is balanced.
 #[test]
 fn a_shaft_lets_go_of_its_joint_at_one_bend_either_way() {
     let expected = (3.0_f64 / (0.05 * 3600.0)).sqrt();
     for (from, to) in [(0.05, 0.15), (0.15, 0.05)] {
-        let branch = branch::<Cardan, 3>(Cardan::bend.index, from, to);
+        let branch = branch(&[], Cardan::bend, (from, to), |_| {});
         let special = &branch.special;
         let lets_go = special
             .iter()
@@ -75,7 +63,7 @@ fn a_shaft_lets_go_of_its_joint_at_one_bend_either_way() {
 /// A spring without a linear part does not tell its middle: the place stays where it is, as long as friction bears ω² X there.
 #[test]
 fn a_sink_is_held_where_it_is_until_it_lets_go() {
-    let branch = branch::<Sink, 5>(Sink::omega.index, 0.7, 0.8);
+    let branch = branch(&[], Sink::omega, (0.7, 0.8), |_| {});
     let bears = |omega: f64| {
         let square = omega * omega;
         square * 0.015 / (1.0 - 1.05 * square).hypot(0.02 * omega) - 0.02
