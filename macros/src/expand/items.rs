@@ -8,6 +8,8 @@ use crate::check::Model;
 
 /// States up to which derivatives are written out where they are asked for.
 const SMALL: usize = 8;
+/// States up to which formulas may be: beyond, each unit of code that asks would hold a copy of what is no call's cost.
+const MEDIUM: usize = 24;
 
 pub(super) fn tokens(model: &Model) -> TokenStream {
     let (name, allowed) = (&model.header.name, allowed());
@@ -89,15 +91,16 @@ fn conversions(model: &Model, [_, parameters, ..]: &Sizes) -> TokenStream {
 
 fn formulas(model: &Model, [states, parameters, _, count]: &Sizes) -> TokenStream {
     // A call costs a small model three times its formulas.
-    let inlined = if model.states.len() <= SMALL {
-        quote!(#[inline(always)])
-    } else {
-        quote!(#[inline])
+    let inlined = match model.states.len() {
+        0..=SMALL => quote!(#[inline(always)]),
+        ..=MEDIUM => quote!(#[inline]),
+        _ => quote!(),
     };
+    let offered = (model.states.len() <= MEDIUM).then(|| quote!(#[inline]));
     let (rhs, entries) = (model::rhs(model), linear::body(model));
     let observables = model::observables(model);
     quote! {
-        #[inline]
+        #offered
         fn rhs<D: ::stickslip::scalar::Scalar>(
             __params: &[D; #parameters],
             __state: [D; #states],

@@ -3,11 +3,13 @@
 mod count;
 mod enclosed;
 pub mod exact;
+mod generic;
 mod linear;
 mod memory;
 mod smooth;
 mod smoothing;
 mod stops;
+mod strip;
 
 pub use crate::linear::Linear;
 pub use count::Work;
@@ -17,6 +19,7 @@ pub use smooth::{Design, SmoothField};
 pub(crate) use smoothing::Smoothed;
 pub use smoothing::{Kernel, Smoothing, SmoothingError};
 pub(crate) use stops::{Caught, Frictionless, Settled, Stops};
+pub(crate) use strip::Strip;
 
 use crate::integrate::Tolerance;
 

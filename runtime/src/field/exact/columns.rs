@@ -27,23 +27,23 @@ impl<const N: usize> Columns<N> {
             kinematic: M::KINEMATIC,
             design,
         };
+        // The rows that read a state of each group.
+        let mut taken = [[false; N]; N];
         for state in 0..N {
-            let meet = |group: &[f64; N]| {
-                (0..N).any(|other| group[other] > 0.0 && columns.read_together(state, other))
+            let reads = |row: &usize| columns.reads[*row][state] > 0.0;
+            let readers = || {
+                (0..N)
+                    .filter(|row| M::KINEMATIC[*row].is_none())
+                    .filter(reads)
             };
-            let free = columns.seeds[..columns.groups]
-                .iter()
-                .position(|g| !meet(g));
+            let is_free = |taken: &[bool; N]| !readers().any(|row| taken[row]);
+            let free = taken[..columns.groups].iter().position(is_free);
             let group = free.unwrap_or(columns.groups);
+            readers().for_each(|row| taken[group][row] = true);
             columns.seeds[group][state] = 1.0;
             columns.groups = columns.groups.max(group + 1);
         }
         columns
-    }
-
-    fn read_together(&self, a: usize, b: usize) -> bool {
-        let reads = |row: usize| self.reads[row][a] > 0.0 && self.reads[row][b] > 0.0;
-        (0..N).any(|row| self.kinematic[row].is_none() && reads(row))
     }
 
     /// f with its derivatives, from f along a seed and f along the design variable.

@@ -1,15 +1,19 @@
 //! What does not depend on the state: gradients of affine speeds, and how forces enter.
 
+use num_dual::Dual64;
+
 use super::affine::{Snapshot, Square, input, speed_rates};
 use super::mode::{Mode, Modes};
 use super::rule::Branches;
 use super::solve::solve;
-use super::strip::Strip;
+use crate::field::generic::{GENERIC, generic, generic_state};
+use crate::field::strip::{Strip, rows};
 use crate::model::Model;
-use crate::scalar::{Inline, Lanes, Scalar};
+use crate::scalar::{Inline, Scalar, filled, mapped};
 
-/// Seeds of two generic states: what is the same at both is taken to be the same everywhere.
-pub(super) const GENERIC: [f64; 2] = [0.317, 0.871];
+/// Seeds of the directions in which all states move.
+const ALONG: f64 = 0.713;
+const ACROSS: f64 = 0.419;
 
 /// w_y, w_r, B and G of a model in which they are the same at every state and every value of the design variable.
 #[derive(Clone, Copy)]
@@ -20,18 +24,21 @@ pub(crate) struct Constants<M: Model<N>, const N: usize> {
     pub(crate) input: M::PerContact<Strip<N>>,
     /// G.
     pub(crate) compliance: Square<M, f64, N>,
+    /// Bᵢ/Gᵢᵢ: the change of the state that changes one speed by one.
+    pub(super) lever: M::PerContact<Strip<N>>,
     /// Which contacts act on the speed of another, or are acted on: where the matrix is not diagonal.
-    coupled: M::PerContact<bool>,
+    pub(super) coupled: M::PerContact<bool>,
     /// Which speeds and gaps are affine: all speeds are.
     straight: M::PerContact<bool>,
     /// Whether a contact reads several states, which others may hold with it.
-    braced: bool,
+    pub(super) braced: bool,
 }
 
 impl<M: Model<N>, const N: usize> Constants<M, N> {
-    /// Finds them, or `None` if second derivatives at generic states show that they are not constant.
-    pub(super) fn find(params: &M::Params<M::Lanes>) -> Option<Self> {
-        let [first, second] = GENERIC.map(|seed| Self::at(params, &generic_state::<M, N>(seed)));
+    /// Finds them, or `None` if second derivatives at generic states show that they are not constant: of parameters that
+    /// move with the design variable.
+    pub(super) fn find(turned: &M::Params<Dual64>) -> Option<Self> {
+        let [first, second] = GENERIC.map(|seed| Self::at(turned, &generic_state::<M, N>(seed)));
         let (first, second) = (first?, second?);
         let rubbing = M::INFO.contacts.len();
         let same = |i: usize| first.gradient.as_ref()[i] == second.gradient.as_ref()[i];
@@ -48,38 +55,48 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
         self.straight.as_ref()[contact]
     }
 
-    fn at(params: &M::Params<M::Lanes>, state: &[f64; N]) -> Option<Self> {
+    /// At one state. What is constant does not change along a way on which all states and the design variable move, none as
+    /// fast as another.
+    fn at(turned: &M::Params<Dual64>, state: &[f64; N]) -> Option<Self> {
         let modes = Modes::held();
-        let lanes: [M::Lanes; N] = crate::scalar::filled(|i| M::Lanes::state(state[i], i));
-        let direction = crate::scalar::filled(|i| M::Lanes::constant(generic(i, 0.713)));
-        let bend = speed_rates::<M, M::Lanes, N>(params, &lanes, &modes, &direction);
-        let mut rule = Branches::<M, M::Lanes, N>::free(modes.as_slice());
-        let _ = M::rhs(params, lanes, &mut rule);
-        let gradient: M::PerContact<Strip<N>> =
-            Inline::from_fn(|i| rule.speed.as_ref()[i].slopes().0.into());
+        let along = generic::<N>(ALONG);
+        let moving = filled(|i| Dual64::new(state[i], along[i]));
+        let across = mapped(&generic::<N>(ACROSS), Dual64::from);
+        let bend = speed_rates::<M, Dual64, N>(turned, &moving, &modes, &across);
+        let plain = Inline::from_fn(|i| turned.as_ref()[i].re);
+        let column = |unit: &[f64; N]| speed_rates::<M, f64, N>(&plain, state, &modes, unit);
+        let gradient = rows::<M, N>(column);
         let mut forces: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
         let rubbing = forces.as_mut().iter_mut().take(M::INFO.contacts.len());
         for (contact, slot) in rubbing.enumerate() {
-            let column = input::<M, M::Lanes, N>(params, &lanes, &modes, contact);
+            let column = input::<M, Dual64, N>(turned, &moving, &modes, contact);
             let mut entries = [0.0; N];
             for (entry, b) in entries.iter_mut().zip(&column) {
-                *entry = flat(b)?;
+                *entry = flat(*b)?;
             }
             *slot = entries.into();
         }
         let compliance: Square<M, f64, N> = Inline::from_fn(|i| {
             Inline::from_fn(|j| gradient.as_ref()[i].dot(forces.as_ref()[j].entries()))
         });
+        let lever = |i: usize| {
+            let (mut lever, own) = ([0.0; N], compliance.as_ref()[i].as_ref()[i]);
+            if own != 0.0 {
+                forces.as_ref()[i].add_to(&mut lever, 1.0 / own);
+            }
+            lever.into()
+        };
         let acts = |i: usize, j: usize| compliance.as_ref()[i].as_ref()[j] != 0.0;
         let others = |i: usize| (0..M::INFO.contacts.len()).filter(move |&j| j != i);
         let braced = (0..M::INFO.contacts.len()).any(|i| gradient.as_ref()[i].only().is_none());
         Some(Self {
             gradient,
+            lever: Inline::from_fn(lever),
             input: forces,
             coupled: Inline::from_fn(|i| others(i).any(|j| acts(i, j) || acts(j, i))),
             compliance,
             braced,
-            straight: Inline::from_fn(|i| flat(&bend.as_ref()[i]).is_some()),
+            straight: Inline::from_fn(|i| flat(bend.as_ref()[i]).is_some()),
         })
     }
 
@@ -115,7 +132,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     }
 
     /// The states that are themselves the speeds of contacts that stick.
-    fn still(&self, modes: &Modes<M, N>) -> impl Iterator<Item = usize> {
+    pub(super) fn still(&self, modes: &Modes<M, N>) -> impl Iterator<Item = usize> {
         let gradients = self.gradient.as_ref();
         modes
             .sticking()
@@ -136,7 +153,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     }
 
     /// The states that sticking contacts read, if those are as many: together they leave none of them any way.
-    fn held(&self, modes: &Modes<M, N>) -> Option<[bool; N]> {
+    pub(super) fn held(&self, modes: &Modes<M, N>) -> Option<[bool; N]> {
         if !self.braced {
             return None;
         }
@@ -151,7 +168,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     }
 
     /// The forces of the sticking contacts that change their speeds at these rates: G_SS⁻¹ w_S; elsewhere as given.
-    fn respond<D: Scalar>(
+    pub(super) fn respond<D: Scalar>(
         &self,
         modes: &Modes<M, N>,
         mut rates: M::PerContact<D>,
@@ -176,87 +193,7 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     }
 }
 
-impl<M: Model<N>, const N: usize> Constants<M, N> {
-    /// B_S G_SS⁻¹ column by column for the contacts that stick; `None` if G_SS is singular.
-    pub(super) fn levers(&self, modes: &Modes<M, N>) -> Option<M::PerContact<Strip<N>>> {
-        let mut levers: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
-        for column in modes.sticking() {
-            let unit = Inline::from_fn(|i| f64::from(i == column));
-            let push = self.respond::<f64>(modes, unit)?;
-            let mut lever = [0.0; N];
-            for row in modes.sticking() {
-                self.input.as_ref()[row].add_to(&mut lever, push.as_ref()[row]);
-            }
-            let own = self.gradient.as_ref()[column].only();
-            for state in self.still(modes).filter(|state| Some(*state) != own) {
-                lever[state] = 0.0;
-            }
-            levers.as_mut()[column] = lever.into();
-        }
-        Some(levers)
-    }
-}
-
-impl<M: Model<N>, const N: usize> Constants<M, N> {
-    /// w_y and lever of what holds, in front: of each contact that sticks, or of each state that these hold between them.
-    pub(super) fn holds(
-        &self,
-        modes: &Modes<M, N>,
-        levers: &M::PerContact<Strip<N>>,
-    ) -> M::PerContact<[Strip<N>; 2]> {
-        let mut holds = Inline::from_fn(|_| [Strip::ZERO; 2]);
-        let places: &mut [_] = M::PerContact::as_mut(&mut holds);
-        if let Some(held) = self.held(modes) {
-            let states = (0..N).filter(|state| held[*state]);
-            for (place, state) in places.iter_mut().zip(states) {
-                *place = self.brace_of(state, &held, modes, levers);
-            }
-        } else {
-            for (place, contact) in places.iter_mut().zip(modes.sticking()) {
-                *place = [self.gradient.as_ref()[contact], levers.as_ref()[contact]];
-            }
-        }
-        holds
-    }
-
-    /// Gradient and lever of a state that contacts hold between them: of L G, their levers and gradients, nothing is left of
-    /// such states but itself.
-    fn brace_of(
-        &self,
-        state: usize,
-        held: &[bool; N],
-        modes: &Modes<M, N>,
-        levers: &M::PerContact<Strip<N>>,
-    ) -> [Strip<N>; 2] {
-        let mut unit = [0.0; N];
-        unit[state] = 1.0;
-        let mut lever = [0.0; N];
-        for contact in modes.sticking() {
-            let share = self.gradient.as_ref()[contact].entries()[state];
-            levers.as_ref()[contact].add_to(&mut lever, share);
-        }
-        for other in (0..N).filter(|other| held[*other]) {
-            lever[other] = unit[other];
-        }
-        [unit.into(), lever.into()]
-    }
-}
-
-/// The value, if no derivative of it is other than zero.
-fn flat<L: Lanes<N>, const N: usize>(number: &L) -> Option<f64> {
-    let (state, design) = number.slopes();
-    let constant = state.iter().all(|s| *s == 0.0) && design == 0.0;
-    (constant && number.re().is_finite()).then_some(number.re())
-}
-
-/// A number without meaning in (0, 1), another for each index.
-fn generic(index: usize, seed: f64) -> f64 {
-    0.1 + 0.8 * (seed + 0.618_033_988_749_895 * (index + 1) as f64).fract()
-}
-
-pub(super) fn generic_state<M: Model<N>, const N: usize>(seed: f64) -> [f64; N] {
-    crate::scalar::filled(|i| {
-        let start = M::INFO.states.get(i).map_or(0.0, |state| state.start);
-        start + (1.0 + start.abs()) * generic(i, seed)
-    })
+/// The value, if it does not change.
+fn flat(number: Dual64) -> Option<f64> {
+    (number.eps == 0.0 && number.re.is_finite()).then_some(number.re)
 }

@@ -13,10 +13,10 @@ mod pressed;
 mod rest;
 mod rule;
 mod solve;
-mod strip;
 mod stuck;
 mod system;
 mod tied;
+mod together;
 mod twin;
 
 use num_dual::Dual64;
@@ -27,14 +27,15 @@ use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar, mapped};
 pub(crate) use affine::Snapshot;
 pub(crate) use closed::Closed;
+use constants::Constants;
 pub use error::ContactError;
 use error::{opposing, singular};
 pub(crate) use impact::{Impact, Impulses};
 pub use mode::{Mode, Modes};
 use rule::Sliding;
 pub(crate) use solve::solve;
-pub(crate) use strip::Strip;
 pub use system::{ContactState, ExactSystem};
+use together::Together;
 
 /// Share of a contact's usual speed within which a law changes so fast that the tolerance of states is too coarse.
 const THIN: f64 = 0.02;
@@ -46,10 +47,10 @@ pub struct ExactField<'s, M: Model<N>, const N: usize> {
     /// Numbers of the contacts whose forces are solved for, in front.
     stuck: M::PerContact<usize>,
     sticking: usize,
-    /// B_S G_SS⁻¹ column by column, if it does not depend on the state.
-    levers: Option<M::PerContact<Strip<N>>>,
-    /// What holds then, in front: w_y and lever of each that sticks, f = f₀ − Σ lever (w_y f₀).
-    holds: Option<M::PerContact<[Strip<N>; 2]>>,
+    /// What does not depend on the state, if that is all that is asked for.
+    constants: Option<&'s Constants<M, N>>,
+    /// What contacts hold together then, if they do.
+    together: Option<Box<Together<M, N>>>,
     /// Speeds within which sliding forces change, if any is so small that errors must be judged by it.
     layers: Option<M::PerContact<f64>>,
 }
@@ -68,18 +69,17 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         for (place, contact) in stuck.as_mut().iter_mut().zip(modes.bound()) {
             *place = contact;
         }
-        let levers = match system.constants_in(&modes) {
+        let constants = system.constants_in(&modes);
+        let together = match constants {
             Some(constants) => {
                 opposing::<M, N>(&constants.compliance, &modes)?;
-                Some(constants.levers(&modes).ok_or_else(|| singular(&modes))?)
+                constants.together(&modes).ok_or_else(|| singular(&modes))?
             }
             None => {
                 system.snapshot(state, &modes)?;
                 None
             }
         };
-        let constants = system.constants_in(&modes).zip(levers.as_ref());
-        let holds = constants.map(|(constants, levers)| constants.holds(&modes, levers));
         let layers = system.layers(state);
         let usual = |i: usize| system.usual_speed(i);
         let thin = (layers.as_ref().iter().enumerate()).any(|(i, layer)| *layer < THIN * usual(i));
@@ -89,8 +89,8 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
             sticking: modes.bound().count(),
             modes,
             stuck,
-            levers,
-            holds,
+            constants,
+            together,
         })
     }
 

@@ -2,7 +2,7 @@
 
 use num_dual::Dual64;
 
-use super::constants::generic_state;
+use crate::field::generic::generic_state;
 use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::Model;
 use crate::press::{PressLaw, Pressed};

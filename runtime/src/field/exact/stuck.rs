@@ -2,10 +2,10 @@
 
 use super::affine::{Affine, NOTHING};
 use super::closed::Closed;
+use super::constants::Constants;
 use super::mode::Modes;
-use super::strip::Strip;
 use super::{ExactField, linear_of};
-use crate::field::Linear;
+use crate::field::{Linear, Strip};
 use crate::model::Model;
 use crate::scalar::{Lanes, Scalar};
 
@@ -15,11 +15,11 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
     #[inline(never)]
     pub(super) fn bound<R>(&self, y: &[f64; N], take: impl FnOnce([f64; N]) -> R) -> R {
         let mut field;
-        if let Some(holds) = self.holds() {
+        if let Some(constants) = self.constants {
             field = self.free(&self.system.plain, *y);
-            for [gradient, lever] in holds {
+            self.each_hold(constants, |gradient, lever| {
                 hold(&mut field, gradient, lever);
-            }
+            });
         } else {
             field = self.probe(&self.system.plain, y);
         }
@@ -30,11 +30,9 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
     #[inline(never)]
     pub(super) fn linearise_bound<R>(&self, y: &[f64; N], take: impl FnOnce(Linear<N>) -> R) -> R {
         let mut linear;
-        if let Some(holds) = self.holds() {
+        if let Some(constants) = self.constants {
             linear = self.linearise_free(y);
-            for [gradient, lever] in holds {
-                linear.hold(gradient, lever);
-            }
+            self.each_hold(constants, |gradient, lever| linear.hold(gradient, lever));
         } else {
             let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
             linear = linear_of(&self.probe(&self.system.lanes, &state));
@@ -50,10 +48,16 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
             .map_or([D::from(f64::NAN); N], |snapshot| snapshot.field)
     }
 
-    /// w_y and lever of all that holds, if they are constant.
-    fn holds(&self) -> Option<impl Iterator<Item = &[Strip<N>; 2]>> {
-        let holds = self.holds.as_ref()?.as_ref();
-        Some(holds.iter().take(self.sticking))
+    /// Hands on w_y and lever of all that holds.
+    #[inline(always)]
+    fn each_hold(&self, constants: &Constants<M, N>, mut take: impl FnMut(&Strip<N>, &Strip<N>)) {
+        if let Some(together) = &self.together {
+            let holds = together.holds.as_ref().iter().take(self.sticking);
+            holds.for_each(|[gradient, lever]| take(gradient, lever));
+        } else {
+            let (gradients, levers) = (constants.gradient.as_ref(), constants.lever.as_ref());
+            self.stuck().for_each(|i| take(&gradients[i], &levers[i]));
+        }
     }
 
     fn stuck(&self) -> impl Iterator<Item = usize> {
@@ -65,7 +69,9 @@ impl<M: Model<N>, const N: usize> ExactField<'_, M, N> {
     /// unique.
     pub(crate) fn correction(&self, state: &[f64; N], speeds: &M::PerContact<f64>) -> [f64; N] {
         let mut change = [0.0; N];
-        if let Some(levers) = &self.levers {
+        if let Some(constants) = self.constants {
+            let together = self.together.as_ref();
+            let levers = together.map_or(&constants.lever, |together| &together.levers);
             for contact in self.stuck() {
                 levers.as_ref()[contact].add_to(&mut change, speeds.as_ref()[contact]);
             }

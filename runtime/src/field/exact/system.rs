@@ -11,9 +11,8 @@ use super::mode::Modes;
 use super::pressed::rough;
 use super::rest::{idle, layers, limits};
 use super::rule::Branches;
-use super::strip::Strip;
 use super::tied::ties;
-use crate::field::memory;
+use crate::field::{Strip, memory};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, Scalar};
 
@@ -61,7 +60,7 @@ impl<M: Model<N>, const N: usize> ExactSystem<M, N> {
             plain,
             directional: Inline::from_fn(|i| Dual64::from(values[i])),
             columns: Columns::of::<M>(design.is_some()),
-            constants: Constants::find(&lanes),
+            constants: Constants::find(&turned),
             lanes,
             magnitude: memory::bounded::<M, N>(&plain, [1.0; N]),
             corners: memory::corners::<M, N>(&plain),

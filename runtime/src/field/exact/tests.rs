@@ -1,5 +1,6 @@
 use super::*;
 use crate::examples::{Belt, Groove, Pad, Pair, Parallel, Sledges, Wrong};
+use crate::field::Strip;
 use Mode::{SlideBackward, SlideForward, Stick};
 
 fn modes<M: Model<N>, const N: usize>(modes: &[Mode]) -> Modes<M, N> {

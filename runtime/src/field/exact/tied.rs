@@ -5,9 +5,9 @@
 //! against the press opening, and the reaction Q + S vanishes where the motion goes on.
 
 use super::affine::{Square, input, speed_rates};
-use super::constants::{GENERIC, generic_state};
 use super::mode::Modes;
 use super::rule::Branches;
+use crate::field::generic::{GENERIC, generic_state};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
 

@@ -1,17 +1,18 @@
 //! The smooth vector field of a declared model: without friction, or with every contact smoothed.
 
 mod dip;
+mod gradients;
 mod readout;
 mod rest;
 mod rules;
 
 use super::smoothing::{Sloped, Smoothed, Smoothing, SmoothingError};
-use super::{Field, Linear, Stops, memory};
+use super::{Field, Linear, Stops, Strip, memory};
 use crate::integrate::Tolerance;
 use crate::model::{Model, Rates};
-use crate::scalar::{Inline, Lanes};
-use num_dual::DualStruct;
-use rules::{Layer, LayerScale, Speeds, Terms, accept};
+use crate::scalar::{Inline, filled};
+use gradients::constant;
+use rules::{Layer, Speeds, accept};
 
 /// What a derivative with respect to "the design variable" means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,6 +34,8 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
     smoothing: Smoothing,
     rule: Smoothed<f64>,
     sloped: Sloped,
+    /// w_y of each contact, if it is the same at every state.
+    gradients: Option<M::PerContact<Strip<N>>>,
     magnitude: [f64; N],
     /// Number of borders of layers of presses, and of kinks of laws with internal state, the guards of their stops being
     /// the last.
@@ -84,6 +87,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
                 sharpness,
                 seed: moves * sign * sharpness,
             },
+            gradients: constant::<M, N>(&values),
             magnitude: memory::bounded::<M, N>(&values, [1.0; N]),
             corners: Self::BORDERS + memory::corners::<M, N>(&values) + stops.guards(),
             stops,
@@ -101,12 +105,17 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
     /// field changes at the declared start.
     #[must_use]
     pub fn rates(&self) -> (f64, f64) {
-        let start: [f64; N] = crate::scalar::filled(|i| M::INFO.states[i].start);
-        let params = self.lifted();
+        let start: [f64; N] = filled(|i| M::INFO.states[i].start);
         let rate = |steepness: f64| {
-            let state = crate::scalar::filled(|i| M::Lanes::state(start[i], i));
-            let rows = M::rhs(&params, state, &mut Layer { steepness });
-            let sums = rows.map(|row| row.slopes().0.iter().map(|slope| slope.abs()).sum::<f64>());
+            let mut sums = [0.0; N];
+            let entry = |row: usize, _, slope: f64| sums[row] += slope.abs();
+            let _ = M::entries(
+                &self.values,
+                &self.seeds,
+                start,
+                &mut Layer { steepness },
+                entry,
+            );
             sums.into_iter().fold(0.0, f64::max)
         };
         (
@@ -161,26 +170,6 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         first
     }
 
-    /// Rounding error of the relative speed of a contact, in widths of its layer.
-    fn rounding(&self, contact: usize, y: &[f64; N]) -> f64 {
-        let mut terms = 0.0;
-        let mut visit = Terms(|number, speed: M::Lanes| {
-            if number == contact {
-                let moving = speed.slopes().0.into_iter().zip(y).map(|(g, y)| g * y);
-                let rest = DualStruct::re(&speed) - moving.clone().sum::<f64>();
-                terms = moving.map(f64::abs).sum::<f64>() + rest.abs();
-            }
-        });
-        let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
-        let _ = M::rhs(&self.lifted(), state, &mut visit);
-        f64::EPSILON * terms * self.rule.sharpness
-    }
-
-    /// The parameters as constants.
-    fn lifted(&self) -> M::Params<M::Lanes> {
-        M::Params::from_fn(|i| M::Lanes::constant(self.values.as_ref()[i]))
-    }
-
     /// Calls `visit` with the number and relative speed of each contact.
     fn speeds(&self, y: &[f64; N], visit: impl FnMut(usize, f64)) {
         let _ = M::rhs(&self.values, *y, &mut Speeds(visit));
@@ -210,20 +199,12 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
 
     #[inline]
     fn scale(&self, y: &[f64; N], tolerance: &Tolerance) -> [f64; N] {
-        let plain = crate::scalar::filled(|i| {
-            tolerance.relative * y[i].abs() + tolerance.absolute * self.magnitude[i]
-        });
+        let plain =
+            filled(|i| tolerance.relative * y[i].abs() + tolerance.absolute * self.magnitude[i]);
         if M::INFO.contacts.is_empty() {
             return plain;
         }
-        let mut layers = LayerScale::<N> {
-            scale: plain,
-            width: 1.0 / self.rule.sharpness,
-            tolerance,
-        };
-        let state = crate::scalar::filled(|i| M::Lanes::state(y[i], i));
-        let _ = M::rhs(&self.lifted(), state, &mut layers);
-        layers.scale
+        self.layered(plain, y, tolerance)
     }
 
     fn leaps(&self, from: &[f64; N], to: &[f64; N]) -> bool {
@@ -278,14 +259,15 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         let index = index - self.corners;
         let places = self.smoothing.kernel.kinks();
         let (wanted, place) = (index / places.len(), places[index % places.len()]);
-        let mut value = 1.0;
+        let mut at = 0.0;
         self.speeds(y, |contact, speed| {
             if contact == wanted {
-                value = speed * self.rule.sharpness - place;
+                at = speed;
             }
         });
+        let value = at * self.rule.sharpness - place;
         // In a thin layer the rounding of a speed is not small: what it cannot tell from the kink is on it.
-        if value.abs() < 1.0 && value.abs() <= self.rounding(wanted, y) {
+        if value.abs() < 1.0 && value.abs() <= self.rounding(wanted, at, y) {
             0.0
         } else {
             value

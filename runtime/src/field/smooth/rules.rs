@@ -1,11 +1,10 @@
 //! What the field asks of the laws besides their smoothed forces.
 
 use crate::field::smoothing::{Smoothing, SmoothingError, rebounds};
-use crate::friction::{ContactRule, FrictionLaw};
-use crate::integrate::Tolerance;
+use crate::friction::{ContactRule, ForceSlopes, FrictionLaw, SlopeRule};
 use crate::model::{Model, ModelInfo};
 use crate::press::PressLaw;
-use crate::scalar::{Lanes, Scalar};
+use crate::scalar::Scalar;
 
 /// A smoothing must not turn a law into another one.
 pub(super) fn accept<M: Model<N>, const N: usize>(
@@ -83,18 +82,8 @@ impl<V: FnMut(usize, f64)> ContactRule<f64> for Turns<V> {
 /// Visits the relative speeds; the forces are zero, so nothing else is computed.
 pub(super) struct Speeds<V>(pub(super) V);
 
-impl<V: FnMut(usize, f64)> ContactRule<f64> for Speeds<V> {
+impl<D: Scalar, V: FnMut(usize, D)> ContactRule<D> for Speeds<V> {
     #[inline]
-    fn force<L: FrictionLaw<f64>>(&mut self, contact: usize, _law: &L, speed: f64) -> f64 {
-        self.0(contact, speed);
-        0.0
-    }
-}
-
-/// Visits the relative speeds with their derivatives.
-pub(super) struct Terms<V>(pub(super) V);
-
-impl<D: Scalar, V: FnMut(usize, D)> ContactRule<D> for Terms<V> {
     fn force<L: FrictionLaw<D>>(&mut self, contact: usize, _law: &L, speed: D) -> D {
         (self.0)(contact, speed);
         D::from(0.0)
@@ -106,29 +95,19 @@ pub(super) struct Layer {
     pub(super) steepness: f64,
 }
 
-impl<D: Scalar> ContactRule<D> for Layer {
-    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, law: &L, speed: D) -> D {
-        (speed - speed.re()) * (-self.steepness * law.stick().re())
-    }
-}
-
-/// Tightens the scale of each state that enters a sliding speed to what the friction layer resolves.
-pub(super) struct LayerScale<'a, const N: usize> {
-    pub(super) scale: [f64; N],
-    pub(super) width: f64,
-    pub(super) tolerance: &'a Tolerance,
-}
-
-impl<const N: usize, D: Lanes<N>> ContactRule<D> for LayerScale<'_, N> {
-    #[inline]
-    fn force<L: FrictionLaw<D>>(&mut self, _contact: usize, _law: &L, speed: D) -> D {
-        let allowed =
-            self.tolerance.absolute * self.width + self.tolerance.relative * speed.re().abs();
-        for (scale, slope) in self.scale.iter_mut().zip(speed.slopes().0) {
-            if slope != 0.0 {
-                *scale = scale.min(allowed / slope.abs());
-            }
+impl SlopeRule for Layer {
+    fn force<L: FrictionLaw<f64>>(
+        &mut self,
+        _contact: usize,
+        law: &L,
+        _along: &L,
+        _speed: f64,
+    ) -> ForceSlopes {
+        ForceSlopes {
+            force: 0.0,
+            by_speed: -self.steepness * law.stick(),
+            along: 0.0,
+            by_design: 0.0,
         }
-        D::from(0.0)
     }
 }

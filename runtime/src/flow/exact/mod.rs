@@ -25,7 +25,8 @@ mod steps;
 mod stretch;
 mod switch;
 
-use crate::field::exact::{ExactSystem, Mode, Modes, Strip, linear_of};
+use crate::field::Strip;
+use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
 use crate::flow::countable;
 use crate::flow::reach::beyond;
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};

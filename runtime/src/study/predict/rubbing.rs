@@ -13,7 +13,7 @@ use crate::friction::{ContactRule, FrictionLaw};
 use crate::model::{ContactId, Model};
 use crate::motion::exact::place;
 use crate::motion::{Flow, Place, fixed};
-use crate::scalar::{Inline, Lanes};
+use crate::scalar::Inline;
 
 /// A model with set-valued friction, whatever its type.
 pub(crate) trait Rubbing {
@@ -95,10 +95,8 @@ impl<M: Model<N>, const N: usize> Rubbing for Rubbed<M, N> {
 
     fn approach(&self, at: &Place, contact: usize) -> Result<(f64, f64), ContactError> {
         let (at, system) = (place(at), &self.system);
-        let speeds = system.linear_speeds(&at.state);
-        let (gradient, _): ([f64; N], f64) = speeds.as_ref()[contact].slopes();
         let field = system.snapshot(&at.state, &at.mode)?.field;
-        let rate = gradient.iter().zip(&field).map(|(g, f)| g * f).sum();
+        let rate = system.rates_along(&at.state, &at.mode, &field).as_ref()[contact];
         Ok((rate, system.limits_at_rest(&at.state).as_ref()[contact].1))
     }
 

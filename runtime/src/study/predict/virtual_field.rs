@@ -65,12 +65,7 @@ impl<'s, M: Model<N>, const N: usize> VirtualField<'s, M, N> {
 
     /// The rates of the sticking contacts' speeds when the state moves along `direction`.
     pub(super) fn rates(&self, y: &[f64; N], direction: &[f64; N]) -> M::PerContact<f64> {
-        use crate::scalar::Lanes;
-        let lanes = self.system.linear_speeds(y);
-        Inline::from_fn(|i| {
-            let (gradient, _): ([f64; N], f64) = lanes.as_ref()[i].slopes();
-            gradient.iter().zip(direction).map(|(g, d)| g * d).sum()
-        })
+        self.system.rates_along(y, &self.modes, direction)
     }
 
     /// What the forces that sliding contacts still lack add to the field, sticking contacts held.

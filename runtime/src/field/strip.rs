@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::scalar::Scalar;
+use crate::model::Model;
+use crate::scalar::{Inline, Scalar, filled};
 
 /// Number of states up to which all entries are taken: a loop of known length is faster than a short one.
 const FEW: usize = 8;
@@ -97,4 +98,18 @@ impl<const N: usize> From<[f64; N]> for Strip<N> {
             end,
         }
     }
+}
+
+/// The rows of a matrix with one row for each contact, of which `column` makes what is in place of each state's unit vector.
+pub(crate) fn rows<M: Model<N>, const N: usize>(
+    column: impl Fn(&[f64; N]) -> M::PerContact<f64>,
+) -> M::PerContact<Strip<N>> {
+    let mut rows: M::PerContact<[f64; N]> = Inline::from_fn(|_| [0.0; N]);
+    for j in 0..N {
+        let column = column(&filled(|i| f64::from(i == j)));
+        for (row, entry) in rows.as_mut().iter_mut().zip(column.as_ref()) {
+            row[j] = *entry;
+        }
+    }
+    Inline::from_fn(|i| rows.as_ref()[i].into())
 }
