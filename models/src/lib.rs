@@ -10,6 +10,8 @@ pub mod friction;
 pub mod press;
 #[cfg(feature = "app")]
 pub mod reproduce;
+#[cfg(feature = "app")]
+pub mod systems;
 pub mod van_der_pol;
 
 pub use belt_oscillator::BeltOscillator;

@@ -5,22 +5,19 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use stickslip::app::App;
-use stickslip::study::System;
 use stickslip_models::friction::{library, with_memory};
 use stickslip_models::press;
 use stickslip_models::reproduce::{Part, reproduce};
-use stickslip_models::{
-    BeltOscillator, BeltPair, BristleOscillator, DrillString, ForcedBelt, VanDerPol,
-};
+use stickslip_models::systems;
 
 fn main() -> ExitCode {
     App::new(env!("CARGO_PKG_VERSION"))
-        .offer(System::of::<VanDerPol, _>())
-        .offer(System::of::<BeltOscillator, _>())
-        .offer(System::of::<BeltPair, _>())
-        .offer(System::of::<DrillString, _>())
-        .offer(System::of::<BristleOscillator, _>())
-        .offer(System::of::<ForcedBelt, _>())
+        .offer(systems::van_der_pol())
+        .offer(systems::belt_oscillator())
+        .offer(systems::belt_pair())
+        .offer(systems::drill_string())
+        .offer(systems::bristle_oscillator())
+        .offer(systems::forced_belt())
         .laws(library())
         .laws(with_memory())
         .laws(press::library())

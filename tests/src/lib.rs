@@ -8,7 +8,6 @@ pub mod random;
 pub mod range;
 pub mod rotating;
 pub mod subject;
-pub mod systems;
 pub mod transformed;
 
 /// Asks each question, a function of a [`subject::Subject`], of all four reference systems: one test for each.

@@ -7,7 +7,7 @@ use stickslip::field::Design;
 use stickslip::model;
 use stickslip::study::{Along, Beginning, Case, Dynamics, Switch, System};
 use stickslip_models::friction::Weakening;
-use stickslip_models::{BeltOscillator, BeltPair, DrillString, ForcedBelt, VanDerPol};
+use stickslip_models::systems;
 use stickslip_tests::random::Random;
 
 use crate::answer::Answer;
@@ -51,13 +51,13 @@ impl Question {
     /// Random parameters of a random system, one of them followed.
     pub(crate) fn random(dice: &mut Random) -> Self {
         let systems = [
-            System::of::<VanDerPol, _>,
-            System::of::<BeltOscillator, _>,
-            System::of::<BeltPair, _>,
-            System::of::<BeltPair, _>,
-            System::of::<DrillString, _>,
-            System::of::<ForcedBelt, _>,
-            System::of::<ForcedBelt, _>,
+            systems::van_der_pol,
+            systems::belt_oscillator,
+            systems::belt_pair,
+            systems::belt_pair,
+            systems::drill_string,
+            systems::forced_belt,
+            systems::forced_belt,
             System::of::<Chain3, _>,
             System::of::<Chain3, _>,
         ];

@@ -3,7 +3,7 @@
 use stickslip::bifurcation::Stability;
 use stickslip::model;
 use stickslip::study::{Case, Class, Dynamics, Sampling, System};
-use stickslip_models::BeltPair;
+use stickslip_models::{BeltPair, systems};
 
 use crate::shares::region;
 
@@ -42,7 +42,7 @@ fn what_swings_to_and_fro_settles_on_what_it_swings_about() {
         "{orbit:?}"
     );
 
-    let system = System::of::<BeltPair, _>();
+    let system = systems::belt_pair();
     let mut case = Case::declared(system.info(), Dynamics::Exact);
     case.parameters[BeltPair::v_dr.index] = 0.16615384615384618;
     case.parameters[BeltPair::beta.index] = 1.3641025641025641;
@@ -59,7 +59,7 @@ fn what_swings_to_and_fro_settles_on_what_it_swings_about() {
 /// The multiplier is −0.99775: its averages agree as those of a torus do.
 #[test]
 fn a_motion_that_settles_slowly_is_no_torus() {
-    let system = System::of::<BeltPair, _>();
+    let system = systems::belt_pair();
     let mut case = Case::declared(system.info(), Dynamics::Exact);
     case.parameters[BeltPair::v_dr.index] = 0.14461538461538462;
     case.parameters[BeltPair::beta.index] = 1.3012820512820513;

@@ -5,7 +5,7 @@ use stickslip::model::ModelInfo;
 use stickslip::study::{
     Case, Class, Dynamics, Found, Region, Sampling, Side, Survey, System, choose,
 };
-use stickslip_models::BeltPair;
+use stickslip_models::{BeltPair, systems};
 
 use crate::models::{Duffing, FrictionOscillator, Pendulum, Pressed, Slowed};
 
@@ -220,7 +220,7 @@ fn an_oscillator_with_a_cubic_spring_has_five_motions() {
 
 #[test]
 fn what_lets_go_between_neighbours_settles_as_they_do() {
-    let system = System::of::<BeltPair, _>();
+    let system = systems::belt_pair();
     let sides = [
         ("x1", -2.0, 2.0),
         ("v1", -1.0, 1.0),

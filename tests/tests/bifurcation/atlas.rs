@@ -1,8 +1,8 @@
 //! Branches of two masses on a belt with exact friction, and what leaves them.
 
 use stickslip::field::Design;
-use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch, System};
-use stickslip_models::BeltPair;
+use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, Special, Switch};
+use stickslip_models::{BeltPair, systems};
 
 /// A start, a guess of the period, and the speed of the belt for which they are meant.
 type Place = (f64, [f64; 4], Option<f64>);
@@ -12,7 +12,7 @@ const IN_PHASE: Place = (0.14, [-0.5976, 0.0, -0.4604, -0.1607], Some(16.14));
 const CLOSED: Place = (0.27, [-0.21967, 0.0, 0.68379, -0.02510], None);
 
 fn follow(place: Place, range: [f64; 2], depth: usize) -> BranchRecord {
-    let accuracy = Case::declared(System::of::<BeltPair, _>().info(), Dynamics::Exact).accuracy;
+    let accuracy = Case::declared(systems::belt_pair().info(), Dynamics::Exact).accuracy;
     follow_to(accuracy, place, range, depth)
 }
 
@@ -22,7 +22,7 @@ fn follow_to(
     range: [f64; 2],
     depth: usize,
 ) -> BranchRecord {
-    let pair = System::of::<BeltPair, _>();
+    let pair = systems::belt_pair();
     let mut case = Case::declared(pair.info(), Dynamics::Exact);
     case.along = Some(Along {
         design: Design::Parameter(BeltPair::v_dr.index),

@@ -9,7 +9,7 @@ use stickslip::study::{
     Along, Beginning, Case, CurveRecord, CurveScope, Dynamics, SpecialCurvePoint, StudyError,
     System,
 };
-use stickslip_models::{BeltPair, DrillString, closed_form};
+use stickslip_models::{DrillString, closed_form, systems};
 use stickslip_tests::range::{place, range};
 use stickslip_tests::rotating::Rotating;
 
@@ -239,7 +239,7 @@ fn a_torus_curve_ends_where_it_becomes_a_neutral_saddle() {
 #[test]
 #[ignore = "long"]
 fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
-    let model = System::of::<BeltPair, _>();
+    let model = systems::belt_pair();
     let copy = Dynamics::Smoothed("tanh:1e4".parse().unwrap());
     for (dynamics, tolerance) in [(Dynamics::Exact, 1e-7), (copy, 1e-6)] {
         let (mut case, scope) =
@@ -285,7 +285,7 @@ fn flips_of_the_belt_pair_agree_with_branches_in_one_parameter() {
 /// Where the exact drill string's cycle ends: the bit, once loose, just reaches the table's speed again.
 #[test]
 fn the_drill_strings_graze_follows_its_closed_form() {
-    let model = System::of::<DrillString, _>();
+    let model = systems::drill_string();
     for (name, from, to) in [
         ("zeta", 0.05, 0.12),
         ("zeta", 0.05, 0.02),

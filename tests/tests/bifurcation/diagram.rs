@@ -7,7 +7,7 @@ use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
     Along, Case, Diagram, DiagramRecord, Dynamics, Item, List, Motion, Slice, Span, Sweep, System,
 };
-use stickslip_models::{BeltOscillator, BeltPair};
+use stickslip_models::systems;
 use stickslip_tests::range::range;
 
 use crate::orbits::TwoCircles;
@@ -41,7 +41,7 @@ fn slices(record: &DiagramRecord, sweep: usize) -> &[Slice] {
 }
 
 fn belt_pair(from: f64, to: f64) -> (System, Case) {
-    let model = System::of::<BeltPair, _>();
+    let model = systems::belt_pair();
     let along = range(&model, "v_dr", from, to);
     let mut case = case(&model, Dynamics::Exact, along);
     case.start = Some(IN_PHASE.to_vec());
@@ -123,7 +123,7 @@ fn a_slice_of_a_copy_is_the_orbit_that_shooting_finds() {
 /// The largest exponent of a mass that sticks is −∞; of its smooth copy, Liouville tells it.
 #[test]
 fn one_mass_is_superstable_and_its_copy_nearly() {
-    let model = System::of::<BeltOscillator, _>();
+    let model = systems::belt_oscillator();
     let along = range(&model, "v_dr", 0.2, 0.25);
     let diagram = Diagram {
         settle: 5,
@@ -254,7 +254,7 @@ fn the_number_of_threads_changes_no_bit() {
 
 #[test]
 fn a_value_without_an_answer_does_not_stop_the_others() {
-    let model = System::of::<BeltOscillator, _>();
+    let model = systems::belt_oscillator();
     let along = range(&model, "v_dr", -0.1, 0.1);
     let record = draw(
         &model,

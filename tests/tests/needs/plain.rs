@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 
 use stickslip::model;
 use stickslip::study::{Case, Lack, NeedsRecord, Role, System, Topic};
-use stickslip_models::BeltOscillator;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
+use stickslip_models::{BeltOscillator, systems};
 
 model! {
     /// A driven mass that rubs; another one is held by its friction, a third slides along; a wall is far away.
@@ -132,7 +132,7 @@ fn by_differences(system: &System, case: &Case, parameter: usize) -> f64 {
 
 #[test]
 fn sensitivities_are_those_of_differences() {
-    let system = System::of::<BeltOscillator, _>();
+    let system = systems::belt_oscillator();
     let case = Case::of(&BeltOscillator::default());
     let record = needs(&system, &case, 1e-4);
     for (index, need) in record.parameters.iter().enumerate() {

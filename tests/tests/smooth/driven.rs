@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::study::trade::Scope;
 use stickslip::study::{Case, Dynamics, OrbitRecord, StudyError, System};
-use stickslip_models::ForcedBelt;
+use stickslip_models::systems;
 use stickslip_tests::range::{place, range};
 
 use crate::oscillators::{DenHartog, Forced};
@@ -123,7 +123,7 @@ fn dry_friction_damps_as_den_hartog_says() {
 /// Digits by event-driven integration of the three modes, at 3e-14, after eighty periods.
 #[test]
 fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
-    let model = System::of::<ForcedBelt, _>();
+    let model = systems::forced_belt();
     let orbit = model
         .orbit(&case(&model, Dynamics::Exact, &[]))
         .expect("stick-slip");
@@ -161,7 +161,7 @@ fn stick_slip_under_a_force_agrees_with_an_independent_integration() {
 /// The smoothed copies tend to the exact orbit, the error of tanh falling with 1/ε.
 #[test]
 fn smooth_copies_of_a_forced_orbit_tend_to_it() {
-    let model = System::of::<ForcedBelt, _>();
+    let model = systems::forced_belt();
     let exact = model
         .orbit(&case(&model, Dynamics::Exact, &[]))
         .expect("stick-slip");
@@ -183,7 +183,7 @@ fn smooth_copies_of_a_forced_orbit_tend_to_it() {
 
 #[test]
 fn a_motion_and_a_branch_of_a_forced_contact() {
-    let model = System::of::<ForcedBelt, _>();
+    let model = systems::forced_belt();
     let motion = model.motion(&case(&model, Dynamics::Exact, &[]), 30.0);
     assert!(motion.is_ok(), "{motion:?}");
     let case = Case {
@@ -200,7 +200,7 @@ fn a_motion_and_a_branch_of_a_forced_contact() {
 
 #[test]
 fn trade_measures_the_copies_of_a_forced_orbit() {
-    let model = System::of::<ForcedBelt, _>();
+    let model = systems::forced_belt();
     let scope = Scope {
         kernels: vec![Kernel::Tanh],
         sign_sizes: vec![1e3, 1e4, 1e5],

@@ -3,8 +3,8 @@
 use stickslip::model;
 use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{Case, Diagram, Dynamics, Motion, Slice, Sweep, System};
-use stickslip_models::ForcedBelt;
 use stickslip_models::friction::PoppStelter as Law;
+use stickslip_models::systems;
 use stickslip_tests::range::{place, range};
 
 model! {
@@ -96,7 +96,7 @@ fn driven_motions_are_counted_in_turns_of_the_drive() {
 
 #[test]
 fn two_turns_of_the_drive_are_a_period_of_two() {
-    let model = System::of::<ForcedBelt, _>();
+    let model = systems::forced_belt();
     let set = [("load", 0.4), ("omega", 0.5), ("delta", 3.0)];
     let found = slice(&model, &set, Section::usual(model.info().drive));
     assert_eq!((found.motion, found.different), (Motion::Periodic(2), 2));

@@ -2,8 +2,8 @@
 
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::study::{Case, Dynamics, OrbitRecord, System};
+use stickslip_models::systems::of_the_thesis;
 use stickslip_tests::random::Random;
-use stickslip_tests::systems::reference_systems;
 
 /// What came of many random questions.
 #[derive(Debug, Default)]
@@ -25,7 +25,7 @@ fn random_case(dice: &mut Random) -> (System, Case) {
         Kernel::Quintic,
     ];
     let which = (4.0 * dice.unit()) as usize;
-    let system = reference_systems()[which].clone();
+    let system = of_the_thesis()[which].clone();
     let sign = SIGNS[(5.0 * dice.unit()) as usize];
     let copy = match which {
         0 => Some(Dynamics::Smooth),

@@ -2,14 +2,14 @@
 
 use std::sync::{Arc, Mutex};
 
-use stickslip::study::{Case, Dynamics, System};
-use stickslip_models::BeltPair;
+use stickslip::study::{Case, Dynamics};
+use stickslip_models::systems;
 
 #[test]
 fn a_search_names_its_starts() {
     let heard = Arc::new(Mutex::new(Vec::new()));
     let kept: Arc<Mutex<Vec<String>>> = heard.clone();
-    let system = System::of::<BeltPair, _>();
+    let system = systems::belt_pair();
     let telling = system.telling(Arc::new(move |words: &str| {
         kept.lock().unwrap().push(words.to_owned());
     }));

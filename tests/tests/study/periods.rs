@@ -2,17 +2,17 @@
 
 use stickslip::field::{Kernel, Smoothing};
 use stickslip::study::{Case, Dynamics, OrbitRecord, System};
-use stickslip_models::{BeltPair, ForcedBelt};
+use stickslip_models::systems;
+use stickslip_models::systems::of_the_thesis;
 use stickslip_tests::random::Random;
-use stickslip_tests::systems::reference_systems;
 
 /// Share of a period, and of an extent, that tells two orbits apart.
 const APART: f64 = 1e-4;
 
 /// A random case of a random system; some hardly damped, so that multipliers are near one.
 fn random_case(dice: &mut Random) -> (System, Case) {
-    let mut systems = reference_systems().to_vec();
-    systems.push(System::of::<ForcedBelt, _>());
+    let mut systems = of_the_thesis().to_vec();
+    systems.push(systems::forced_belt());
     let system = systems[(systems.len() as f64 * dice.unit()) as usize].clone();
     let copies = [
         (Kernel::Arctan, 1e2, 1e6),
@@ -143,7 +143,7 @@ fn a_thousand_multiples_lead_to_the_least() {
 /// A word twice and multipliers near one: points of neighbouring laps differ by more than any fixed bound.
 #[test]
 fn a_word_that_is_repeated_is_gone_through_once() {
-    let system = System::of::<BeltPair, _>();
+    let system = systems::belt_pair();
     let mut case = Case::declared(system.info(), Dynamics::Exact);
     case.parameters = vec![
         32.963_755_262_066_92,
