@@ -59,7 +59,6 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
             ("field", "integrate"),
             ("field/exact", "integrate"),
             ("field/smooth", "integrate"),
-            ("field/smooth/rules", "integrate"),
         ],
     ),
     (

@@ -1,65 +1,78 @@
-//! How the relative speeds of contacts depend on the states, and what a layer of friction therefore resolves.
+//! How the relative speeds of contacts depend on the states.
 
 use std::borrow::Cow;
 
 use num_dual::Dual64;
 
-use super::SmoothField;
 use super::rules::Speeds;
 use crate::field::Strip;
 use crate::field::generic::{GENERIC, generic_state};
 use crate::field::strip::rows;
-use crate::integrate::Tolerance;
 use crate::model::Model;
 use crate::scalar::{Inline, filled};
 
-impl<M: Model<N>, const N: usize> SmoothField<M, N> {
-    /// w_y of each contact.
+/// w_y of each contact, if it is the same at every state.
+#[derive(Clone, Copy)]
+pub(super) struct Gradients<M: Model<N>, const N: usize>(Option<M::PerContact<Strip<N>>>);
+
+impl<M: Model<N>, const N: usize> Gradients<M, N> {
+    /// Those that generic states have in common.
+    pub(super) fn of(values: &M::Params<f64>) -> Self {
+        let [first, second] = GENERIC.map(|seed| at::<M, N>(values, &generic_state::<M, N>(seed)));
+        Self((first.as_ref() == second.as_ref()).then_some(first))
+    }
+
     #[inline]
-    fn gradients(&self, y: &[f64; N]) -> Cow<'_, M::PerContact<Strip<N>>> {
-        match &self.gradients {
+    fn at(&self, values: &M::Params<f64>, y: &[f64; N]) -> Cow<'_, M::PerContact<Strip<N>>> {
+        match &self.0 {
             Some(constant) => Cow::Borrowed(constant),
-            None => Cow::Owned(gradients::<M, N>(&self.values, y)),
+            None => Cow::Owned(at::<M, N>(values, y)),
         }
     }
 
-    /// What errors are measured against, tightened for each state that enters a sliding speed to what its layer resolves.
+    /// What the error of each state is measured against, at most what is allowed of the speed that it enters.
     #[inline]
-    pub(super) fn layered(
+    pub(super) fn tightened(
         &self,
         mut scale: [f64; N],
+        values: &M::Params<f64>,
         y: &[f64; N],
-        tolerance: &Tolerance,
+        allowed: impl Fn(f64) -> f64,
     ) -> [f64; N] {
-        let width = 1.0 / self.rule.sharpness;
-        let gradients = self.gradients(y);
+        let gradients = self.at(values, y);
         let gradients = gradients.as_ref().as_ref();
-        self.speeds(y, |contact, speed| {
-            let allowed = tolerance.absolute * width + tolerance.relative * speed.abs();
+        let mut tighten = Speeds(|contact: usize, speed| {
+            let allowed = allowed(speed);
             for (j, slope) in gradients[contact].iter() {
                 if slope != 0.0 {
                     scale[j] = scale[j].min(allowed / slope.abs());
                 }
             }
         });
+        let _ = M::rhs(values, *y, &mut tighten);
         scale
     }
 
-    /// Rounding error of the relative speed of a contact, in widths of its layer.
-    pub(super) fn rounding(&self, contact: usize, speed: f64, y: &[f64; N]) -> f64 {
-        let gradients = self.gradients(y);
-        let gradient = &gradients.as_ref().as_ref()[contact];
+    /// The magnitude of the terms of the relative speed of a contact: what its rounding error is measured against.
+    pub(super) fn terms(
+        &self,
+        contact: usize,
+        speed: f64,
+        values: &M::Params<f64>,
+        y: &[f64; N],
+    ) -> f64 {
+        let gradients = self.at(values, y);
         let (mut moving, mut terms) = (0.0, 0.0);
-        for (j, slope) in gradient.iter() {
+        for (j, slope) in gradients.as_ref().as_ref()[contact].iter() {
             moving += slope * y[j];
             terms += (slope * y[j]).abs();
         }
-        f64::EPSILON * (terms + (speed - moving).abs()) * self.rule.sharpness
+        terms + (speed - moving).abs()
     }
 }
 
 /// w_y of each contact at `y`.
-fn gradients<M: Model<N>, const N: usize>(
+fn at<M: Model<N>, const N: usize>(
     values: &M::Params<f64>,
     y: &[f64; N],
 ) -> M::PerContact<Strip<N>> {
@@ -71,12 +84,4 @@ fn gradients<M: Model<N>, const N: usize>(
         let _ = M::rhs(&params, moving, &mut visit);
         rates
     })
-}
-
-/// w_y of each contact, if generic states have the same.
-pub(super) fn constant<M: Model<N>, const N: usize>(
-    values: &M::Params<f64>,
-) -> Option<M::PerContact<Strip<N>>> {
-    let at = GENERIC.map(|seed| gradients::<M, N>(values, &generic_state::<M, N>(seed)));
-    (at[0].as_ref() == at[1].as_ref()).then_some(at[0])
 }

@@ -7,11 +7,11 @@ mod rest;
 mod rules;
 
 use super::smoothing::{Sloped, Smoothed, Smoothing, SmoothingError};
-use super::{Field, Linear, Stops, Strip, memory};
+use super::{Field, Linear, Stops, memory};
 use crate::integrate::Tolerance;
 use crate::model::{Model, Rates};
 use crate::scalar::{Inline, filled};
-use gradients::constant;
+use gradients::Gradients;
 use rules::{Layer, Speeds, accept};
 
 /// What a derivative with respect to "the design variable" means.
@@ -34,8 +34,7 @@ pub struct SmoothField<M: Model<N>, const N: usize> {
     smoothing: Smoothing,
     rule: Smoothed<f64>,
     sloped: Sloped,
-    /// w_y of each contact, if it is the same at every state.
-    gradients: Option<M::PerContact<Strip<N>>>,
+    gradients: Gradients<M, N>,
     magnitude: [f64; N],
     /// Number of borders of layers of presses, and of kinks of laws with internal state, the guards of their stops being
     /// the last.
@@ -87,7 +86,7 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
                 sharpness,
                 seed: moves * sign * sharpness,
             },
-            gradients: constant::<M, N>(&values),
+            gradients: Gradients::of(&values),
             magnitude: memory::bounded::<M, N>(&values, [1.0; N]),
             corners: Self::BORDERS + memory::corners::<M, N>(&values) + stops.guards(),
             stops,
@@ -204,7 +203,9 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         if M::INFO.contacts.is_empty() {
             return plain;
         }
-        self.layered(plain, y, tolerance)
+        let width = 1.0 / self.rule.sharpness;
+        let allowed = |speed: f64| tolerance.absolute * width + tolerance.relative * speed.abs();
+        self.gradients.tightened(plain, &self.values, y, allowed)
     }
 
     fn leaps(&self, from: &[f64; N], to: &[f64; N]) -> bool {
@@ -267,7 +268,8 @@ impl<M: Model<N>, const N: usize> Field<N> for SmoothField<M, N> {
         });
         let value = at * self.rule.sharpness - place;
         // In a thin layer the rounding of a speed is not small: what it cannot tell from the kink is on it.
-        if value.abs() < 1.0 && value.abs() <= self.rounding(wanted, at, y) {
+        let terms = || self.gradients.terms(wanted, at, &self.values, y);
+        if value.abs() < 1.0 && value.abs() <= f64::EPSILON * terms() * self.rule.sharpness {
             0.0
         } else {
             value
