@@ -12,7 +12,7 @@ const GROWN: f64 = 1.0 / ROOT_OF_EPSILON;
 const ROOT_OF_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
 
 /// The largest state and its number, if it has left the usual ones of this model behind.
-pub(super) fn grown(model: &ModelInfo, state: &[f64]) -> Option<(usize, f64)> {
+fn grown(model: &ModelInfo, state: &[f64]) -> Option<(usize, f64)> {
     let starts = model.states.iter().map(|state| state.start.abs());
     let usual = starts.fold(0.0, f64::max);
     let usual = if usual > 0.0 { usual } else { 1.0 };
@@ -50,15 +50,23 @@ impl FlowError {
             }
             _ => return Self::Integration(error).named(model),
         };
-        match grown(model, state) {
-            Some((j, value)) => Self::Unbounded {
-                state: model.states.get(j).map_or("?", |state| state.name),
-                value,
-                time,
-                cause,
-            },
-            None => Self::Integration(error).named(model),
-        }
+        let unbounded = Self::unbounded(model, state, (time, cause));
+        unbounded.unwrap_or_else(|| Self::Integration(error).named(model))
+    }
+
+    /// A motion that came to its end at this time for this cause, if a state has left the usual ones behind by then.
+    pub(super) fn unbounded(
+        model: &ModelInfo,
+        state: &[f64],
+        (time, cause): (f64, &'static str),
+    ) -> Option<Self> {
+        let (j, value) = grown(model, state)?;
+        Some(Self::Unbounded {
+            state: model.states.get(j).map_or("?", |state| state.name),
+            value,
+            time,
+            cause,
+        })
     }
 
     /// The same, with the formula that is not finite where the motion ended, or next to it on its way there.
@@ -137,9 +145,37 @@ impl FlowError {
             Self::Integration(error) => *error = error.clone().later(by),
             Self::Unbounded { time, .. }
             | Self::OutOfLaw { time, .. }
-            | Self::Undefined { time, .. } => *time += by,
+            | Self::Undefined { time, .. }
+            | Self::Backwards { time, .. }
+            | Self::InconsistentMode { time, .. }
+            | Self::NotBorne { time, .. }
+            | Self::Impulsive { time, .. }
+            | Self::NoImpulse { time, .. }
+            | Self::Gains { time, .. }
+            | Self::HitTogether { time, .. }
+            | Self::Chattering { time, .. } => *time += by,
             _ => {}
         }
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_ends_a_later_stretch_ends_later() {
+        let contact = ContactId {
+            number: 0,
+            name: "F",
+        };
+        let error = FlowError::Chattering {
+            contact,
+            time: 0.5,
+            events: 101,
+        };
+        let said = error.later(2.0).to_string();
+        assert!(said.ends_with("up to t = 2.5"), "{said}");
     }
 }

@@ -102,7 +102,8 @@ impl<M: Model<N>, const N: usize> Flow for ExactFlow<M, N> {
                     .map(|rate| rate.f.to_vec())
             })
         })?;
-        Ok(Passage::of(passage, modes))
+        let passage = Passage::of(passage, modes);
+        Ok(passage.without_rounding(self, from, &self.system().magnitude))
     }
 
     fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {

@@ -11,6 +11,7 @@ mod extent;
 mod family;
 mod modes;
 mod passage;
+mod rounding;
 mod smooth;
 mod tape;
 

@@ -49,7 +49,8 @@ impl<M: Model<N>, const N: usize> Flow for SmoothFlow<M, N> {
                     .map(|rate| rate.f.to_vec())
             })
         })?;
-        Ok(Passage::of(passage, modeless))
+        let passage = Passage::of(passage, modeless);
+        Ok(passage.without_rounding(self, from, self.field().magnitude()))
     }
 
     fn velocity(&self, at: &Place) -> Result<Velocity, FlowError> {

@@ -50,8 +50,12 @@ pub fn settle<T>(
     let steps = STEPS.min(ADVANCED / flow.order().max(1) as u64);
     while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < steps {
         let crossings = watch.follow(flow, chunk)?;
-        let faded = watch.has_faded() && !watch.moves_elsewhere(flow);
-        let rests = faded || (crossings < ENOUGH && watch.quiet.lasts());
+        // Where it swings no more, its last swing says nothing of what it does.
+        let rests = if crossings < ENOUGH {
+            watch.quiet.lasts()
+        } else {
+            watch.has_faded() && !watch.moves_elsewhere(flow)
+        };
         if flow.phase().is_none() && rests {
             return Ok(watch.rest());
         }

@@ -92,7 +92,10 @@ impl Shot {
     /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.
     #[must_use]
     pub fn extent(&self) -> (Vec<f64>, Vec<f64>) {
-        let (mut low, mut high) = (self.start.state.clone(), self.start.state.clone());
+        let (mut low, mut high) = match self.passages.first() {
+            Some(first) => (first.calm.low.clone(), first.calm.high.clone()),
+            None => (self.start.state.clone(), self.start.state.clone()),
+        };
         for passage in &self.passages {
             for extremum in &passage.extrema {
                 let (j, value) = (extremum.index, extremum.state[extremum.index]);

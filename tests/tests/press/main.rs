@@ -15,6 +15,7 @@ mod hopf;
 mod impact;
 mod jumps;
 mod models;
+mod narrowing;
 mod penalty;
 mod pinned;
 mod rates;

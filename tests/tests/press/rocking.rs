@@ -1,8 +1,12 @@
 //! A slender block that rocks on its two corners (Housner 1963).
 
+use stickslip::field::exact::Mode;
+use stickslip::flow::{EventKind, Flow, Want};
 use stickslip::model;
 use stickslip::study::{Case, Dynamics, System};
 use stickslip_models::press::Rigid;
+
+use crate::models::flow;
 
 model! {
     /// Its angles are small, its ground does not let it slide.
@@ -39,6 +43,38 @@ fn what_an_impact_leaves_is_as_housner_says() {
     let energy = left * left * (1.0 - 0.5 * 0.5);
     let angle = 0.2 * (1.0 - (1.0 - energy).sqrt());
     assert!((motion.min[1] + angle).abs() < 1e-8, "{:?}", motion.min);
+}
+
+/// Of its energy each impact leaves the same share, so that it rocks for 2 atanh √(e)/p between two of them, ever shorter, and is
+/// at rest after infinitely many: whatever it began with is forgotten then.
+#[test]
+fn it_rocks_to_rest_in_a_finite_time() {
+    let block = Block {
+        shake: 0.0,
+        ..Default::default()
+    };
+    let flow = flow(&block, None);
+    let place = flow.place([0.02, 0.1, 0.0, 0.0, 0.0]).unwrap();
+    let passage = flow.advance(&place, 20.0, Want::SHOT).unwrap();
+    let slender: f64 = 0.2 * 0.2 / (0.2 * 0.2 + 1.0);
+    let left = 1.0 - 1.5 * slender;
+    let swing = |n: i32| (left.powi(n) * 0.75_f64.sqrt()).atanh();
+    let rocking = swing(0) + 2.0 * (1..2000).map(swing).sum::<f64>();
+    let stiff: f64 = 9.81 / ((0.2 * 0.2 + 1.0) / 3.0 + 1.0 + 0.2 * 0.2);
+    let last = passage.events.last().unwrap();
+    assert!(matches!(last.kind, EventKind::Settled { .. }), "{last:?}");
+    let late = last.time - rocking / stiff.sqrt();
+    assert!(late.abs() < 1e-5, "{late:e}");
+    assert_eq!(passage.end.mode.as_slice(), [Mode::Rest, Mode::Rest]);
+    let forgotten = passage.derivatives.unwrap().state;
+    assert!(passage.end.state[..4].iter().all(|y| y.abs() < 1e-12));
+    assert!(
+        forgotten[..4]
+            .iter()
+            .flatten()
+            .all(|slope| slope.abs() < 1e-12),
+        "{forgotten:?}"
+    );
 }
 
 /// Shaken by less than g α it keeps still, but for rounding errors of rounding errors, in which no orbit was found.

@@ -9,6 +9,7 @@ mod neutral;
 mod news;
 mod periods;
 mod proofs;
+mod resting;
 mod running;
 mod saturated;
 mod sizes;

@@ -253,6 +253,19 @@ fn an_accuracy_is_met_at_the_least_size() {
     }
 }
 
+/// It was the exponential of its logarithm: `tanh:100.00000000000004`.
+#[test]
+fn what_the_coarsest_copy_meets_needs_its_size_as_it_stands() {
+    let scope = Scope {
+        accuracy: Some(0.9),
+        ..only(&[Kernel::Tanh])
+    };
+    let trade = trade(belt(0.2), &scope);
+    let need = trade.curves[0].need.as_ref().unwrap().as_ref().unwrap();
+    assert_eq!(need.smoothing.size, trade.curves[0].points[0].size);
+    assert_eq!(need.frequency_size, trade.curves[0].points[0].size);
+}
+
 #[test]
 fn work_buys_precision() {
     let scope = Scope {

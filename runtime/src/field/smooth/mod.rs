@@ -93,6 +93,11 @@ impl<M: Model<N>, const N: usize> SmoothField<M, N> {
         })
     }
 
+    /// What states are measured against where they pass through zero.
+    pub(crate) fn magnitude(&self) -> &[f64; N] {
+        &self.magnitude
+    }
+
     /// The same field, its states measured against these magnitudes where they pass through zero.
     #[must_use]
     pub fn with_magnitude(mut self, magnitude: [f64; N]) -> Self {

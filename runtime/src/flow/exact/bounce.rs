@@ -46,6 +46,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             Some(settling) => settling,
             None => self.parting(press, &state)?,
         };
+        let rebound = self.at_rest_together(&rebound)?.unwrap_or(rebound);
         let (impulses, impact) = &rebound.collision;
         self.jump(press, strike, &rebound)?;
         self.close_segment();

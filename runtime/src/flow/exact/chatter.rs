@@ -8,7 +8,6 @@ use super::run::{NO_TIME, Run};
 use crate::field::exact::{Mode, Modes, Snapshot};
 use crate::flow::FlowError;
 use crate::flow::saltation::{Tracked, product};
-use crate::flow::told::grown;
 use crate::integrate::IntegrationError;
 use crate::model::Model;
 
@@ -17,7 +16,7 @@ const CHATTER: u64 = 100;
 /// Height of a bounce, in units of the terms of its gap, from which on a chatter is taken to its end at once.
 const LOW: f64 = 1e-10;
 /// The same where friction under it may turn meanwhile: little above what rounding leaves of a gap.
-const LOWEST: f64 = 1e-14;
+pub(super) const LOWEST: f64 = 1e-14;
 
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Counts events that follow each other in no time.
@@ -120,7 +119,12 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     }
 
     /// g̈ in flight.
-    fn bend(&self, press: usize, state: &[f64; N], modes: Modes<M, N>) -> Result<f64, FlowError> {
+    pub(super) fn bend(
+        &self,
+        press: usize,
+        state: &[f64; N],
+        modes: Modes<M, N>,
+    ) -> Result<f64, FlowError> {
         let system = &self.flow.system;
         let field = system.moving(state, &modes)?.field;
         Ok(system.second_rates(state, &modes, &field).as_ref()[press])
@@ -165,15 +169,16 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         error.into()
     }
 
-    /// Of numbers that overflow contacts say nothing.
+    /// Of numbers that have left all bounds contacts say nothing.
     pub(super) fn outgrown(&self, error: FlowError) -> FlowError {
-        let state = self.carried.state();
-        match error {
-            FlowError::Contact(_) if grown(M::INFO, state).is_some() => {
-                let (time, state) = (self.time, state.to_vec().into());
-                IntegrationError::NotFinite { time, state }.into()
+        let cause = match error {
+            FlowError::Contact(_) => "no forces of its contacts are determined any more",
+            FlowError::Chattering { .. } | FlowError::InconsistentMode { .. } => {
+                "rounding errors decide how its contacts go on"
             }
-            error => error,
-        }
+            _ => return error,
+        };
+        let unbounded = FlowError::unbounded(M::INFO, self.carried.state(), (self.time, cause));
+        unbounded.unwrap_or(error)
     }
 }

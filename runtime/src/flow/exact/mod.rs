@@ -1,5 +1,6 @@
 //! The exact flow: friction is set-valued, switching instants are located, derivatives jump through them.
 
+mod alternation;
 mod approach;
 mod bearing;
 mod bounce;

@@ -70,7 +70,7 @@ pub(super) struct Cut<'a> {
 impl Cut<'_> {
     /// The slice at r, in the family's own count, from the first of these starts at which a motion can begin; states are
     /// measured against `scale`.
-    pub(super) fn slice(&self, r: f64, starts: [&[f64]; 2], scale: &[f64]) -> Slice {
+    pub(super) fn slice(&self, r: f64, starts: [&[f64]; 3], scale: &[f64]) -> Slice {
         match self.seen(r, starts, scale) {
             Ok((seen, lyapunov)) => Slice {
                 different: seen.different,
@@ -106,12 +106,16 @@ impl Cut<'_> {
     fn seen(
         &self,
         r: f64,
-        [start, other]: [&[f64]; 2],
+        starts: [&[f64]; 3],
         scale: &[f64],
     ) -> Result<(Watched, Option<Result<Lyapunov, String>>), FlowError> {
         let flow = self.family.with_magnitude(scale).at(r)?;
+        let [start, others @ ..] = starts;
         let usual = usual(start, scale);
-        let place = flow.place(start).or_else(|_| flow.place(other))?;
+        let place = flow.place(start).or_else(|error| {
+            let mut others = others.iter().map(|other| flow.place(other));
+            others.find_map(Result::ok).ok_or(error)
+        })?;
         let seen = Watched::from(&*flow, place, self.diagram, &usual)?;
         let exponent = match self.diagram.lyapunov {
             Some(laps) => self.exponent(&*flow, &seen, laps)?,

@@ -13,6 +13,8 @@ pub(super) struct Hand {
     state: Vec<f64>,
     /// Where the value before has ended: a wall may be beside that.
     end: Vec<f64>,
+    /// Where the first one began: a wall may have moved past all of that.
+    first: Vec<f64>,
     /// How large its states usually are.
     pub(super) scale: Vec<f64>,
     /// Whether a motion has shown that.
@@ -24,14 +26,15 @@ impl Hand {
         Self {
             state: start.to_vec(),
             end: start.to_vec(),
+            first: start.to_vec(),
             scale: magnitude(start),
             known: false,
         }
     }
 
     /// Where it begins, or, if it cannot, where it does instead.
-    pub(super) fn starts(&self) -> [&[f64]; 2] {
-        [&self.state, &self.end]
+    pub(super) fn starts(&self) -> [&[f64]; 3] {
+        [&self.state, &self.end, &self.first]
     }
 
     /// Takes over from a slice; what has failed hands on nothing.

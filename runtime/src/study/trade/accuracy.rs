@@ -36,12 +36,13 @@ pub(super) fn cheapest(
 
 /// The size at which the measured errors, joined by straight lines in logarithms, fall to `error`.
 fn size(points: &[Point], error: f64, of: impl Fn(&Point) -> f64) -> Option<f64> {
+    let first = points.first()?;
+    // The size itself: its logarithm's exponential is another number.
+    if of(first) <= error || points.len() == 1 {
+        return Some(first.size);
+    }
     let logs: Vec<(f64, f64)> = points.iter().map(|p| (p.size.ln(), of(p).ln())).collect();
     let goal = error.ln();
-    let (first, rest) = logs.split_first()?;
-    if first.1 <= goal || rest.is_empty() {
-        return Some(first.0.exp());
-    }
     let pairs = || logs.windows(2).map(|pair| (pair[0], pair[1]));
     let (a, b) = pairs().find(|(_, b)| b.1 <= goal).or(pairs().next_back())?;
     let size = (a.0 + (b.0 - a.0) * (goal - a.1) / (b.1 - a.1)).exp();
