@@ -50,21 +50,17 @@ pub fn settle<T>(
     let steps = STEPS.min(ADVANCED / flow.order().max(1) as u64);
     while watch.minima.len() < PATIENCE && silent < SILENCE && watch.steps < steps {
         let crossings = watch.follow(flow, chunk)?;
+        let still = crossings < ENOUGH;
         // Where it swings no more, its last swing says nothing of what it does.
-        let rests = if crossings < ENOUGH {
-            watch.quiet.lasts()
-        } else {
-            watch.has_faded() && !watch.moves_elsewhere(flow)
+        let rests = match still {
+            true => watch.quiet.lasts(),
+            false => watch.has_faded() && !watch.moves_elsewhere(flow),
         };
         if flow.phase().is_none() && rests {
             return Ok(watch.rest());
         }
-        if crossings < ENOUGH {
-            chunk *= 2.0;
-            silent += 1;
-        } else {
-            silent = 0;
-        }
+        chunk *= if still { 2.0 } else { 1.0 };
+        silent = if still { silent + 1 } else { 0 };
         for guess in watch.guesses(flow, longest)? {
             if let Some(orbit) = accept(&guess) {
                 return Ok(Settled::Orbit(orbit));
