@@ -90,13 +90,13 @@ fn conversions(model: &Model, [_, parameters, ..]: &Sizes) -> TokenStream {
 }
 
 fn formulas(model: &Model, [states, parameters, _, count]: &Sizes) -> TokenStream {
+    let order = model.states.len();
+    let offered = (order <= MEDIUM).then(|| quote!(#[inline]));
     // A call costs a small model three times its formulas.
-    let inlined = match model.states.len() {
-        0..=SMALL => quote!(#[inline(always)]),
-        ..=MEDIUM => quote!(#[inline]),
-        _ => quote!(),
+    let inlined = match order <= SMALL {
+        true => Some(quote!(#[inline(always)])),
+        false => offered.clone(),
     };
-    let offered = (model.states.len() <= MEDIUM).then(|| quote!(#[inline]));
     let (rhs, entries) = (model::rhs(model), linear::body(model));
     let observables = model::observables(model);
     quote! {
