@@ -6,9 +6,8 @@ use std::process::ExitCode;
 
 use stickslip::app::App;
 use stickslip_models::friction::{library, with_memory};
-use stickslip_models::press;
 use stickslip_models::reproduce::{Part, reproduce};
-use stickslip_models::systems;
+use stickslip_models::{press, systems};
 
 fn main() -> ExitCode {
     App::new(env!("CARGO_PKG_VERSION"))

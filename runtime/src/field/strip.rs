@@ -74,6 +74,14 @@ impl<const N: usize> Strip<N> {
         pairs.fold(D::from(0.0), |sum, (x, g)| sum + *x * *g)
     }
 
+    /// The magnitude of the terms of a number of this value at a state, of which this is the gradient: what its rounding
+    /// error is measured against.
+    pub(crate) fn terms(&self, value: f64, state: &[f64; N]) -> f64 {
+        let terms = || self.iter().map(|(j, slope)| slope * state[j]);
+        let rest = value - terms().sum::<f64>();
+        terms().map(f64::abs).sum::<f64>() + rest.abs()
+    }
+
     /// Adds a multiple of it to a vector of any scalar.
     #[inline]
     pub(crate) fn add_to<D: Scalar>(&self, vector: &mut [D; N], times: D) {

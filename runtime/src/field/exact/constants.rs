@@ -38,66 +38,46 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
     /// Finds them, or `None` if second derivatives at generic states show that they are not constant: of parameters that
     /// move with the design variable.
     pub(super) fn find(turned: &M::Params<Dual64>) -> Option<Self> {
-        let [first, second] = GENERIC.map(|seed| Self::at(turned, &generic_state::<M, N>(seed)));
+        let at = |seed| Seen::<M, N>::at(turned, &generic_state::<M, N>(seed));
+        let [first, second] = GENERIC.map(at);
         let (first, second) = (first?, second?);
         let rubbing = M::INFO.contacts.len();
         let same = |i: usize| first.gradient.as_ref()[i] == second.gradient.as_ref()[i];
         let pushes_alike = first.input.as_ref() == second.input.as_ref();
         let straight = |i: usize| same(i) && first.straight.as_ref()[i];
-        (pushes_alike && (0..rubbing).all(straight)).then_some(Self {
-            straight: Inline::from_fn(straight),
-            ..first
-        })
+        (pushes_alike && (0..rubbing).all(straight)).then(|| Self::of(&first, straight))
     }
 
-    /// Whether a speed or gap is affine, so that its gradient is known.
-    pub(super) fn is_straight(&self, contact: usize) -> bool {
-        self.straight.as_ref()[contact]
-    }
-
-    /// At one state. What is constant does not change along a way on which all states and the design variable move, none as
-    /// fast as another.
-    fn at(turned: &M::Params<Dual64>, state: &[f64; N]) -> Option<Self> {
-        let modes = Modes::held();
-        let along = generic::<N>(ALONG);
-        let moving = filled(|i| Dual64::new(state[i], along[i]));
-        let across = mapped(&generic::<N>(ACROSS), Dual64::from);
-        let bend = speed_rates::<M, Dual64, N>(turned, &moving, &modes, &across);
-        let plain = Inline::from_fn(|i| turned.as_ref()[i].re);
-        let column = |unit: &[f64; N]| speed_rates::<M, f64, N>(&plain, state, &modes, unit);
-        let gradient = rows::<M, N>(column);
-        let mut forces: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
-        let rubbing = forces.as_mut().iter_mut().take(M::INFO.contacts.len());
-        for (contact, slot) in rubbing.enumerate() {
-            let column = input::<M, Dual64, N>(turned, &moving, &modes, contact);
-            let mut entries = [0.0; N];
-            for (entry, b) in entries.iter_mut().zip(&column) {
-                *entry = flat(*b)?;
-            }
-            *slot = entries.into();
-        }
+    /// What follows from what is the same at every state.
+    fn of(seen: &Seen<M, N>, straight: impl Fn(usize) -> bool) -> Self {
+        let (gradient, input) = (seen.gradient, seen.input);
         let compliance: Square<M, f64, N> = Inline::from_fn(|i| {
-            Inline::from_fn(|j| gradient.as_ref()[i].dot(forces.as_ref()[j].entries()))
+            Inline::from_fn(|j| gradient.as_ref()[i].dot(input.as_ref()[j].entries()))
         });
         let lever = |i: usize| {
             let (mut lever, own) = ([0.0; N], compliance.as_ref()[i].as_ref()[i]);
             if own != 0.0 {
-                forces.as_ref()[i].add_to(&mut lever, 1.0 / own);
+                input.as_ref()[i].add_to(&mut lever, 1.0 / own);
             }
             lever.into()
         };
         let acts = |i: usize, j: usize| compliance.as_ref()[i].as_ref()[j] != 0.0;
         let others = |i: usize| (0..M::INFO.contacts.len()).filter(move |&j| j != i);
         let braced = (0..M::INFO.contacts.len()).any(|i| gradient.as_ref()[i].only().is_none());
-        Some(Self {
+        Self {
             gradient,
             lever: Inline::from_fn(lever),
-            input: forces,
+            input,
             coupled: Inline::from_fn(|i| others(i).any(|j| acts(i, j) || acts(j, i))),
             compliance,
             braced,
-            straight: Inline::from_fn(|i| flat(bend.as_ref()[i]).is_some()),
-        })
+            straight: Inline::from_fn(straight),
+        }
+    }
+
+    /// Whether a speed or gap is affine, so that its gradient is known.
+    pub(super) fn is_straight(&self, contact: usize) -> bool {
+        self.straight.as_ref()[contact]
     }
 
     /// All that is known at a state, over any scalar; `None` if the sticking forces are not unique.
@@ -190,6 +170,43 @@ impl<M: Model<N>, const N: usize> Constants<M, N> {
             rates.as_mut()[contact] /= D::from(compliance);
         }
         Some(rates)
+    }
+}
+
+/// What one state shows.
+struct Seen<M: Model<N>, const N: usize> {
+    gradient: M::PerContact<Strip<N>>,
+    input: M::PerContact<Strip<N>>,
+    straight: M::PerContact<bool>,
+}
+
+impl<M: Model<N>, const N: usize> Seen<M, N> {
+    /// At this state. What is constant does not change along a way on which all states and the design variable move, none as
+    /// fast as another; `None` if a force enters in a way that does.
+    fn at(turned: &M::Params<Dual64>, state: &[f64; N]) -> Option<Self> {
+        let modes = Modes::held();
+        let along = generic::<N>(ALONG);
+        let moving = filled(|i| Dual64::new(state[i], along[i]));
+        let across = mapped(&generic::<N>(ACROSS), Dual64::from);
+        let bend = speed_rates::<M, Dual64, N>(turned, &moving, &modes, &across);
+        let plain = Inline::from_fn(|i| turned.as_ref()[i].re);
+        let column = |unit: &[f64; N]| speed_rates::<M, f64, N>(&plain, state, &modes, unit);
+        let gradient = rows::<M, N>(column);
+        let mut forces: M::PerContact<Strip<N>> = Inline::from_fn(|_| Strip::ZERO);
+        let rubbing = forces.as_mut().iter_mut().take(M::INFO.contacts.len());
+        for (contact, slot) in rubbing.enumerate() {
+            let column = input::<M, Dual64, N>(turned, &moving, &modes, contact);
+            let mut entries = [0.0; N];
+            for (entry, b) in entries.iter_mut().zip(&column) {
+                *entry = flat(*b)?;
+            }
+            *slot = entries.into();
+        }
+        Some(Self {
+            gradient,
+            input: forces,
+            straight: Inline::from_fn(|i| flat(bend.as_ref()[i]).is_some()),
+        })
     }
 }
 

@@ -29,7 +29,7 @@ pub(crate) use affine::Snapshot;
 pub(crate) use closed::Closed;
 use constants::Constants;
 pub use error::ContactError;
-use error::{opposing, singular};
+use error::opposing;
 pub(crate) use impact::{Impact, Impulses};
 pub use mode::{Mode, Modes};
 use rule::Sliding;
@@ -73,7 +73,7 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         let together = match constants {
             Some(constants) => {
                 opposing::<M, N>(&constants.compliance, &modes)?;
-                constants.together(&modes).ok_or_else(|| singular(&modes))?
+                constants.together(&modes)?
             }
             None => {
                 system.snapshot(state, &modes)?;

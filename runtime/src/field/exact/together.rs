@@ -1,6 +1,7 @@
 //! What contacts hold between them that stick at once and act on each other's speeds, or read the same states.
 
 use super::constants::Constants;
+use super::error::{ContactError, singular};
 use super::mode::Modes;
 use crate::field::Strip;
 use crate::model::Model;
@@ -17,15 +18,19 @@ pub(super) struct Together<M: Model<N>, const N: usize> {
 impl<M: Model<N>, const N: usize> Constants<M, N> {
     /// What contacts that stick hold together, if they do: where each has its way, nothing but its own constants are asked.
     ///
-    /// `None` if G_SS is singular.
-    pub(super) fn together(&self, modes: &Modes<M, N>) -> Option<Option<Box<Together<M, N>>>> {
+    /// # Errors
+    /// G_SS is singular.
+    pub(super) fn together(
+        &self,
+        modes: &Modes<M, N>,
+    ) -> Result<Option<Box<Together<M, N>>>, ContactError> {
         let coupled = |i: usize| self.coupled.as_ref()[i];
         if !self.braced && !modes.sticking().any(coupled) {
-            return Some(None);
+            return Ok(None);
         }
-        let levers = self.levers(modes)?;
+        let levers = self.levers(modes).ok_or_else(|| singular(modes))?;
         let holds = self.holds(modes, &levers);
-        Some(Some(Box::new(Together { levers, holds })))
+        Ok(Some(Box::new(Together { levers, holds })))
     }
 
     /// B_S G_SS⁻¹ column by column for the contacts that stick; `None` if G_SS is singular.

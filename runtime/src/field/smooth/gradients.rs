@@ -16,8 +16,11 @@ use crate::scalar::{Inline, filled};
 pub(super) struct Gradients<M: Model<N>, const N: usize>(Option<M::PerContact<Strip<N>>>);
 
 impl<M: Model<N>, const N: usize> Gradients<M, N> {
-    /// Those that generic states have in common.
+    /// Those that generic states have in common; of a model without contacts none are asked for.
     pub(super) fn of(values: &M::Params<f64>) -> Self {
+        if M::INFO.contacts.is_empty() {
+            return Self(None);
+        }
         let [first, second] = GENERIC.map(|seed| at::<M, N>(values, &generic_state::<M, N>(seed)));
         Self((first.as_ref() == second.as_ref()).then_some(first))
     }
@@ -61,13 +64,7 @@ impl<M: Model<N>, const N: usize> Gradients<M, N> {
         values: &M::Params<f64>,
         y: &[f64; N],
     ) -> f64 {
-        let gradients = self.at(values, y);
-        let (mut moving, mut terms) = (0.0, 0.0);
-        for (j, slope) in gradients.as_ref().as_ref()[contact].iter() {
-            moving += slope * y[j];
-            terms += (slope * y[j]).abs();
-        }
-        terms + (speed - moving).abs()
+        self.at(values, y).as_ref().as_ref()[contact].terms(speed, y)
     }
 }
 

@@ -64,8 +64,9 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         }
         let departure = -system.approach(state, press).0;
         let pull = -self.bend(press, state, rebound.verdict.modes)?;
-        let scale = self.flow.speed_scales(state).as_ref()[press].max(system.usual_speed(press));
-        let low = pull > 0.0 && departure * departure <= 2.0 * LOWEST * scale * pull;
+        let low = self
+            .flight(press, state, departure)
+            .stays_below(LOWEST, pull);
         Ok(low.then_some(2.0 * departure / pull))
     }
 }

@@ -18,7 +18,31 @@ const LOW: f64 = 1e-10;
 /// The same where friction under it may turn meanwhile: little above what rounding leaves of a gap.
 pub(super) const LOWEST: f64 = 1e-14;
 
+/// How a press flies that an impact makes leave.
+pub(super) struct Flight {
+    departure: f64,
+    /// Magnitude of the terms of its gap.
+    scale: f64,
+}
+
+impl Flight {
+    /// Whether it comes back, pulled so much, from no more than this part of the terms of its gap: v²/2a.
+    pub(super) fn stays_below(&self, low: f64, pull: f64) -> bool {
+        let Self { departure, scale } = self;
+        pull > 0.0 && departure * departure <= 2.0 * low * scale * pull
+    }
+}
+
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+    /// The flight that begins at this speed at a state.
+    pub(super) fn flight(&self, press: usize, state: &[f64; N], departure: f64) -> Flight {
+        let terms = self.flow.speed_scales(state).as_ref()[press];
+        Flight {
+            departure,
+            scale: terms.max(self.flow.system.usual_speed(press)),
+        }
+    }
+
     /// Counts events that follow each other in no time.
     pub(super) fn count_chatter(&mut self, contact: usize) -> Result<(), FlowError> {
         let (events, since) = &mut self.chatter;
@@ -60,9 +84,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         };
         let ratio = kept * departure / approach;
         let falls = approach <= 0.0 || (ratio > 0.0 && ratio < 1.0);
-        let scale = flow.speed_scales(state).as_ref()[press].max(flow.system.usual_speed(press));
-        let slow =
-            |pull: f64, low: f64| pull > 0.0 && departure * departure <= 2.0 * low * scale * pull;
+        let flight = self.flight(press, state, departure);
+        let slow = |pull: f64, low: f64| flight.stays_below(low, pull);
         if !falls || !slow(back, LOW) {
             return Ok(None);
         }

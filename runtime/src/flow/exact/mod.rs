@@ -183,11 +183,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     /// The magnitude of the terms of each relative speed: what its rounding error is measured against.
     fn speed_scales(&self, state: &[f64; N]) -> M::PerContact<f64> {
         let speeds = self.system.speeds(state);
-        let scale = |i: usize, gradient: &Strip<N>| {
-            let terms = || gradient.iter().map(|(j, slope)| slope * state[j]);
-            let rest = speeds.as_ref()[i] - terms().sum::<f64>();
-            terms().map(f64::abs).sum::<f64>() + rest.abs()
-        };
+        let scale = |i: usize, gradient: &Strip<N>| gradient.terms(speeds.as_ref()[i], state);
         let bent = Self::presses().any(|press| !self.system.is_straight(press));
         if let (Some(gradients), false) = (self.system.gradients(), bent) {
             return Inline::from_fn(|i| scale(i, &gradients[i]));
