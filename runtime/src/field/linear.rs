@@ -3,10 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Field;
+use super::form::wave;
+use super::strip::Strip;
 use crate::scalar::mapped;
-
-/// States from which on entries of a matrix are looked at before they are multiplied.
-const SPARSE: usize = 8;
 
 /// ẏ = A y + C w with w = (1, cos φ, sin φ), where φ̇ = ω is one of the states, and its derivatives by the design variable.
 ///
@@ -24,7 +23,7 @@ pub(crate) struct LinearField<const N: usize> {
 /// A, C and ω.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Parts<const N: usize> {
-    matrix: [[f64; N]; N],
+    matrix: [Strip<N>; N],
     forcing: [[f64; 3]; N],
     rate: f64,
 }
@@ -79,11 +78,12 @@ impl<const N: usize> LinearField<N> {
             let sums = matrix.iter().map(|row| row.iter().map(|a| a.abs()).sum());
             sums.fold(0.0, f64::max)
         };
-        let unit = size(&self.own.matrix);
+        let matrix = mapped(&self.own.matrix, |row| *row.entries());
+        let unit = size(&matrix);
         if unit == 0.0 {
             return self.own.rate.abs();
         }
-        let mut power = mapped(&self.own.matrix, |row| mapped(&row, |a| a / unit));
+        let mut power = mapped(&matrix, |row| mapped(&row, |a| a / unit));
         for _ in 0..3 {
             power = squared(&power);
         }
@@ -92,7 +92,7 @@ impl<const N: usize> LinearField<N> {
 
     /// tr A.
     pub(crate) fn trace(&self) -> f64 {
-        (0..N).map(|i| self.own.matrix[i][i]).sum()
+        (0..N).map(|i| self.own.matrix[i].entries()[i]).sum()
     }
 
     /// The wave at a state.
@@ -103,9 +103,25 @@ impl<const N: usize> LinearField<N> {
         [1.0, cos, sin]
     }
 
+    /// Factors of the wave so much later as factors of the wave now, and their derivatives by the design variable.
+    pub(crate) fn turned(&self, later: &[f64; 3], time: f64) -> ([f64; 3], [f64; 3]) {
+        let (sin, cos) = (self.own.rate * time).sin_cos();
+        let (a, b) = (
+            later[1] * cos + later[2] * sin,
+            later[2] * cos - later[1] * sin,
+        );
+        let slope = self.along.as_ref().map_or(0.0, |along| along.rate * time);
+        ([later[0], a, b], [0.0, slope * b, -slope * a])
+    }
+
     /// Place of the phase, and the derivative of the wave by it.
     pub(crate) fn turn(&self, wave: &[f64; 3]) -> Option<(usize, [f64; 3])> {
         self.phase.map(|phase| (phase, [0.0, -wave[2], wave[1]]))
+    }
+
+    /// ω.
+    pub(crate) fn rate(&self) -> f64 {
+        self.own.rate
     }
 
     /// Whether there is a drive.
@@ -126,9 +142,10 @@ impl<const N: usize> LinearField<N> {
     /// The magnitude of the terms of f: what its rounding errors are measured against.
     pub(crate) fn terms(&self, (state, wave): &Point<N>) -> [f64; N] {
         crate::scalar::filled(|i| {
-            let own = self.own.matrix[i].iter().zip(state);
+            let own = self.own.matrix[i].iter().map(|(j, a)| a * state[j]);
             let forced = self.own.forcing[i].iter().zip(wave);
-            own.chain(forced).map(|(a, y)| (a * y).abs()).sum()
+            let terms = own.chain(forced.map(|(c, w)| c * w));
+            terms.map(f64::abs).sum()
         })
     }
 
@@ -159,37 +176,29 @@ impl<const N: usize> Parts<N> {
     /// From the values at the angles 0, π/2 and π of the phase.
     fn new(matrix: [[f64; N]; N], at: [[f64; N]; 3], phase: Option<usize>) -> Self {
         let waves = |i: usize| match phase {
-            Some(_) => {
-                let middle = 0.5 * (at[0][i] + at[2][i]);
-                [middle, 0.5 * (at[0][i] - at[2][i]), at[1][i] - middle]
-            }
+            Some(_) => wave([at[0][i], at[1][i], at[2][i]]),
             None => [at[0][i], 0.0, 0.0],
         };
         Self {
-            matrix,
+            matrix: matrix.map(Strip::of_matrix),
             forcing: crate::scalar::filled(waves),
             rate: phase.map_or(0.0, |phase| at[0][phase]),
         }
     }
 
     fn is_finite(&self) -> bool {
-        let numbers = self.matrix.iter().flatten();
+        let numbers = self.matrix.iter().flat_map(Strip::entries);
         let numbers = numbers.chain(self.forcing.iter().flatten());
         numbers.chain([&self.rate]).all(|number| number.is_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn along(&self, factor: f64, (state, wave): &Point<N>) -> Point<N> {
-        let rates = crate::scalar::filled(|i| {
-            let forcing = &self.forcing[i];
-            let mut sum = forcing[0] * wave[0] + forcing[1] * wave[1] + forcing[2] * wave[2];
-            for (a, y) in self.matrix[i].iter().zip(state) {
-                if N < SPARSE || *a != 0.0 {
-                    sum += a * y;
-                }
-            }
-            factor * sum
-        });
+        let mut rates = [0.0; N];
+        for ((rate, row), forcing) in rates.iter_mut().zip(&self.matrix).zip(&self.forcing) {
+            let forced = forcing[0] * wave[0] + forcing[1] * wave[1] + forcing[2] * wave[2];
+            *rate = factor * (forced + row.dot(state));
+        }
         let turn = factor * self.rate;
         (rates, [0.0, -turn * wave[2], turn * wave[1]])
     }

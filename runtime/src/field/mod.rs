@@ -3,6 +3,7 @@
 mod count;
 mod enclosed;
 pub mod exact;
+mod form;
 mod generic;
 mod linear;
 mod memory;
@@ -14,6 +15,8 @@ mod strip;
 pub use crate::linear::Linear;
 pub use count::Work;
 pub use enclosed::{Enclosed, EnclosedField, Unenclosed};
+pub(crate) use form::Form;
+pub(crate) use generic::{GENERIC, generic_state};
 pub(crate) use linear::{LinearField, Point};
 pub use smooth::{Design, SmoothField};
 pub(crate) use smoothing::Smoothed;

@@ -24,6 +24,18 @@ impl<const N: usize> Strip<N> {
         end: 0,
     };
 
+    /// A row or a column of a matrix: where states are few, it is not looked at which of them differ from zero.
+    pub(crate) fn of_matrix(entries: [f64; N]) -> Self {
+        if N > FEW {
+            return entries.into();
+        }
+        Self {
+            entries,
+            first: 0,
+            end: N,
+        }
+    }
+
     /// All entries.
     pub(crate) fn entries(&self) -> &[f64; N] {
         &self.entries
@@ -80,6 +92,20 @@ impl<const N: usize> Strip<N> {
         let terms = || self.iter().map(|(j, slope)| slope * state[j]);
         let rest = value - terms().sum::<f64>();
         terms().map(f64::abs).sum::<f64>() + rest.abs()
+    }
+
+    /// Adds a multiple of it to another one.
+    pub(crate) fn add_to_strip(&self, sum: &mut Self, times: f64) {
+        self.add_to(&mut sum.entries, times);
+        if self.first < self.end {
+            let empty = sum.first == sum.end;
+            sum.first = if empty {
+                self.first
+            } else {
+                sum.first.min(self.first)
+            };
+            sum.end = sum.end.max(self.end);
+        }
     }
 
     /// Adds a multiple of it to a vector of any scalar.

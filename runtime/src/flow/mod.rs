@@ -95,8 +95,10 @@ pub struct Place<const N: usize, Mode> {
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
-    /// Extrema of every state.
+    /// Extrema of every state, and each instant at which the phase of a drive begins anew.
     pub extrema: bool,
+    /// Such instants alone.
+    pub strobes: bool,
     /// Samples of the motion, dense enough to draw.
     pub path: bool,
     /// The factors of Φ, for multipliers that would underflow in their product.
@@ -112,6 +114,7 @@ impl Want {
     const END: Self = Self {
         derivatives: false,
         extrema: false,
+        strobes: false,
         path: false,
         factors: false,
         panel: 0.0,
@@ -127,11 +130,21 @@ impl Want {
         extrema: true,
         ..Self::END
     };
+    /// Where the phase of a drive begins anew.
+    pub const STROBES: Self = Self {
+        strobes: true,
+        ..Self::END
+    };
     /// What one Newton iteration of shooting asks for: both.
     pub const SHOT: Self = Self {
         extrema: true,
         ..Self::DERIVATIVES
     };
+
+    /// Whether it is noted where the phase of a drive begins anew.
+    pub(crate) fn notes_turns(&self) -> bool {
+        self.extrema || self.strobes
+    }
 
     /// Whether a passage with so many samples goes no further.
     pub(crate) fn suffices(&self, samples: usize) -> bool {

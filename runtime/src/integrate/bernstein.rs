@@ -181,6 +181,17 @@ impl Bernstein {
         raised
     }
 
+    /// The sum with another one of the same degree.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let pairs = self.coefficients.iter().zip(&other.coefficients);
+        let mut sum = *self;
+        for (c, (a, b)) in sum.coefficients.iter_mut().zip(pairs) {
+            *c = a + b;
+        }
+        sum
+    }
+
     /// The polynomial −p.
     #[must_use]
     pub fn negated(&self) -> Self {

@@ -46,11 +46,21 @@ impl<const N: usize> Dense<N> {
         }
     }
 
+    /// The state at the beginning.
+    pub(crate) fn start(&self) -> &[f64; N] {
+        &self.from
+    }
+
     /// The state at the end.
     pub(super) fn end(&self) -> [f64; N] {
         let mut end = self.from;
         end.add(1.0, &self.terms[0]);
         end
+    }
+
+    /// Its last term, what it has beyond a polynomial of degree 6.
+    pub(super) fn last(&self) -> &[f64; N] {
+        &self.terms[TERMS - 1]
     }
 
     /// Length of the step.

@@ -185,4 +185,22 @@ impl<const N: usize> Propagator<N> {
             trace: 0.0,
         }
     };
+
+    /// This step after an earlier one.
+    #[must_use]
+    pub(crate) fn after(&self, earlier: &Self) -> Self {
+        let motion = Motion {
+            state: [0.0; N],
+            tangent: earlier.state,
+            design: earlier.design,
+            trace: earlier.trace,
+        };
+        let motion = motion.through(self);
+        Self {
+            state: motion.tangent,
+            design: motion.design,
+            time: [0.0; N],
+            trace: motion.trace,
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! How large the states of a motion are: what errors, distances and steps are measured in.
 
+use super::Passage;
+
 /// An extent below this share of a state is rounding error.
 const RESTS: f64 = 1e-8;
 /// What is left of a state that rests at zero, as a share of what is usual for it: rounding.
@@ -25,6 +27,21 @@ pub fn half_extents(low: &[f64], high: &[f64], fallback: &[f64]) -> Vec<f64> {
         if moves { half } else { fallback[j] }
     };
     (0..low.len()).map(half).collect()
+}
+
+/// Smallest and largest values in a passage of this time, but for how far each state has run on in it.
+#[must_use]
+pub(crate) fn bounds(passage: &Passage, run: &[f64], time: f64) -> (Vec<f64>, Vec<f64>) {
+    let end = passage.end.state.iter().zip(run);
+    let mut low: Vec<f64> = end.map(|(y, run)| y - run).collect();
+    let mut high = low.clone();
+    for extremum in &passage.extrema {
+        let j = extremum.index;
+        let value = extremum.state[j] - run[j] * (extremum.time / time);
+        low[j] = low[j].min(value);
+        high[j] = high[j].max(value);
+    }
+    (low, high)
 }
 
 /// How far two states are apart: the largest of their differences in these units.

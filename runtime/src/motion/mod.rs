@@ -18,7 +18,7 @@ mod tape;
 pub use contacts::{Contact, Contacts, Row};
 pub use enclosure::{Enclosed, Enclosure};
 pub use extent::half_extents;
-pub(crate) use extent::{NOISE, STILL, apart, is_still};
+pub(crate) use extent::{NOISE, STILL, apart, bounds, is_still};
 pub use family::{Family, Flows};
 pub use modes::{Modes, spelt, sticking, word};
 pub use passage::{

@@ -1,27 +1,20 @@
 //! From a guess to a converged periodic orbit with an estimate of its error.
 
-use super::anchor::{anchored, once_around, problem};
+use super::anchor::{anchored, once_around};
 use super::error::OrbitError;
-use super::flat::{EXTENT, at_rest, is_flat};
 use super::guess::Guess;
 use super::least::{between, shorter};
 use super::neutral::{pins, suspect};
+use super::newton::{Converged, Effort, Found, LOOSEST, ROUGH, newton};
 use super::orbit::{Orbit, Solution};
 use super::pin::through;
-use super::problem::OrbitProblem;
 use super::search::Search;
 use super::shot::Shot;
-use crate::continuation::{Corrected, Failure, ZeroProblem, correct_at};
+use crate::continuation::ZeroProblem;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, NOISE};
 
-type Found = Corrected<Shot>;
-
-/// Accuracy of the first orbit that is found.
-pub(super) const ROUGH: f64 = 1e-7;
-/// Accuracy at which it can still be told how often a motion has gone around.
-const LOOSEST: f64 = 1e-6;
 /// Local error of a motion in closed form, in units of the last place: the rounding of its terms and of event times. As
 /// little as covers what interval arithmetic proves of a drill string next to its fold.
 const ROUNDING: f64 = 74.0;
@@ -34,8 +27,6 @@ pub(super) const TIGHTER: f64 = 0.1;
 /// How often the tolerance is tightened beyond that, and how far off the accuracy the estimate is to be for it.
 const TIGHTENINGS: usize = 3;
 const SLACK: f64 = 10.0;
-/// How far the motion of a pinned start may be from closing, over the accuracy.
-const UNCLOSED: f64 = 1e3;
 
 /// Newton from a guess: on the section if the guess lies there, then to the minimal period, then with
 /// a tighter tolerance, which gives the error estimate.
@@ -222,68 +213,8 @@ fn pinned(
     (!pinned.pins.is_empty()).then_some(pinned)
 }
 
-type Converged = (Found, OrbitProblem);
-
-/// What one Newton iteration is to reach, and to report.
-#[derive(Debug, Clone, Copy)]
-struct Effort {
-    accuracy: f64,
-    tolerance: Tolerance,
-    factors: bool,
-}
-
-/// Shooting with the flow at the tolerance for `effort.tolerance`; refuses an equilibrium.
-fn newton(
-    family: &Family,
-    r: f64,
-    guess: &Guess,
-    segments: usize,
-    effort: Effort,
-) -> Result<Converged, OrbitError> {
-    let family = family
-        .with_tolerance(effort.tolerance)
-        .with_magnitude(&guess.magnitude);
-    let flow = family.at(r)?;
-    if at_rest(flow.as_ref(), guess)? {
-        return Err(OrbitError::Equilibrium {
-            state: flow.values(&guess.place.state).within(guess.shares(EXTENT)),
-        });
-    }
-    let (mut problem, z) = problem(family, r, guess, segments)?;
-    problem.want.factors = effort.factors;
-    let found = correct_at(&mut problem, z.clone(), r, effort.accuracy);
-    let found = found.or_else(|failure| {
-        let shot = problem.evaluate(&z, r).map_err(Failure::Evaluation)?.extra;
-        let present = problem.division(&z, &shot);
-        let division = problem
-            .divided(&present, r, &shot, false)
-            .map_err(Failure::Evaluation)?;
-        let z = problem.divide(&division.ok_or(failure)?);
-        correct_at(&mut problem, z, r, effort.accuracy)
-    });
-    let found = found.map_err(OrbitError::Newton)?;
-    let shot = &found.linearisation.extra;
-    if !shot.pins.is_empty() && shot.closure > UNCLOSED * effort.accuracy {
-        let errors = guess.shares(effort.accuracy);
-        return Err(OrbitError::NotIsolated {
-            state: flow.values(&shot.start.state).within(errors),
-            period: shot.period,
-        });
-    }
-    if is_flat(shot, &guess.magnitude) {
-        let state = flow.values(&shot.start.state);
-        return Err(match shot.shift {
-            Some(_) => OrbitError::Steady { state },
-            None => OrbitError::Equilibrium {
-                state: state.within(guess.shares(EXTENT)),
-            },
-        });
-    }
-    Ok((found, problem))
-}
-
 /// Largest relative difference of period and extrema between two computations of one orbit; these are its usual sizes.
-fn difference(a: &Corrected<Shot>, b: &Corrected<Shot>, usual: &[f64]) -> f64 {
+fn difference(a: &Found, b: &Found, usual: &[f64]) -> f64 {
     let (first, second) = (&a.linearisation.extra, &b.linearisation.extra);
     let period = (a.z[a.z.len() - 1] / b.z[b.z.len() - 1] - 1.0).abs();
     let ((low_a, high_a), (low_b, high_b)) = (first.extent(), second.extent());

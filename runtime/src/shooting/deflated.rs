@@ -10,9 +10,10 @@
 use nalgebra::DVector;
 
 use super::anchor::problem;
-use super::converge::{ROUGH, converge};
+use super::converge::converge;
 use super::guess::Guess;
 use super::neutral::scaled;
+use super::newton::ROUGH;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::same::SAME_ORBIT;

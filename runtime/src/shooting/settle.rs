@@ -7,7 +7,7 @@ use super::quiet::Quiet;
 use super::shift::Shifts;
 use super::turning::{half, turning};
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, NOISE, Passage, Place, STILL, apart, is_still};
+use crate::motion::{Flow, Modes, NOISE, Passage, Place, STILL, apart, bounds, is_still};
 use crate::poincare::radian;
 
 /// Most minima of the first state that are awaited.
@@ -133,7 +133,10 @@ impl Watch {
 
     /// Follows one chunk; returns the number of minima in it.
     fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
-        let passage = flow.advance(&self.place, chunk, Want::EXTREMA);
+        // Of a driven motion that does not run on, the ends of steps tell enough of how far it swings.
+        let driven = flow.phase().is_some() && self.shifts.as_ref().is_some_and(Shifts::is_empty);
+        let want = if driven { Want::STROBES } else { Want::EXTREMA };
+        let passage = flow.advance(&self.place, chunk, want);
         let passage = passage.map_err(|error| error.later(self.time))?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
@@ -145,7 +148,10 @@ impl Watch {
             modes: passage.modes_within(one.time).cloned(),
         }));
         let run = self.run(&passage.end.state);
-        let (mut low, mut high) = bounds(&passage, &run, chunk);
+        let (mut low, mut high) = match driven {
+            true => (passage.calm.low.clone(), passage.calm.high.clone()),
+            false => bounds(&passage, &run, chunk),
+        };
         let crossings = self.minima.len() - before;
         self.quiet.take(&self.place.state, &low, &high);
         if self.minima.is_empty() && self.turned_away(flow, &passage, chunk) {
@@ -283,18 +289,4 @@ impl Watch {
     fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
         apart(a, b, &self.magnitude())
     }
-}
-
-/// Smallest and largest values of what does not run on in a chunk.
-fn bounds(passage: &Passage, run: &[f64], chunk: f64) -> (Vec<f64>, Vec<f64>) {
-    let end = passage.end.state.iter().zip(run);
-    let mut low: Vec<f64> = end.map(|(y, run)| y - run).collect();
-    let mut high = low.clone();
-    for extremum in &passage.extrema {
-        let j = extremum.index;
-        let value = extremum.state[j] - run[j] * (extremum.time / chunk);
-        low[j] = low[j].min(value);
-        high[j] = high[j].max(value);
-    }
-    (low, high)
 }

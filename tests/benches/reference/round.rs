@@ -29,14 +29,7 @@ pub(crate) struct ExactRound<M: Model<N>, const N: usize> {
     orbit: Orbit,
 }
 
-const DERIVATIVES: Want = Want {
-    derivatives: true,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
-    extrema: false,
-    path: false,
-};
+const DERIVATIVES: Want = Want::DERIVATIVES;
 
 /// An orbit as it is asked for: near a start, at a value of the design variable, perhaps followed from another.
 struct Asked<M, const N: usize> {

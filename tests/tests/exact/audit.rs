@@ -13,12 +13,8 @@ const TOLERANCE: Tolerance = Tolerance {
     absolute: 1e-8,
 };
 const PATH: Want = Want {
-    derivatives: false,
-    extrema: true,
     path: true,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
+    ..Want::EXTREMA
 };
 
 stickslip::model! {

@@ -13,12 +13,8 @@ const TIGHT: Tolerance = Tolerance {
     absolute: 1e-12,
 };
 const EXTREMA: Want = Want {
-    derivatives: false,
-    extrema: true,
     path: true,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
+    ..Want::EXTREMA
 };
 
 stickslip::model! {

@@ -19,14 +19,7 @@ const TIGHT: Tolerance = Tolerance {
     relative: 1e-13,
     absolute: 1e-13,
 };
-const DERIVATIVES: Want = Want {
-    derivatives: true,
-    extrema: false,
-    path: false,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
-};
+const DERIVATIVES: Want = Want::DERIVATIVES;
 
 stickslip::model! {
     /// A sledge on a belt that carries another, its mass growing with its place: G is full and not constant.

@@ -128,6 +128,62 @@ model! {
 }
 
 model! {
+    /// A mass under a harmonic force, which carries a light one on a stiff spring; both rub.
+    struct Stiff {
+        state x: m = 0.0;
+        state y: m = 0.0;
+        state u: m/s = 0.0;
+        state v: m/s = 0.0;
+        param heavy: kg = 1.0 where heavy > 0.0;
+        param light: kg = 1e-2 where light > 0.0;
+        param k: N/m = 1.0 where k >= 0.0;
+        param stiff: N/m = 1e4 where stiff >= 0.0;
+        param damping: N*s/m = 1.0 where damping >= 0.0;
+        param belt: m/s = 0.1;
+        param level: N = 0.3 where level >= 0.0;
+        param small: N = 0.1 where small >= 0.0;
+        param load: N = 1.0;
+        param omega: rad/s = 1.3 where omega > 0.0;
+        drive phi at omega;
+        friction F: N = Coulomb { level: level } opposing u;
+        friction G: N = Coulomb { level: small } opposing v - belt;
+        der(x) = u;
+        der(y) = v;
+        der(u) = (F - k * x - stiff * (x - y) - damping * (u - v) + load * cos(phi)) / heavy;
+        der(v) = (G - stiff * (y - x) - damping * (v - u)) / light;
+    }
+}
+
+model! {
+    /// A rod of masses under a harmonic force, of which two rub: many states and few contacts.
+    struct Rod {
+        state x[9]: m = 0.0;
+        state v[9]: m/s = 0.0;
+        param m: kg = 0.3 where m > 0.0;
+        param k: N/m = 40.0 where k >= 0.0;
+        param c: N*s/m = 0.3 where c >= 0.0;
+        param level: N = 0.3 where level >= 0.0;
+        param load: N = 1.0;
+        param omega: rad/s = 1.3 where omega > 0.0;
+        drive phi at omega;
+        friction F: N = Coulomb { level: level } opposing v[2];
+        friction G: N = CoulombStatic { static_level: 1.2 * level, kinetic_level: level } opposing v[6];
+        for i in 0..9 {
+            der(x[i]) = v[i];
+        }
+        der(v[0]) = (k * (x[1] - 2 * x[0]) + c * (v[1] - 2 * v[0])) / m;
+        der(v[1]) = (k * (x[2] + x[0] - 2 * x[1]) + c * (v[2] + v[0] - 2 * v[1])) / m;
+        der(v[2]) = (k * (x[3] + x[1] - 2 * x[2]) + c * (v[3] + v[1] - 2 * v[2]) + F) / m;
+        for i in 3..6 {
+            der(v[i]) = (k * (x[i + 1] + x[i - 1] - 2 * x[i]) + c * (v[i + 1] + v[i - 1] - 2 * v[i])) / m;
+        }
+        der(v[6]) = (k * (x[7] + x[5] - 2 * x[6]) + c * (v[7] + v[5] - 2 * v[6]) + G) / m;
+        der(v[7]) = (k * (x[8] + x[6] - 2 * x[7]) + c * (v[8] + v[6] - 2 * v[7])) / m;
+        der(v[8]) = (k * (x[7] - x[8]) + c * (v[7] - v[8]) + load * cos(phi)) / m;
+    }
+}
+
+model! {
     /// Not linear, each term for another reason.
     struct Bent {
         state x: m = 0.0;
@@ -224,6 +280,8 @@ fn what_is_linear_is_proven_from_the_declaration() {
         Two::INFO,
         Three::INFO,
         Bouncing::INFO,
+        Stiff::INFO,
+        Rod::INFO,
         DrillString::INFO,
     ] {
         assert!(linear.is_linear(), "{}", linear.name);
@@ -284,7 +342,7 @@ fn compare<M: Model<N>, const N: usize>(
         let told = format!("{model:?} by {design} from {state:?} for {span}");
         match both {
             [Ok(closed), Ok(integrated)] => {
-                events += same(&closed, &integrated, &told);
+                events += same(&state, &closed, &integrated, &told);
             }
             [Err(closed), Err(integrated)] => {
                 let kinds = [closed, integrated].map(|error| std::mem::discriminant(&error));
@@ -296,8 +354,9 @@ fn compare<M: Model<N>, const N: usize>(
     events
 }
 
-/// Holds both to the same events, ends and derivatives; how many events there were.
+/// Holds both motions from this start to the same events, ends and derivatives; how many events there were.
 fn same<Mode: Copy + PartialEq + std::fmt::Debug, const N: usize>(
+    start: &[f64; N],
     closed: &Passage<N, Mode>,
     integrated: &Passage<N, Mode>,
     told: &str,
@@ -322,7 +381,8 @@ fn same<Mode: Copy + PartialEq + std::fmt::Debug, const N: usize>(
     }
     for index in 0..N {
         for way in [1.0, -1.0] {
-            let [one, other] = [closed, integrated].map(|passage| farthest(passage, index, way));
+            let [one, other] =
+                [closed, integrated].map(|passage| farthest(start, passage, index, way));
             assert!(
                 near(one, other, 1e-7 * (1.0 + one.abs())),
                 "{one} {other}: {told}"
@@ -346,13 +406,19 @@ fn same<Mode: Copy + PartialEq + std::fmt::Debug, const N: usize>(
 }
 
 /// The largest value of a state, or the smallest with its sign turned.
-fn farthest<Mode, const N: usize>(passage: &Passage<N, Mode>, index: usize, way: f64) -> f64 {
+fn farthest<Mode, const N: usize>(
+    start: &[f64; N],
+    passage: &Passage<N, Mode>,
+    index: usize,
+    way: f64,
+) -> f64 {
     let extrema = passage
         .extrema
         .iter()
         .filter(|extremum| extremum.index == index);
     let extrema = extrema.map(|extremum| way * extremum.state[index]);
-    extrema.fold(way * passage.end.state[index], f64::max)
+    let ends = f64::max(way * start[index], way * passage.end.state[index]);
+    extrema.fold(ends, f64::max)
 }
 
 /// Undamped, critically damped and strongly damped, and without a spring: equal eigenvalues and zeros.
@@ -456,6 +522,42 @@ fn a_press_and_a_contact_under_it() {
         belt: random.real(0.5),
         load: random.real(1.5),
         omega: random.between(0.5, 2.0),
+    });
+    assert!(events > 300, "{events}");
+}
+
+/// Steps are doubled once the light mass has come to what the spring makes of it.
+#[test]
+fn what_is_fast_dies_away() {
+    let mut random = Random::new(16);
+    let events = compare(&mut random, 100, |random| {
+        let (light, stiff) = (random.positive(1e-2, 1e-1), random.positive(1e2, 1e4));
+        Stiff {
+            heavy: 1.0,
+            light,
+            k: random.positive(0.2, 5.0),
+            stiff,
+            damping: random.between(0.02, 3.0) * (light * stiff).sqrt(),
+            belt: random.real(0.3),
+            level: random.between(0.1, 0.6),
+            small: random.between(0.01, 0.2),
+            load: random.real(1.5),
+            omega: random.between(0.3, 3.0),
+        }
+    });
+    assert!(events > 300, "{events}");
+}
+
+#[test]
+fn many_states_and_two_contacts() {
+    let mut random = Random::new(17);
+    let events = compare(&mut random, 60, |random| Rod {
+        m: random.positive(0.1, 1.0),
+        k: random.positive(10.0, 200.0),
+        c: random.between(0.05, 2.0),
+        level: random.between(0.05, 0.6),
+        load: random.real(2.0),
+        omega: random.between(0.3, 3.0),
     });
     assert!(events > 300, "{events}");
 }

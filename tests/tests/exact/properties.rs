@@ -10,12 +10,9 @@ const TIGHT: Tolerance = Tolerance {
     absolute: 1e-12,
 };
 const ALL: Want = Want {
-    derivatives: true,
-    extrema: true,
     path: true,
     factors: true,
-    panel: 0.0,
-    samples: 0,
+    ..Want::SHOT
 };
 
 #[test]

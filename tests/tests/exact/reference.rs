@@ -11,14 +11,7 @@ const TIGHT: Tolerance = Tolerance {
     relative: 1e-12,
     absolute: 1e-12,
 };
-const EXTREMA: Want = Want {
-    derivatives: false,
-    extrema: true,
-    path: false,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
-};
+const EXTREMA: Want = Want::EXTREMA;
 
 const DERIVATIVES: Want = Want {
     derivatives: true,

@@ -13,14 +13,7 @@ on_every_reference_system! {
     extrema_are_never_passed,
 }
 
-const DERIVATIVES: Want = Want {
-    derivatives: true,
-    extrema: false,
-    path: false,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
-};
+const DERIVATIVES: Want = Want::DERIVATIVES;
 
 /// A time in which every subject slides, and those with friction stick and slide again.
 const TIME: f64 = 9.7;

@@ -16,14 +16,7 @@ const SIGNS: [Kernel; 5] = [
 ];
 const TOLERANCES: [f64; 7] = [1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
-const EXTREMA: Want = Want {
-    derivatives: false,
-    extrema: true,
-    path: false,
-    factors: false,
-    panel: 0.0,
-    samples: 0,
-};
+const EXTREMA: Want = Want::EXTREMA;
 
 /// Largest |first state| once the motion from `start` has gone on for `before`, during the time `during`.
 fn amplitude<F: Flow<N>, const N: usize>(

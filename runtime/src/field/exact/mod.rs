@@ -100,6 +100,11 @@ impl<'s, M: Model<N>, const N: usize> ExactField<'s, M, N> {
         LinearField::of(self, M::INFO.drive, &self.system.magnitude, design)
     }
 
+    /// The equations.
+    pub(crate) fn system(&self) -> &'s ExactSystem<M, N> {
+        self.system
+    }
+
     /// The modes.
     #[must_use]
     pub fn modes(&self) -> &Modes<M, N> {

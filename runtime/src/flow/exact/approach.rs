@@ -61,7 +61,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             if self.modes.as_slice()[press] != Mode::Closed || !system.is_rough(press) {
                 continue;
             }
-            let at = stepper.from().state();
+            let at = stepper.from();
             if let Ok(moving) = system.moving(at, &self.modes) {
                 let gap = moving.speed.as_ref()[press];
                 let time = (gap.re / gap.eps).abs();

@@ -38,7 +38,7 @@ impl<const N: usize> Extrema<N> {
         for index in 0..N {
             let path = dense.component(index);
             let slope = path.derivative().without_noise(FLAT * path.magnitude());
-            let start = (stepper.time(), *stepper.from().state());
+            let start = (stepper.time(), *stepper.from());
             let Some((first, last)) = slope.end_signs() else {
                 self.plateau[index].get_or_insert(start);
                 continue;
@@ -69,7 +69,7 @@ impl<const N: usize> Extrema<N> {
         phase: Option<usize>,
         stepper: &mut Steps<'_, '_, M, V, N>,
     ) {
-        let ends = (*stepper.from().state(), *stepper.end());
+        let ends = (*stepper.from(), *stepper.end());
         let (time, length) = (stepper.time(), stepper.length());
         strobes(
             phase,

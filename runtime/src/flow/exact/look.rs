@@ -1,8 +1,10 @@
 //! A step, and what the guards do along it.
 
-use super::guard::{Sighting, Watch};
+use super::forms::Linear;
+use super::guard::Sighting;
 use super::run::Run;
 use super::steps::Steps;
+use super::watch::Watch;
 use crate::flow::FlowError;
 use crate::flow::saltation::Tracked;
 use crate::integrate::event::polish;
@@ -40,11 +42,18 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         nearest.clear();
         let system = &self.flow.system;
         let scales = stepper.terms_of_speeds(system, speeds);
+        let linear = stepper.linear().map(|(stepper, forms)| Linear {
+            forms,
+            errors: stepper.errors(),
+            wave: stepper.wave(),
+        });
         let mut watch = Watch {
             system,
             modes: &self.modes,
             dense,
-            blur: stepper.blur(),
+            // Of a motion in closed form it is an approximation of its own, that of DOP853 errs as the step does.
+            blur: stepper.linear().map_or(0.0, |(stepper, _)| stepper.error()),
+            linear: linear.as_ref(),
             scales: scales.as_ref().unwrap_or(&self.scales),
             speeds,
             departure: &self.departure,

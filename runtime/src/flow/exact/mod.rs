@@ -10,6 +10,7 @@ mod collide;
 mod depart;
 mod departure;
 mod extrema;
+mod forms;
 mod glide;
 mod guard;
 mod idle;
@@ -25,6 +26,7 @@ mod settle;
 mod steps;
 mod stretch;
 mod switch;
+mod watch;
 
 use crate::field::Strip;
 use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
@@ -218,7 +220,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
             return Err(FlowError::BadTime { time });
         }
         self.within_laws(from.state)?;
-        if let (Some(phase), true) = (M::INFO.drive, want.extrema) {
+        if let (Some(phase), true) = (M::INFO.drive, want.notes_turns()) {
             let rates = self.system.snapshot(&from.state, &from.mode)?.field;
             countable(rates[phase], time)?;
         }

@@ -79,6 +79,8 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     pub(super) fn observe(&mut self, stepper: &mut Steps<'_, 'f, M, V, N>, dense: &Dense<N>) {
         if self.want.extrema {
             self.extrema.look(stepper, dense);
+        }
+        if self.want.notes_turns() {
             self.extrema.strobe(M::INFO.drive, stepper);
         }
         let (from, length) = (self.time, stepper.length());

@@ -20,7 +20,7 @@ use crate::scalar::Inline;
 
 /// Part of a passage that is no time: of one a million million times as long as a turn, a small part of that still.
 pub(super) const NO_TIME: f64 = 1e-13;
-/// Trial steps through which derivatives are worth carrying.
+/// Trial steps of the integrator through which derivatives are worth carrying.
 const DIFFERENTIATED: u64 = 50_000;
 /// Part of the passage that its first step may be.
 const FIRST: f64 = 1e-3;
@@ -152,22 +152,21 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let field = ExactField::new(&flow.system, self.modes, self.carried.state())?;
         self.scales = flow.speed_scales(self.carried.state());
         let mut settings = flow.settings;
-        if self.carried.motion().is_some() {
-            settings.steps = settings.steps.min(DIFFERENTIATED);
-        }
-        let spent = self.work.steps + self.work.rejected;
-        settings.steps = settings.steps.saturating_sub(spent);
-        let span = self.span - self.time;
-        let known = flow.stretches.as_ref();
-        let enough = (span, settings.steps);
         let blur = match self.want.extrema || M::INFO.moving {
             true => Blur::Fine,
             false => Blur::Coarse,
         };
         let sharp = (settings.tolerance, blur);
-        let linear = known.and_then(|known| known.along(&field, sharp, enough));
-        let rest = (self.time, span);
-        let mut stepper = Steps::begin(&field, linear.as_deref(), settings, self.carried, rest);
+        let linear = flow.stretches.as_ref();
+        let linear = linear.and_then(|stretches| stretches.along(&field, sharp));
+        let known = linear.as_deref();
+        if known.is_none() && self.carried.motion().is_some() {
+            settings.steps = settings.steps.min(DIFFERENTIATED);
+        }
+        let spent = self.work.steps + self.work.rejected;
+        settings.steps = settings.steps.saturating_sub(spent);
+        let rest = (self.time, self.span - self.time);
+        let mut stepper = Steps::begin(&field, known, settings, self.carried, rest);
         stepper.check_start()?;
         let mut strike = None;
         let mut since = (0_u64, self.time);
@@ -185,6 +184,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             }
         }
         self.work += stepper.work();
+        self.carried = stepper.arrived()?;
         match strike {
             Some(strike) => self.switch(&strike),
             None => Ok(()),
@@ -197,7 +197,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         stepper: &mut Steps<'_, 'f, M, V, N>,
         field: &ExactField<'f, M, N>,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
-        let speeds = self.flow.system.speeds(stepper.from().state());
+        let speeds = self.flow.system.speeds(stepper.from());
         let rest = self.span - self.time;
         let mut limit = self.approach(stepper, &speeds).min(rest);
         let mut nearest = Vec::new();
@@ -229,10 +229,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         }
         self.note_nearest(stepper, whole, &nearest)?;
         self.observe(stepper, &dense);
-        if stepper.is_linear() {
+        if stepper.linear().is_some() {
             self.offer_middle(stepper.length(), &dense);
         }
-        self.arrive(stepper, field, strike.is_some())?;
+        self.arrive(stepper, field, strike.is_some());
         Ok(strike)
     }
 
@@ -250,7 +250,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         stepper: &mut Steps<'_, 'f, M, V, N>,
         field: &ExactField<'f, M, N>,
         struck: bool,
-    ) -> Result<(), FlowError> {
+    ) {
         let length = stepper.length();
         let time = self.time + length;
         // A rest that the time cannot resolve is none, and an event just before it is at the end.
@@ -259,15 +259,14 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         self.departure = Inline::from_fn(|_| Departure::default());
         self.rates.1 = if struck { f64::NAN } else { length };
         self.longest = self.longest.max(length);
-        stepper.commit_without(&field.drift(stepper.end()))?;
-        self.carried = *stepper.from();
+        stepper.commit_without(&field.drift(stepper.end()));
+        *self.carried.state_mut() = *stepper.from();
         if !struck {
             let place = Place {
-                state: *stepper.from().state(),
+                state: *stepper.from(),
                 mode: self.modes,
             };
             self.calm.offer(self.time, length, place);
         }
-        Ok(())
     }
 }

@@ -1,23 +1,25 @@
 //! Steps along a smooth stretch: in closed form where the field is linear, by DOP853 elsewhere.
 
+use super::forms::Forms;
+use super::stretch::Known;
 use crate::field::Work;
 use crate::field::exact::{ExactField, ExactSystem};
 use crate::integrate::explicit::{Settings, Stepper};
-use crate::integrate::linear::{LinearFlow, LinearStepper};
+use crate::integrate::linear::LinearStepper;
 use crate::integrate::{Carried, Dense, IntegrationError};
 use crate::model::Model;
 use crate::scalar::Inline;
 
 /// Makes steps, one at a time.
 pub(super) enum Steps<'s, 'f, M: Model<N>, V, const N: usize> {
-    Linear(LinearStepper<'s, V, N>),
+    Linear(LinearStepper<'s, V, N>, &'s Forms<M, N>),
     Explicit(Stepper<'s, ExactField<'f, M, N>, V, N>),
 }
 
 macro_rules! either {
     ($steps:ident, $stepper:ident => $call:expr) => {
         match $steps {
-            Self::Linear($stepper) => $call,
+            Self::Linear($stepper, _) => $call,
             Self::Explicit($stepper) => $call,
         }
     };
@@ -27,20 +29,26 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     /// Begins at `from` at this time, for the rest of a span: along `linear`, if the field is known as such.
     pub(super) fn begin(
         field: &'s ExactField<'f, M, N>,
-        linear: Option<&'s LinearFlow<N>>,
+        linear: Option<&'s Known<M, N>>,
         settings: Settings,
         from: V,
         (time, span): (f64, f64),
     ) -> Self {
         match linear {
-            Some(flow) => Self::Linear(LinearStepper::new(flow, settings.steps, from, time)),
+            Some(known) => {
+                let stepper = LinearStepper::new(&known.flow, settings.steps, from, time);
+                Self::Linear(stepper, &known.guards)
+            }
             None => Self::Explicit(Stepper::new(field, settings, from, time, span)),
         }
     }
 
-    /// Whether they are made in closed form.
-    pub(super) fn is_linear(&self) -> bool {
-        matches!(self, Self::Linear(_))
+    /// The motion in closed form and the guards along it, if it is.
+    pub(super) fn linear(&self) -> Option<(&LinearStepper<'s, V, N>, &'s Forms<M, N>)> {
+        match self {
+            Self::Linear(stepper, guards) => Some((stepper, guards)),
+            Self::Explicit(_) => None,
+        }
     }
 
     /// Whether a motion can begin where they do.
@@ -48,14 +56,26 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         either!(self, stepper => stepper.check_start())
     }
 
-    pub(super) fn from(&self) -> &V {
-        either!(self, stepper => stepper.from())
+    /// The state where the step begins.
+    pub(super) fn from(&self) -> &[f64; N] {
+        match self {
+            Self::Linear(stepper, _) => stepper.from(),
+            Self::Explicit(stepper) => stepper.from().state(),
+        }
+    }
+
+    /// Where they have come to, with the derivatives.
+    pub(super) fn arrived(&self) -> Result<V, IntegrationError> {
+        match self {
+            Self::Linear(stepper, _) => stepper.arrived(),
+            Self::Explicit(stepper) => Ok(*stepper.from()),
+        }
     }
 
     /// The state at the end of the step.
     pub(super) fn end(&self) -> &[f64; N] {
         match self {
-            Self::Linear(stepper) => stepper.end(),
+            Self::Linear(stepper, _) => stepper.end(),
             Self::Explicit(stepper) => stepper.end().state(),
         }
     }
@@ -75,7 +95,7 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     /// The length that the next attempt will try, and the slope where it begins, if errors decide the length.
     pub(super) fn proposal(&self) -> Option<(f64, &[f64; N])> {
         match self {
-            Self::Linear(_) => None,
+            Self::Linear(..) => None,
             Self::Explicit(stepper) => {
                 let slope = stepper.from_slope().state();
                 stepper.proposal().map(|length| (length, slope))
@@ -91,7 +111,7 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     /// Ends the step on the first corner of the field inside it; a linear field has none.
     pub(super) fn stop_at_corner(&mut self) -> Result<(), IntegrationError> {
         match self {
-            Self::Linear(_) => Ok(()),
+            Self::Linear(..) => Ok(()),
             Self::Explicit(stepper) => stepper.stop_at_corner(),
         }
     }
@@ -106,19 +126,10 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         either!(self, stepper => stepper.step_map(length))
     }
 
-    /// How far the dense output of the last attempt is known to be off, relative to the magnitude of the motion: of a motion
-    /// in closed form it is an approximation of its own, that of DOP853 errs as the step does.
-    pub(super) fn blur(&self) -> f64 {
-        match self {
-            Self::Linear(stepper) => stepper.error(),
-            Self::Explicit(_) => 0.0,
-        }
-    }
-
     /// The state inside the step, as true as its end.
     pub(super) fn between(&mut self, theta: f64, dense: &Dense<N>) -> [f64; N] {
         match self {
-            Self::Linear(stepper) => stepper.step_map(theta * stepper.length()),
+            Self::Linear(stepper, _) => stepper.step_map(theta * stepper.length()),
             Self::Explicit(_) => dense.state(theta),
         }
     }
@@ -140,9 +151,7 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         system: &ExactSystem<M, N>,
         speeds: &M::PerContact<f64>,
     ) -> Option<M::PerContact<f64>> {
-        let Self::Linear(stepper) = self else {
-            return None;
-        };
+        let (stepper, _) = self.linear()?;
         let (terms, gradients) = (stepper.terms(), system.gradients()?);
         Some(Inline::from_fn(|i| {
             let made = gradients[i]
@@ -153,13 +162,7 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     }
 
     /// Takes the end of the step without `drift`, a rounding error of it, as the beginning of the next.
-    pub(super) fn commit_without(&mut self, drift: &[f64; N]) -> Result<(), IntegrationError> {
-        match self {
-            Self::Linear(stepper) => stepper.commit_without(drift),
-            Self::Explicit(stepper) => {
-                stepper.commit_without(drift);
-                Ok(())
-            }
-        }
+    pub(super) fn commit_without(&mut self, drift: &[f64; N]) {
+        either!(self, stepper => stepper.commit_without(drift));
     }
 }

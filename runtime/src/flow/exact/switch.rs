@@ -40,9 +40,9 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let system = &self.flow.system;
         let at = system.moving(state, &self.modes)?;
         let scales = self.flow.speed_scales(state);
-        let began = system.speeds(stepper.from().state());
+        let began = system.speeds(stepper.from());
         // Where no state can be told from where the step began, a guard is as near to zero as it comes.
-        let resolved = state != stepper.from().state();
+        let resolved = state != stepper.from();
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
         let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
         let mut grazes = false;

@@ -9,12 +9,9 @@ const TIGHT: Tolerance = Tolerance {
     absolute: 1e-11,
 };
 const ALL: Want = Want {
-    derivatives: true,
-    extrema: true,
     path: true,
     factors: true,
-    panel: 0.0,
-    samples: 0,
+    ..Want::SHOT
 };
 
 fn flow<M: Model<N>, const N: usize>(model: &M) -> ExactFlow<M, N> {

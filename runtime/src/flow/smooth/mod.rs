@@ -251,7 +251,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for SmoothFlow<M, N> {
         }
         check_stops(&self.field)?;
         self.within_laws(from.state)?;
-        if let (Some(phase), true) = (M::INFO.drive, want.extrema) {
+        if let (Some(phase), true) = (M::INFO.drive, want.notes_turns()) {
             countable(self.field.f(&from.state)[phase], time)?;
         }
         let mut record = Record::new(from.state, want, M::INFO.drive);

@@ -73,11 +73,11 @@ impl<const N: usize> Record<N> {
         nodes(self.want, (time, length), &mut self.nodes, |theta| {
             step.step_map(theta * length)
         });
-        if !(self.want.extrema || self.want.path) {
+        if !(self.want.notes_turns() || self.want.path) {
             return;
         }
         let dense = step.dense();
-        if self.want.extrema {
+        if self.want.notes_turns() {
             let looks = mapped(&[0.0, 0.25, 0.5, 0.75, 1.0], |theta| Look {
                 theta,
                 linear: field.linearise(&dense.state(theta)),
@@ -90,7 +90,9 @@ impl<const N: usize> Record<N> {
                 dense,
                 time,
             };
-            self.extrema.step(&mut looks.into_iter(), &mut inside);
+            if self.want.extrema {
+                self.extrema.step(&mut looks.into_iter(), &mut inside);
+            }
             self.extrema
                 .strobes(self.phase, (&ends.0, &ends.1), &mut inside);
         }
@@ -118,10 +120,12 @@ impl<const N: usize> Record<N> {
             }
         }
         let (time, length) = (offset + step.time, step.step);
-        if self.want.extrema {
+        if self.want.notes_turns() {
             let mut looks = radau.looks(step);
             let mut inside = Implicit::new(radau, step, time);
-            self.extrema.step(&mut looks, &mut inside);
+            if self.want.extrema {
+                self.extrema.step(&mut looks, &mut inside);
+            }
             self.extrema
                 .strobes(self.phase, (&step.start, &step.end), &mut inside);
         }

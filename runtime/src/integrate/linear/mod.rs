@@ -1,15 +1,24 @@
 //! Motions of linear fields in closed form: exp(A t) by its Taylor series, with no error but rounding.
 //!
 //! A series needs no eigenvectors, so that equal and vanishing eigenvalues are nothing special to it. A step over which it
-//! is short is made by maps that are computed once for each field; what is left of one, up to an event, by a series.
+//! is short is made by maps that are computed once for each field; what is left of one, up to an event, by a series. Where
+//! fast motions have died away, steps are longer, along maps that are doubled as often as need be.
 
+mod bridge;
 mod jump;
+mod leap;
+mod past;
+mod piece;
 mod series;
 mod stepper;
 
+use std::iter::repeat_n;
+use std::sync::OnceLock;
+
 use super::Tolerance;
-use crate::field::LinearField;
+use crate::field::{LinearField, Point};
 use jump::Jump;
+use leap::Leap;
 use series::degree;
 pub(crate) use stepper::LinearStepper;
 
@@ -38,8 +47,16 @@ impl Blur {
     }
 }
 
+/// Maps of doubled lengths, from that of a quarter of a step on.
+const LEAPS: usize = 44;
+/// Number of the map of one step among them.
+const ONE: usize = 2;
+
+/// Steps up to which, and states up to which, a map is doubled later than it is made so many times.
+const FEW: usize = 8;
+
 /// The flow of a linear field.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct LinearFlow<const N: usize> {
     field: LinearField<N>,
     /// The longest step: so long that the dense output is within the tolerance.
@@ -50,6 +67,8 @@ pub(crate) struct LinearFlow<const N: usize> {
     degree: usize,
     /// The step of this length, where there is one.
     whole: Option<Box<Jump<N>>>,
+    /// What motions of a quarter of it, half of it, all of it, two of it and so on do, as they are needed.
+    leaps: Box<[OnceLock<Box<Leap<N>>>; LEAPS]>,
 }
 
 impl<const N: usize> LinearFlow<N> {
@@ -73,6 +92,7 @@ impl<const N: usize> LinearFlow<N> {
             error,
             degree,
             whole,
+            leaps: Box::new([const { OnceLock::new() }; LEAPS]),
         })
     }
 
@@ -82,13 +102,46 @@ impl<const N: usize> LinearFlow<N> {
         whole.filter(|jump| jump.length() == length)
     }
 
+    /// A point, by its state.
+    fn at(&self, state: [f64; N]) -> Point<N> {
+        (state, self.field.wave(&state))
+    }
+
+    /// The map of this number.
+    fn leap(&self, number: usize) -> &Leap<N> {
+        self.leaps[number].get_or_init(|| {
+            let quarter = || Leap::by_series(&self.field, 0.25 * self.longest, self.degree);
+            let jump = self.whole.as_deref().filter(|_| number == ONE);
+            Box::new(match (jump, number) {
+                (Some(jump), _) => jump.leap(self.field.is_designed()),
+                (None, 0) => quarter(),
+                (None, _) => self.leap(number - 1).doubled(&self.field),
+            })
+        })
+    }
+
+    /// How often a step may be doubled and be no longer than this.
+    fn doublings(&self, limit: f64) -> usize {
+        let within = |doublings: &usize| self.longest * (*doublings as f64).exp2() <= limit;
+        let most = if self.whole.is_some() { LEAPS - ONE } else { 1 };
+        (1..most).take_while(within).last().unwrap_or(0)
+    }
+
+    /// Numbers of the maps that make so many steps on end: of few steps and states none is doubled.
+    fn numbers(steps: u64) -> impl Iterator<Item = usize> {
+        let alone = if N <= FEW && steps <= FEW as u64 {
+            steps
+        } else {
+            0
+        };
+        let (doubled, top) = (steps - alone, LEAPS - 1);
+        let largest = repeat_n(top, (doubled >> (top - ONE)) as usize);
+        let numbers = (ONE..top).filter(move |number| doubled >> (number - ONE) & 1 == 1);
+        repeat_n(ONE, alone as usize).chain(numbers).chain(largest)
+    }
+
     /// How far the dense output of a step of this length is off, relative to the magnitude of the motion.
     fn error(&self, length: f64) -> f64 {
         self.error * (length / self.longest).powi(8)
-    }
-
-    /// The longest step.
-    pub(crate) fn longest(&self) -> f64 {
-        self.longest
     }
 }

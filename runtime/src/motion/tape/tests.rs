@@ -4,12 +4,9 @@ use crate::flow::ExactFamily;
 use crate::model::Model;
 
 const ALL: Want = Want {
-    derivatives: true,
-    extrema: true,
     path: true,
     factors: true,
-    panel: 0.0,
-    samples: 0,
+    ..Want::SHOT
 };
 
 fn family() -> Family {

@@ -1,0 +1,71 @@
+//! How a stretch depends on where it began: asked for once, at its end, and not at each of its steps.
+
+use super::LinearFlow;
+use super::leap::once;
+use crate::integrate::{Carried, Propagator};
+
+/// Where a stretch began, with its derivatives, and how far it has come from there.
+#[derive(Debug, Clone)]
+pub(super) struct Past<V> {
+    origin: V,
+    /// So many steps of full length, and the rest.
+    steps: u64,
+    rest: f64,
+}
+
+impl<V> Past<V> {
+    pub(super) fn new(origin: V) -> Self {
+        Self {
+            origin,
+            steps: 0,
+            rest: 0.0,
+        }
+    }
+
+    pub(super) fn origin(&self) -> &V {
+        &self.origin
+    }
+
+    /// A step more: of this length, or of full length and doubled so often.
+    pub(super) fn add(&mut self, length: f64, doublings: Option<usize>) {
+        match doublings {
+            Some(doublings) => self.steps += 1 << doublings,
+            None => self.rest += length,
+        }
+    }
+
+    /// What has come to this state.
+    pub(super) fn arrived<const N: usize>(&self, flow: &LinearFlow<N>, state: [f64; N]) -> V
+    where
+        V: Carried<N>,
+    {
+        self.origin.led_to(state, || self.propagator(flow))
+    }
+
+    fn propagator<const N: usize>(&self, flow: &LinearFlow<N>) -> Propagator<N>
+    where
+        V: Carried<N>,
+    {
+        let mut point = flow.at(*self.origin.state());
+        let mut total = None;
+        let mut pass = |step: Propagator<N>| {
+            total = Some(match &total {
+                Some(before) => step.after(before),
+                None => step,
+            });
+        };
+        let (mut steps, mut rest) = (self.steps, self.rest);
+        while rest >= flow.longest {
+            (steps, rest) = (steps + 1, rest - flow.longest);
+        }
+        for number in LinearFlow::<N>::numbers(steps) {
+            let leap = flow.leap(number);
+            pass(leap.propagator(&flow.field, &point));
+            point = flow.at(leap.end(&point));
+        }
+        if rest > 0.0 {
+            pass(once(&flow.field, &point, rest, flow.degree));
+        }
+        total.unwrap_or(Propagator::IDENTITY)
+    }
+}

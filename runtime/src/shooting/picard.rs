@@ -1,0 +1,31 @@
+//! Steps of Newton's method with turns of the motion between them.
+
+use super::anchor::anchored;
+use super::converge::from;
+use super::guess::Guess;
+use super::newton::one_step;
+use super::orbit::Orbit;
+use super::search::Search;
+use crate::flow::Want;
+use crate::motion::Family;
+
+/// Steps, each with a turn after it.
+const STEPS: usize = 4;
+
+/// The orbit that is found from a guess by Newton's method where a turn after each step brings back what decays within it;
+/// `None` where that leads to none.
+///
+/// A long step changes when contacts switch, and with that what fast motions are like at its end, which no derivative tells:
+/// the residual rises in them, and a turn on they have died away.
+pub(super) fn eased(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
+    let mut guess = guess.clone();
+    for _ in 0..STEPS {
+        let moved = one_step(family, r, &guess, search)?;
+        let flow = family.at(r).ok()?;
+        let turn = flow.advance(&moved.place, moved.period, Want::default());
+        let mut place = turn.ok()?.end;
+        place.state = flow.wrapped(place.state);
+        guess = Guess { place, ..moved };
+    }
+    from(family, r, &guess, search, anchored).ok()
+}
