@@ -47,6 +47,7 @@ mod symmetry;
 mod turning;
 mod vertical;
 mod watched;
+mod wavelength;
 
 pub use anchor::anchored;
 pub(crate) use anchor::problem;

@@ -1,7 +1,8 @@
 //! Shifts of states that change nothing: an angle that has turned, a carriage that has moved on.
 //!
 //! Where no rate depends on where the states are along a direction, a motion that has moved on along it is as good as one
-//! that has come back, and so is one in which an angle has turned once. Orbits are sought modulo such shifts. A wall is not
+//! that has come back, and so is one in which an angle has turned once, or a tip has passed an atom. Orbits are sought modulo
+//! such shifts. A wall is not
 //! felt before it is hit, nor what a constant force opposes: gaps and relative speeds must not depend on it either.
 
 use std::f64::consts::TAU;
@@ -9,6 +10,7 @@ use std::f64::consts::TAU;
 use nalgebra::DMatrix;
 
 use super::echelon::{Echelon, Free};
+use super::wavelength::wavelengths;
 use crate::linear::svd;
 use crate::math::Spread;
 use crate::motion::{Flow, apart};
@@ -36,7 +38,7 @@ const SHARES: [f64; 2] = [1.0, 0.618_034];
 pub(crate) struct Shifts {
     /// Directions of any shift.
     directions: Vec<Free>,
-    /// States that are angles, each with the least part of a turn that changes nothing.
+    /// States along which all repeats, each with the least part of a turn, or the least length, that changes nothing.
     angles: Vec<(usize, f64)>,
     phase: Option<usize>,
 }
@@ -54,8 +56,11 @@ impl Shifts {
         };
         let angle = |j: usize| {
             let moves = directions.iter().any(|(_, d)| d[j] != 0.0);
-            if phase == Some(j) || moves || !turns(j, 1) {
+            if phase == Some(j) || moves {
                 return None;
+            }
+            if !turns(j, 1) {
+                return length(flow, j, usual).map(|length| (j, length));
             }
             let parts = (1..=PARTS).rev().find(|parts| turns(j, *parts))?;
             Some((j, TAU / f64::from(parts)))
@@ -119,6 +124,17 @@ impl Shifts {
         let closes = apart(&gain, &shift, units) <= closeness;
         (closes && apart(&shift, &nothing, units) > closeness).then_some(shift)
     }
+}
+
+/// The least length along a state after which all repeats.
+fn length(flow: &dyn Flow, state: usize, usual: &[f64]) -> Option<f64> {
+    let repeats = |length: &f64| {
+        let mut shift = vec![0.0; usual.len()];
+        shift[state] = *length;
+        changes_nothing(flow, &shift, usual)
+    };
+    let known = |place: &Vec<f64>| wavelengths(flow, place, state, usual[state]).find(repeats);
+    spread(usual).take(KNOWN).find_map(|place| known(&place))
 }
 
 fn gain(from: &[f64], to: &[f64]) -> Vec<f64> {
@@ -200,9 +216,11 @@ pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
 /// Whether rates, gaps and relative speeds are the same everywhere after this shift, as far as states of `usual` sizes tell.
 pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     let mut shares = shift.iter().zip(usual).map(|(d, size)| d.abs() / size);
-    if !shares.any(|share| share > SMALL) {
-        return false;
-    }
+    shares.any(|share| share > SMALL) && keeps_rates(flow, shift, usual)
+}
+
+/// The same of a shift of any size.
+pub(super) fn keeps_rates(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     let rates = |state: &[f64]| {
         let place = flow.place(state).ok()?;
         Some((flow.velocity(&place).ok()?.f, place.modes))
