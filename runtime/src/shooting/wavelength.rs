@@ -1,4 +1,4 @@
-//! Lengths after which rates repeat along a state: the atoms under a tip, the sleepers under a wheel, a winding in metres.
+//! Lengths after which rates repeat along a course: the atoms under a tip, the sleepers under a wheel, the turn of a shaft.
 //!
 //! Of a wave only its slope is known at first: how far its rates swing over how steep they are is a share of its length. In
 //! steps of a share of that, the least distance is looked for at which all rates are what they were, and sharpened by Newton's
@@ -11,34 +11,33 @@ use crate::motion::Flow;
 /// Places at which it is seen how far rates swing, within so many usual sizes.
 const PLACES: usize = 16;
 const WITHIN: f64 = 2.0;
-/// How far away, in usual sizes, and how much farther from their middle than they swing, rates of a wave may be.
-const FAR: [f64; 2] = [1.1e3, -0.7e6];
-const BOUND: f64 = 3.0;
+/// A swing below this share of a rate is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Share of the swing over the slope that is a step, and how many of them are made.
 const STEP: f64 = 0.125;
 const STEPS: usize = 2000;
-/// Newton's steps, and how nearly rates then repeat, over how far they swing.
+/// Newton's steps, and how nearly rates then repeat, over how far they swing: what turns together is known nearly.
 const NEWTON: usize = 8;
-const SAME: f64 = 1e-7;
+const SAME: f64 = 1e-4;
 /// Golden section, of which no two multiples are as far from whole numbers as others.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
-/// The lengths, from the least on, after which the rates at a place repeat along this state.
+/// The lengths, from the least on, after which the rates at a place repeat along this direction.
 pub(super) fn wavelengths<'a>(
     flow: &'a dyn Flow,
     place: &'a [f64],
-    state: usize,
+    direction: &'a [f64],
     usual: f64,
 ) -> impl Iterator<Item = f64> + 'a {
-    let wave = Wave::of(flow, place, state, usual);
+    let wave = Wave::of(flow, place, direction, usual);
     wave.into_iter().flat_map(Wave::lengths)
 }
 
-/// Rates along a state, and their slopes.
+/// Rates along a direction, and their slopes.
 struct Wave<'a> {
     flow: &'a dyn Flow,
     place: &'a [f64],
-    state: usize,
+    direction: &'a [f64],
     begin: DVector<f64>,
     /// How far each rate swings.
     swing: DVector<f64>,
@@ -46,24 +45,22 @@ struct Wave<'a> {
 }
 
 impl<'a> Wave<'a> {
-    /// `None` where rates do not depend on the state, or grow with it.
-    fn of(flow: &'a dyn Flow, place: &'a [f64], state: usize, usual: f64) -> Option<Self> {
-        let (begin, slope) = rates(flow, place, state, 0.0)?;
+    /// `None` where rates do not change along it.
+    fn of(flow: &'a dyn Flow, place: &'a [f64], direction: &'a [f64], usual: f64) -> Option<Self> {
+        let (begin, slope) = rates(flow, place, direction, 0.0)?;
         let [mut low, mut high, mut steepest] = [begin.clone(), begin.clone(), slope.abs()];
         for k in 1..PLACES {
             let far = WITHIN * usual * (GOLDEN * k as f64).fract();
-            let (f, slope) = rates(flow, place, state, far)?;
+            let (f, slope) = rates(flow, place, direction, far)?;
             (low, high) = (low.inf(&f), high.sup(&f));
             steepest = steepest.sup(&slope.abs());
         }
-        let swing = &high - &low;
-        let middle = (&high + &low) * 0.5;
-        for far in FAR {
-            let away = (rates(flow, place, state, far * usual)?.0 - &middle).abs();
-            if (0..swing.len()).any(|i| away[i] > BOUND * swing[i]) {
-                return None;
-            }
-        }
+        let heard = |most: f64, least: f64| {
+            let swing = most - least;
+            let size = most.abs().max(least.abs());
+            if swing > ROUNDING * size { swing } else { 0.0 }
+        };
+        let swing = high.zip_map(&low, heard);
         let lengths = swing.iter().zip(&steepest);
         let lengths = lengths.filter(|(swing, slope)| **swing > 0.0 && **slope > 0.0);
         let shortest = lengths.map(|(swing, slope)| swing / slope);
@@ -71,7 +68,7 @@ impl<'a> Wave<'a> {
         Some(Self {
             flow,
             place,
-            state,
+            direction,
             begin,
             swing,
             step: STEP * shortest,
@@ -91,7 +88,7 @@ impl<'a> Wave<'a> {
 
     /// How far the rates are from what they were, over how far they swing, and the slopes of that.
     fn off(&self, far: f64) -> Option<(DVector<f64>, DVector<f64>)> {
-        let (f, slope) = rates(self.flow, self.place, self.state, far)?;
+        let (f, slope) = rates(self.flow, self.place, self.direction, far)?;
         let over = |rate: f64, swing: f64| if swing > 0.0 { rate / swing } else { 0.0 };
         let off = (f - &self.begin).zip_map(&self.swing, over);
         Some((off, slope.zip_map(&self.swing, over)))
@@ -113,18 +110,21 @@ impl<'a> Wave<'a> {
     }
 }
 
-/// Rates this far along a state, and how they change along it.
+/// Rates this far along a direction, and how they change along it.
 fn rates(
     flow: &dyn Flow,
     place: &[f64],
-    state: usize,
+    direction: &[f64],
     far: f64,
 ) -> Option<(DVector<f64>, DVector<f64>)> {
-    let mut there = place.to_vec();
-    there[state] += far;
+    let there: Vec<f64> = place
+        .iter()
+        .zip(direction)
+        .map(|(y, d)| y + far * d)
+        .collect();
     let velocity = flow.place(&there).and_then(|place| flow.velocity(&place));
     let velocity = velocity.ok()?;
-    let slopes = velocity.jacobian.column(state).into_owned();
+    let slopes = &velocity.jacobian * DVector::from_column_slice(direction);
     let finite = velocity
         .f
         .iter()

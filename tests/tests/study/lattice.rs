@@ -29,7 +29,7 @@ model! {
 model! {
     /// The same: which angle of its cell it has come to.
     pub struct Angle {
-        state y = 0.2 * std::f64::consts::PI;
+        state y = 0.628;
         state u = 0.0;
         param b = 0.1;
         param rock = 0.12;
@@ -41,6 +41,57 @@ model! {
         der(y) = u;
         der(u) = F - b * u + 2.0 * pi * rock * cos(phi) - cos(y) - 0.5 * cos(2.0 * y);
     }
+}
+
+model! {
+    /// A motor that rubs, a shaft that gives way, and an eccentric load.
+    pub struct Shaft {
+        state q = 0.0;
+        state y = 0.0;
+        state w = 5.0;
+        state u = 5.0;
+        param torque = 1.2;
+        param k = 30.0 where k > 0.0;
+        param dry = 0.2 where dry >= 0.0;
+        friction F: N*m = Coulomb { level: dry } opposing w;
+        der(q) = w;
+        der(y) = u;
+        der(w) = (torque + F - 0.1 * w - k * (q - y)) / 0.5;
+        der(u) = k * (q - y) - 0.1 * u - sin(y);
+    }
+}
+
+model! {
+    /// The same: by how much the shaft is twisted.
+    pub struct Twist {
+        state twist = 0.0;
+        state y = 0.0;
+        state w = 5.0;
+        state u = 5.0;
+        param torque = 1.2;
+        param k = 30.0 where k > 0.0;
+        param dry = 0.2 where dry >= 0.0;
+        friction F: N*m = Coulomb { level: dry } opposing w;
+        der(twist) = w - u;
+        der(y) = u;
+        der(w) = (torque + F - 0.1 * w - k * twist) / 0.5;
+        der(u) = k * twist - 0.1 * u - sin(y);
+    }
+}
+
+/// Angles of which rates hear the difference turn together.
+#[test]
+fn both_ends_of_a_shaft_turn_together() {
+    let [ends, twist] = [System::of::<Shaft, _>(), System::of::<Twist, _>()].map(|s| orbit(&s));
+    let gain = ends.shift.as_ref().unwrap();
+    assert!(
+        (gain[0] - TAU).abs() < 1e-11 && (gain[1] - TAU).abs() < 1e-11,
+        "{gain:?}"
+    );
+    assert_eq!(gain[2..], [0.0; 2]);
+    assert!((ends.period / twist.period - 1.0).abs() < 1e-8);
+    let [one, other] = [&ends, &twist].map(|one| one.floquet.multipliers[0]);
+    assert!((one - other).norm() < 1e-7, "{one} {other}");
 }
 
 fn orbit(system: &System) -> OrbitRecord {
