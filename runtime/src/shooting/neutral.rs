@@ -157,8 +157,11 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let directions = right_by.directions(magnitude);
     let free = |shift| is_free(flow.as_ref(), shift, magnitude, &at.extra);
     let free = right.iter().all(free);
-    // What is free goes on where it changes: a carriage that friction holds may run on.
-    let runs = |(_, direction): &Free| slides(flow.as_ref(), direction, magnitude);
+    // What is free goes on where it changes: a carriage that friction holds may run on, but a state with stops may not.
+    let stops =
+        |direction: &[f64]| (0..order).any(|j| direction[j] != 0.0 && flow.stop(j).is_finite());
+    let runs =
+        |(_, direction): &Free| !stops(direction) && slides(flow.as_ref(), direction, magnitude);
     let held = |c: &Vec<f64>| is_conserved(flow.as_ref(), c, &at.extra, magnitude);
     let conserved = || constant.iter().all(held) && !(free && directions.iter().all(runs));
     let (chosen, directions): (_, Vec<_>) = if conserved() {

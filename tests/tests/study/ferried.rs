@@ -39,9 +39,15 @@ fn a_load_that_is_held_gets_on_where_it_slips() {
     let (there, back) = (branch(0.01, 0.05), branch(0.05, 0.01));
     for found in [&there, &back] {
         assert!(found.ended.is_whole(), "{}", found.ended.reason);
-        let mut slips = found.special.iter();
-        let slips = slips.find(|one| one.kind == Kind::AddingSliding).unwrap();
-        assert!((slips.r / 0.02 - 1.0).abs() < 1e-8, "{}", slips.r);
+        let added = found
+            .special
+            .iter()
+            .filter(|one| one.kind == Kind::AddingSliding);
+        let added: Vec<f64> = added.map(|one| one.r).collect();
+        assert!(
+            added.iter().any(|r| (r / 0.02 - 1.0).abs() < 1e-8),
+            "{added:?}"
+        );
     }
     let [far, near] = [there.points.last().unwrap(), &back.points[0]];
     let gain = |orbit: &stickslip::study::OrbitRecord| orbit.shift.as_ref().unwrap()[1];
