@@ -204,6 +204,12 @@ pub enum FlowError {
         /// How far the end is from the start, relative to the extents of the states.
         closure: f64,
     },
+    /// A motion that runs on over a length that is another one now.
+    #[error(
+        "the motion runs on by a length that changes here: take as a state how many of these it has passed, as in x/a, and \
+         a length of 1"
+    )]
+    Unshifted,
     /// A contact that stuck all along lets go: what it held in one place slides.
     #[error(
         "friction lets go what it has held in one place all along; an orbit that is held elsewhere, or that slides, is one to \

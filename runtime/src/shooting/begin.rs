@@ -28,6 +28,7 @@ pub(super) fn begin(
         .with_magnitude(&guess.magnitude);
     let (mut problem, z) =
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
+    problem.may_run();
     problem.centre(r).map_err(Failure::Evaluation)?;
     let plain = problem.clone();
     problem.balance(&orbit.segments, (&z, r));

@@ -25,6 +25,7 @@ impl OrbitProblem {
         if !(period > 0.0 && period.is_finite()) {
             return Err(FlowError::BadTime { time: period });
         }
+        self.keeps_shift(flow)?;
         let mut h = DVector::zeros(n);
         let mut h_z = DMatrix::zeros(n, n);
         let mut h_r = DVector::zeros(n);

@@ -6,10 +6,11 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::anchor::problem;
 use super::conserved::{is_conserved, is_free};
-use super::echelon::Echelon;
+use super::echelon::{Echelon, Free};
 use super::guess::Guess;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
+use super::shift::slides;
 use super::shot::Shot;
 use crate::bifurcation::floquet;
 use crate::continuation::{Linearisation, ZeroProblem, correct_at};
@@ -152,20 +153,25 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let Null { left, right } = Null::of(&at, &problem.scale())?;
     let (order, magnitude) = (guess.magnitude.len(), &guess.magnitude);
     let constant = Echelon::of(&left, order, &[]).conditions(magnitude);
-    let conserved = constant
-        .iter()
-        .all(|c| is_conserved(flow.as_ref(), c, &at.extra, magnitude));
-    let (chosen, directions) = if conserved {
+    let right_by = Echelon::of(&right, order, &[]);
+    let directions = right_by.directions(magnitude);
+    let free = |shift| is_free(flow.as_ref(), shift, magnitude, &at.extra);
+    let free = right.iter().all(free);
+    // What is free goes on where it changes: a carriage that friction holds may run on, but a state with stops may not.
+    let stops =
+        |direction: &[f64]| (0..order).any(|j| direction[j] != 0.0 && flow.stop(j).is_finite());
+    let runs =
+        |(_, direction): &Free| !stops(direction) && slides(flow.as_ref(), direction, magnitude);
+    let held = |c: &Vec<f64>| is_conserved(flow.as_ref(), c, &at.extra, magnitude);
+    let conserved = || constant.iter().all(held) && !(free && directions.iter().all(runs));
+    let (chosen, directions): (_, Vec<_>) = if conserved() {
         let directions = constant.iter().map(|_| None).collect();
         (constant, directions)
+    } else if free {
+        let chosen = right_by.conditions(magnitude);
+        (chosen, directions.into_iter().map(Some).collect())
     } else {
-        let free = |shift| is_free(flow.as_ref(), shift, &guess.magnitude, &at.extra);
-        if !right.iter().all(free) {
-            return None;
-        }
-        let right = Echelon::of(&right, order, &[]);
-        let directions = right.directions(magnitude).into_iter().map(Some);
-        (right.conditions(magnitude), directions.collect::<Vec<_>>())
+        return None;
     };
     let chosen = chosen.into_iter().zip(directions);
     let pins: Vec<Pin> = chosen

@@ -9,10 +9,37 @@ use nalgebra::DVector;
 use super::echelon::Free;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
+use super::shift::keeps_rates;
 use super::shot::Shot;
 use crate::continuation::Linearisation;
+use crate::flow::FlowError;
+use crate::motion::Flow;
 
 impl OrbitProblem {
+    /// Lets orbits that close gain, from now on, along what may be shifted: beyond where friction holds it they run on.
+    pub(super) fn may_run(&mut self) {
+        if self.shift.is_none() && self.pins.iter().any(|pin| !pin.conserved()) {
+            self.shift = Some(vec![0.0; self.order()]);
+        }
+    }
+
+    /// What the states gain besides is a length of the system, which may change with r.
+    ///
+    /// # Errors
+    /// It changes something here.
+    pub(super) fn keeps_shift(&self, flow: &dyn Flow) -> Result<(), FlowError> {
+        let gained = self
+            .shift
+            .iter()
+            .find(|shift| shift.iter().any(|gain| *gain != 0.0));
+        let kept = gained.is_none_or(|shift| keeps_rates(flow, shift, &self.magnitude));
+        if kept {
+            Ok(())
+        } else {
+            Err(FlowError::Unshifted)
+        }
+    }
+
     /// Lets a motion that runs on gain what it does along each direction of any shift.
     pub(super) fn run(&self, at: &mut Linearisation<Shot>) {
         let Some(mut shift) = at.extra.shift.take() else {

@@ -1,20 +1,22 @@
 //! Shifts of states that change nothing: an angle that has turned, a carriage that has moved on.
 //!
 //! Where no rate depends on where the states are along a direction, a motion that has moved on along it is as good as one
-//! that has come back, and so is one in which an angle has turned once. Orbits are sought modulo such shifts. A wall is not
+//! that has come back, and so is one in which an angle has turned once, or a tip has passed an atom. Orbits are sought modulo
+//! such shifts. A wall is not
 //! felt before it is hit, nor what a constant force opposes: gaps and relative speeds must not depend on it either.
 
 use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
 
+use super::course::{courses, sharper};
 use super::echelon::{Echelon, Free};
+use super::tried::{TRIED, slopes_of_speeds, spread};
+use super::wavelength::wavelengths;
 use crate::linear::svd;
-use crate::math::Spread;
 use crate::motion::{Flow, apart};
 
-/// States at which a shift is tried, and those of them that must have rates.
-const TRIED: usize = 12;
+/// How many states at which a shift is tried must have rates.
 const KNOWN: usize = 3;
 /// Rates that agree to this share of their sizes are the same.
 const SAME: f64 = 1e-7;
@@ -22,8 +24,6 @@ const SAME: f64 = 1e-7;
 const SMALL: f64 = 1e-6;
 /// Singular values below this share of the largest are zero.
 const FREE: f64 = 1e-9;
-/// Distance in usual sizes over which slopes of gaps and relative speeds are known to [`FREE`].
-const BESIDE: f64 = 1e-5;
 /// Most parts of a turn that may change nothing: steps of a motor, blades, teeth.
 const PARTS: u32 = 400;
 /// How far from half a turn it is that is rounded up: what turns by simple parts is not to hang on rounding errors.
@@ -36,8 +36,8 @@ const SHARES: [f64; 2] = [1.0, 0.618_034];
 pub(crate) struct Shifts {
     /// Directions of any shift.
     directions: Vec<Free>,
-    /// States that are angles, each with the least part of a turn that changes nothing.
-    angles: Vec<(usize, f64)>,
+    /// The least shifts after which all repeats: parts of a turn of one state, or of several together, and lengths.
+    angles: Vec<Free>,
     phase: Option<usize>,
 }
 
@@ -58,9 +58,17 @@ impl Shifts {
                 return None;
             }
             let parts = (1..=PARTS).rev().find(|parts| turns(j, *parts))?;
-            Some((j, TAU / f64::from(parts)))
+            Some(alone(j, TAU / f64::from(parts), usual.len()))
         };
-        let angles = (0..usual.len()).filter_map(angle).collect();
+        let mut angles: Vec<Free> = (0..usual.len()).filter_map(angle).collect();
+        let known = directions.iter().chain(&angles).map(|(pivot, _)| *pivot);
+        let known: Vec<usize> = known.chain(phase).collect();
+        let others = courses(flow, usual, &known);
+        angles.extend(
+            others
+                .iter()
+                .filter_map(|course| length(flow, course, usual)),
+        );
         Self {
             directions,
             angles,
@@ -76,7 +84,7 @@ impl Shifts {
     /// Whether a state can go on for ever and the motion repeat.
     pub(crate) fn may_run(&self, state: usize) -> bool {
         let moved = |(_, direction): &Free| direction[state] != 0.0;
-        self.angles.iter().any(|(angle, _)| *angle == state) || self.directions.iter().any(moved)
+        self.angles.iter().chain(&self.directions).any(moved)
     }
 
     /// What of the way between two states is a shift that changes nothing.
@@ -90,8 +98,11 @@ impl Shifts {
                 shift[j] += along * d;
             }
         }
-        for &(j, turn) in &self.angles {
-            shift[j] += turn * (rest[j] / turn + ASIDE).round();
+        for (pivot, turn) in &self.angles {
+            let turns = (rest[*pivot] / turn[*pivot] + ASIDE).round();
+            for (gain, turn) in shift.iter_mut().zip(turn) {
+                *gain += turns * turn;
+            }
         }
         shift
     }
@@ -119,6 +130,27 @@ impl Shifts {
         let closes = apart(&gain, &shift, units) <= closeness;
         (closes && apart(&shift, &nothing, units) > closeness).then_some(shift)
     }
+}
+
+/// This shift of one state.
+fn alone(state: usize, by: f64, order: usize) -> Free {
+    let mut shift = vec![0.0; order];
+    shift[state] = by;
+    (state, shift)
+}
+
+/// The least shift along a course after which all repeats.
+fn length(flow: &dyn Flow, (pivot, course): &Free, usual: &[f64]) -> Option<Free> {
+    let repeats = |length: f64| {
+        let shift: Vec<f64> = course.iter().map(|d| length * d).collect();
+        let shift = sharper(flow, &shift, usual)?;
+        changes_nothing(flow, &shift, usual).then_some((*pivot, shift))
+    };
+    let units = usual.iter().zip(course).filter(|(_, d)| **d != 0.0);
+    let unit = units.map(|(unit, d)| (unit / d).abs());
+    let unit = unit.fold(f64::INFINITY, f64::min);
+    let known = |place: &Vec<f64>| wavelengths(flow, place, course, unit).find_map(repeats);
+    spread(usual).take(KNOWN).find_map(|place| known(&place))
 }
 
 fn gain(from: &[f64], to: &[f64]) -> Vec<f64> {
@@ -162,33 +194,6 @@ fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
     Echelon::of(&null, order, &[]).directions(usual)
 }
 
-/// Slopes of the relative speed of each contact and the gap of each press, in usual sizes of the states.
-fn slopes_of_speeds(flow: &dyn Flow, state: &[f64], usual: &[f64]) -> Vec<Vec<f64>> {
-    let beside = |j: usize, steps: f64| {
-        let mut state = state.to_vec();
-        state[j] += steps * usual[j];
-        flow.speeds(&state)
-    };
-    let columns = (0..usual.len()).map(|j| (beside(j, BESIDE), beside(j, -BESIDE)));
-    let columns: Vec<_> = columns.collect();
-    let slope = |i: usize, (high, low): &(Vec<f64>, Vec<f64>)| (high[i] - low[i]) / (2.0 * BESIDE);
-    let contacts = 0..flow.speeds(state).len();
-    contacts
-        .map(|i| columns.iter().map(|column| slope(i, column)).collect())
-        .collect()
-}
-
-/// States of these sizes, spread evenly.
-fn spread(usual: &[f64]) -> impl Iterator<Item = Vec<f64>> + '_ {
-    let spread = Spread::new(usual.len());
-    (0..TRIED).map(move |k| {
-        let point = spread.point(k).zip(usual);
-        point
-            .map(|(share, size)| (2.0 * share - 1.0) * size)
-            .collect()
-    })
-}
-
 /// Whether any share of a shift changes nothing.
 pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     SHARES.iter().all(|share| {
@@ -200,9 +205,11 @@ pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
 /// Whether rates, gaps and relative speeds are the same everywhere after this shift, as far as states of `usual` sizes tell.
 pub(crate) fn changes_nothing(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     let mut shares = shift.iter().zip(usual).map(|(d, size)| d.abs() / size);
-    if !shares.any(|share| share > SMALL) {
-        return false;
-    }
+    shares.any(|share| share > SMALL) && keeps_rates(flow, shift, usual)
+}
+
+/// The same of a shift of any size.
+pub(super) fn keeps_rates(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     let rates = |state: &[f64]| {
         let place = flow.place(state).ok()?;
         Some((flow.velocity(&place).ok()?.f, place.modes))

@@ -41,7 +41,8 @@ pub struct Shot {
 const SWING: f64 = 1e-5;
 
 /// Half the extent of each state; `fallback` where it has none. Where states gain a shift once around, they swing about what
-/// they gain, and others about what makes them gain it: their largest magnitudes count then, and radians of the shift.
+/// they gain, and others about what makes them gain it: their largest magnitudes count then, and radians of the shift, or how
+/// far they swing besides.
 pub(super) fn usual(
     low: &[f64],
     high: &[f64],
@@ -62,7 +63,10 @@ pub(super) fn usual(
     };
     let widest = |j: usize| match shift[j] {
         0.0 => low[j].abs().max(high[j].abs()),
-        gain => gain.abs() / TAU,
+        gain => {
+            let gain = gain.abs();
+            (gain / TAU).max(0.5 * (high[j] - low[j] - gain))
+        }
     };
     let wide: Vec<f64> = (0..low.len()).map(widest).collect();
     let below: Vec<f64> = wide.iter().map(|size| -size).collect();

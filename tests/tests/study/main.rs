@@ -3,7 +3,9 @@
 mod braced;
 mod certificates;
 mod coverage;
+mod ferried;
 mod hostile;
+mod lattice;
 mod laws;
 mod neutral;
 mod news;

@@ -6,6 +6,7 @@ use super::around::borders;
 use super::candidate::Border as Candidate;
 use super::hit::Met;
 use super::located::{Edge, edge};
+use super::nears::comes_there;
 use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{
     Beyond, Branch, Crossing, Failure, Located, Started, ZeroProblem, changes,
@@ -59,7 +60,8 @@ pub(in crate::shooting) fn cross(
         let comes = met || one || apart <= REACH && (level || ahead);
         // One that is gone around twice is a border of the orbit that this one doubles: the branch meets that first.
         let own = found.orbit.halves() > SAME_ORBIT;
-        comes && own && !walks_back(family, orbits, &found.orbit, accuracy)
+        let comes = comes && own && !walks_back(family, orbits, &found.orbit, accuracy);
+        comes && (!found.jumps() || comes_there(family, last, &found.orbit, accuracy))
     };
     let found = edge(family, last, accuracy, &mut work, (|_: &_| true, ahead))?;
     let mut located = Located::at(found.kind, found.orbit.r, found.orbit.clone());

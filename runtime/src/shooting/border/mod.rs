@@ -15,6 +15,7 @@ mod hit;
 mod image;
 mod located;
 mod mirror;
+mod nears;
 mod once;
 mod passing;
 mod problem;
