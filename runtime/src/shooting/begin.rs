@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::anchor::problem;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
-use super::search::Search;
+use super::sought::Search;
 use crate::continuation::{Branch, Failure, Settings, Started};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;

@@ -17,7 +17,7 @@ use super::newton::ROUGH;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::same::SAME_ORBIT;
-use super::search::Search;
+use super::sought::Search;
 use crate::continuation::{ZeroProblem, correct_at};
 use crate::integrate::Tolerance;
 use crate::motion::Family;

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::branch::OrbitBranch;
 use super::division::Division;
 use super::problem::OrbitProblem;
-use super::search::Search;
+use super::sought::Search;
 use super::switch::SwitchError;
 use crate::continuation::{Branch, Failure, Settings};
 use crate::integrate::Tolerance;

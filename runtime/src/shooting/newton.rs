@@ -5,7 +5,6 @@ use super::error::OrbitError;
 use super::flat::{EXTENT, at_rest, is_flat};
 use super::guess::Guess;
 use super::problem::OrbitProblem;
-use super::search::Search;
 use super::shot::Shot;
 use crate::continuation::{Corrected, Failure, ZeroProblem, correct_at};
 use crate::integrate::Tolerance;
@@ -81,14 +80,19 @@ pub(super) fn newton(
     Ok((found, problem))
 }
 
-/// The guess after one step of Newton's method, however long.
-pub(super) fn one_step(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Guess> {
-    let least = search.accuracy.clamp(ROUGH, LOOSEST);
+/// The guess after one step of Newton's method, however long, at a tolerance for this accuracy.
+pub(super) fn one_step(
+    family: &Family,
+    r: f64,
+    guess: &Guess,
+    segments: usize,
+    accuracy: f64,
+) -> Option<Guess> {
     let effort = Effort {
         accuracy: f64::INFINITY,
-        tolerance: Tolerance::for_accuracy(least),
+        tolerance: Tolerance::for_accuracy(accuracy.clamp(ROUGH, LOOSEST)),
         factors: false,
     };
-    let (found, _) = newton(family, r, guess, search.segments, effort).ok()?;
+    let (found, _) = newton(family, r, guess, segments, effort).ok()?;
     Some(guess.moved(&found))
 }

@@ -5,7 +5,7 @@ use super::converge::from;
 use super::guess::Guess;
 use super::newton::one_step;
 use super::orbit::Orbit;
-use super::search::Search;
+use super::sought::Search;
 use crate::flow::Want;
 use crate::motion::Family;
 
@@ -20,7 +20,7 @@ const STEPS: usize = 4;
 pub(super) fn eased(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
     let mut guess = guess.clone();
     for _ in 0..STEPS {
-        let moved = one_step(family, r, &guess, search)?;
+        let moved = one_step(family, r, &guess, search.segments, search.accuracy)?;
         let flow = family.at(r).ok()?;
         let turn = flow.advance(&moved.place, moved.period, Want::default());
         let mut place = turn.ok()?.end;

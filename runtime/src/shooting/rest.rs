@@ -13,7 +13,7 @@ use super::grip::{near, once, passes, reaches, slides};
 use super::guess::Guess;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
-use super::search::Search;
+use super::sought::Search;
 use super::swing::spare_force;
 use crate::continuation::{Branch, Crossing, Started, correct_at};
 use crate::field::exact::Mode;

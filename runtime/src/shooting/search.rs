@@ -11,10 +11,11 @@ use super::orbit::Orbit;
 use super::picard::eased;
 use super::settle::{Settled, settle};
 use super::shift::Shifts;
+use super::sought::Search;
 use super::stay::stays;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
-use crate::motion::{Family, Flow, Modes, Place, half_extents};
+use crate::motion::{Family, Flow, Place, half_extents};
 
 /// Magnitudes are far off if those of the motion are smaller by this factor.
 const COARSE: f64 = 1e-3;
@@ -28,21 +29,6 @@ const GIVEN: f64 = 1e-4;
 /// Returns that are all looked at; of later ones every eighth.
 const OFTEN: usize = 64;
 const SELDOM: usize = 8;
-
-/// What to look for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Search {
-    /// Where to begin.
-    pub start: Vec<f64>,
-    /// The modes in which that was reached; empty where the state alone decides.
-    pub modes: Modes,
-    /// A guess of the period; then Newton begins at once.
-    pub period: Option<f64>,
-    /// Relative accuracy of period and extrema.
-    pub accuracy: f64,
-    /// Number of shooting segments.
-    pub segments: usize,
-}
 
 /// Which orbit is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::converge::converge;
 use super::orbit::Orbit;
 use super::same::SAME_ORBIT;
-use super::search::Search;
+use super::sought::Search;
 use crate::bifurcation::test_function::fold;
 use crate::continuation::{Watched, changes};
 use crate::motion::Family;

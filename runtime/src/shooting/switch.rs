@@ -6,7 +6,7 @@ use super::branch::OrbitBranch;
 use super::division::Division;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
-use super::search::Search;
+use super::sought::Search;
 use crate::bifurcation::Stability;
 use crate::continuation::{Branch, Failure, Kind, Located, Settings, ZeroProblem, across, tangent};
 use crate::flow::FlowError;

@@ -15,6 +15,7 @@ mod equilibrium_curves;
 mod family;
 mod folds;
 mod margins;
+mod mirrored;
 mod onset;
 mod orbits;
 mod scales;

@@ -84,10 +84,6 @@ const EXCEPTIONS: [(&str, &[Need]); 6] = [
         ],
     ),
     (
-        "what is searched for converges, and convergence reads what was asked",
-        &[("shooting/converge", "shooting/search")],
-    ),
-    (
         "what a prediction asks of a model is put in terms of what is known of its orbit already",
         &[
             ("study/predict/rubbing", "study/predict/history"),

@@ -15,6 +15,8 @@ const HALVINGS: u32 = 10;
 /// Rounding error of a guard's coefficients relative to the terms of the guard, of its interpolant more.
 const NOISE: f64 = 16.0 * f64::EPSILON;
 const SAMPLED_NOISE: f64 = 128.0 * f64::EPSILON;
+/// What the slope of a polynomial of degree 7 may be off, over what the polynomial is.
+const WAVY: f64 = 16.0;
 /// Places where the interpolant is checked, away from its nodes.
 const CHECKS: [f64; 2] = [0.27, 0.62];
 
@@ -130,7 +132,14 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             }
         }
         if let Some(nearest) = &mut self.nearest {
-            let slope = polynomial.derivative().deflated(order.saturating_sub(1));
+            // Along a doubled step what keeps still is known as states are, and has no minima but those of their errors.
+            let noise = if off > 0.0 {
+                WAVY * (off + SAMPLED_NOISE * terms)
+            } else {
+                0.0
+            };
+            let slope = polynomial.derivative().without_noise(noise);
+            let slope = slope.deflated(order.saturating_sub(1));
             for change in slope.sign_changes().iter().filter(|change| change.rising) {
                 if polynomial.value(change.theta) > 0.0 {
                     let theta = from + width * change.theta;

@@ -1,7 +1,7 @@
 //! What a step of one length does to any state.
 
 use super::leap::{Leap, Map};
-use super::series::{Series, design};
+use super::series::{Series, design, unit};
 use crate::field::{LinearField, Point, Strip};
 use crate::integrate::Dense;
 use crate::integrate::dense::TERMS;
@@ -85,8 +85,4 @@ impl<const N: usize> Jump<N> {
         let all = states.chain(waves);
         all.map(|(factor, column)| (*factor, column))
     }
-}
-
-pub(super) fn unit<const K: usize>(j: usize) -> [f64; K] {
-    filled(|i| f64::from(i == j))
 }

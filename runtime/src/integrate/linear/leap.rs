@@ -1,7 +1,6 @@
 //! How the end of a motion depends on its beginning: of many steps on end found by doubling the map of one.
 
-use super::jump::{Jump, unit};
-use super::series::{Series, design};
+use super::series::{Series, design, unit};
 use crate::field::{LinearField, Point, Strip};
 use crate::integrate::Propagator;
 use crate::scalar::{filled, mapped};
@@ -25,11 +24,6 @@ pub(super) struct Map<const N: usize> {
 }
 
 impl<const N: usize> Leap<N> {
-    /// Of a length over which a series with so many terms is right.
-    pub(super) fn by_series(field: &LinearField<N>, length: f64, degree: usize) -> Self {
-        Jump::new(field, length, degree).leap(field.is_designed())
-    }
-
     /// Twice as long.
     pub(super) fn doubled(&self, field: &LinearField<N>) -> Self {
         let turned = |map: &Map<N>| map.turned(|wave| field.turned(wave, self.length).0);

@@ -109,12 +109,14 @@ impl<const N: usize> LinearFlow<N> {
 
     /// The map of this number.
     fn leap(&self, number: usize) -> &Leap<N> {
+        let designed = self.field.is_designed();
+        let whole = self.whole.as_deref().filter(|_| number == ONE);
         self.leaps[number].get_or_init(|| {
-            let quarter = || Leap::by_series(&self.field, 0.25 * self.longest, self.degree);
-            let jump = self.whole.as_deref().filter(|_| number == ONE);
-            Box::new(match (jump, number) {
-                (Some(jump), _) => jump.leap(self.field.is_designed()),
-                (None, 0) => quarter(),
+            Box::new(match (whole, number) {
+                (Some(jump), _) => jump.leap(designed),
+                (None, 0) => {
+                    Jump::new(&self.field, 0.25 * self.longest, self.degree).leap(designed)
+                }
                 (None, _) => self.leap(number - 1).doubled(&self.field),
             })
         })

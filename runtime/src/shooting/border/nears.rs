@@ -9,8 +9,8 @@ use crate::shooting::grip::near;
 use crate::shooting::orbit::Orbit;
 
 /// Share of the way to the border at which an orbit is looked at, and of the last distance within which it is to be.
-const SHARE: f64 = 1e-2;
-const NEARER: f64 = 0.3;
+const SHARE: f64 = 1e-3;
+const NEARER: f64 = 0.05;
 
 /// Whether the orbit shortly before a border is so much nearer to it than the last one; so it is taken to be where there is
 /// none that could be told from others, and of what runs on.

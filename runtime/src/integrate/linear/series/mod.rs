@@ -113,6 +113,11 @@ pub(super) fn design<const N: usize>(
     sum
 }
 
+/// 1 in one place, 0 in the others.
+pub(super) fn unit<const K: usize>(j: usize) -> [f64; K] {
+    crate::scalar::filled(|i| f64::from(i == j))
+}
+
 #[inline]
 pub(super) fn add<const N: usize>(sum: &mut [f64; N], factor: f64, term: &[f64; N]) {
     for (s, t) in sum.iter_mut().zip(term) {
