@@ -12,12 +12,13 @@ use crate::motion::Family;
 /// Steps, each with a turn after it.
 const STEPS: usize = 4;
 
-/// The orbit that is found from a guess by Newton's method where a turn after each step brings back what decays within it;
+/// The orbit of a driven motion that is found from a guess by Newton's method where a turn after each step brings back what decays within it;
 /// `None` where that leads to none.
 ///
 /// A long step changes when contacts switch, and with that what fast motions are like at its end, which no derivative tells:
-/// the residual rises in them, and a turn on they have died away.
+/// the residual rises in them, and a turn on they have died away. Where orbits are not alone, the motion may come to another.
 pub(super) fn eased(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
+    family.at(r).ok()?.phase()?;
     let mut guess = guess.clone();
     for _ in 0..STEPS {
         let moved = one_step(family, r, &guess, search.segments, search.accuracy)?;
@@ -27,5 +28,6 @@ pub(super) fn eased(family: &Family, r: f64, guess: &Guess, search: &Search) -> 
         place.state = flow.wrapped(place.state);
         guess = Guess { place, ..moved };
     }
-    from(family, r, &guess, search, anchored).ok()
+    let orbit = from(family, r, &guess, search, anchored).ok()?;
+    orbit.pins.is_empty().then_some(orbit)
 }
