@@ -15,6 +15,8 @@ const PATIENCE: usize = 3000;
 /// Most steps of the integrator that are spent on it, and most states that they advance: a step costs as its states do.
 const STEPS: u64 = 500_000;
 const ADVANCED: u64 = 4_000_000;
+/// States beyond which they are many.
+const MANY: usize = 16;
 /// Crossings in a chunk that suffice.
 const ENOUGH: usize = 2;
 /// Chunks without a crossing after which the motion is no oscillation.
@@ -133,8 +135,10 @@ impl Watch {
 
     /// Follows one chunk; returns the number of minima in it.
     fn follow(&mut self, flow: &dyn Flow, chunk: f64) -> Result<usize, FlowError> {
-        // Of a driven motion that does not run on, the ends of steps tell enough of how far it swings.
-        let driven = flow.phase().is_some() && self.shifts.as_ref().is_some_and(Shifts::is_empty);
+        // Of a driven motion of many states that does not run on, the ends of steps tell enough of how far it swings: to look
+        // for the extrema of each costs more than the motion.
+        let stays = self.shifts.as_ref().is_some_and(Shifts::is_empty);
+        let driven = flow.phase().is_some() && flow.order() > MANY && stays;
         let want = if driven { Want::STROBES } else { Want::EXTREMA };
         let passage = flow.advance(&self.place, chunk, want);
         let passage = passage.map_err(|error| error.later(self.time))?;

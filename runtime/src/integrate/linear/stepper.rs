@@ -13,6 +13,9 @@ use crate::scalar::mapped;
 /// then is that term's part of 2⁸ 7.3e-5 ρ/8, the fastest motion that is left going as far as ρ, some 3.
 const NEXT: f64 = 100.0;
 
+/// Steps of full length below which what is left of a span is not worth doubled ones.
+const WORTH: f64 = 64.0;
+
 /// Makes steps along a linear field: as long as its dense output is true, or shorter.
 #[derive(Debug, Clone)]
 pub(crate) struct LinearStepper<'f, V, const N: usize> {
@@ -104,7 +107,9 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
         self.work.evaluations += 1;
         self.piece = None;
         if self.doublings > 0 {
-            self.doublings = self.doublings.min(self.flow.doublings(limit));
+            let worth = limit >= WORTH * self.flow.longest;
+            let most = if worth { self.flow.doublings(limit) } else { 0 };
+            self.doublings = self.doublings.min(most);
         }
         while self.doublings > 0 && !self.doubled() {
             self.doublings -= 1;
