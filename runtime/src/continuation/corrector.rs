@@ -13,7 +13,7 @@ const NOISE: f64 = 30.0;
 
 /// A residual this many times above the accuracy is no solution, however small the correction: where
 /// the motion amplifies strongly, a negligible correction can leave a gap that is not.
-const CLOSED: f64 = 1e3;
+pub(crate) const CLOSED: f64 = 1e3;
 
 /// Share of the last correction up to which the next one shows that Newton's method converges.
 const CONTRACTS: f64 = 0.25;

@@ -29,6 +29,7 @@ mod switch;
 mod walk;
 
 pub use branch::{Branch, Started};
+pub(crate) use corrector::CLOSED;
 pub use corrector::{Corrected, Failure, correct, correct_at};
 pub use crossing::{Beyond, Crossing};
 pub use detect::detect;

@@ -10,7 +10,7 @@ use super::orbit::{Orbit, Solution};
 use super::pin::through;
 use super::shot::Shot;
 use super::sought::Search;
-use crate::continuation::ZeroProblem;
+use crate::continuation::{CLOSED, Failure, ZeroProblem};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, NOISE};
@@ -128,10 +128,19 @@ pub(super) fn from(
     }
     let rough = rough?;
     let guess = anchor(family, r, &rough.0, &guess.magnitude)?;
-    let mut loose = newton(&guess, accuracy, fine, false)?;
+    let mut tolerance = fine;
+    let mut loose = newton(&guess, accuracy, tolerance, false);
+    for _ in 0..TIGHTENINGS {
+        if !loose.as_ref().is_err_and(|error| is_lost(error, accuracy)) {
+            break;
+        }
+        tolerance = tolerance.times(TIGHTER);
+        loose = newton(&guess, accuracy, tolerance, false);
+    }
+    let mut loose = loose?;
     let mut work = rough.1.work;
     work += loose.1.work;
-    let mut tolerance = fine.times(TIGHTER);
+    tolerance = tolerance.times(TIGHTER);
     let mut tight = newton(&guess.moved(&loose.0), accuracy, tolerance, factors)?;
     work += tight.1.work;
     let mut error = difference(&loose.0, &tight.0, &guess.magnitude);
@@ -185,6 +194,15 @@ pub(super) fn from(
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * (share * orbit.error_estimate).max(least).max(last);
     Ok(orbit)
+}
+
+/// Whether Newton's method came so near that what it failed by may be the errors of the motion: those of a copy differ with its
+/// steps, and so from one start to the next.
+fn is_lost(error: &OrbitError, accuracy: f64) -> bool {
+    let OrbitError::Newton(Failure::ResidualRose { before, .. }) = error else {
+        return false;
+    };
+    *before <= CLOSED * accuracy
 }
 
 /// How many times as large as it swings a state is.
