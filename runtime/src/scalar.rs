@@ -104,6 +104,12 @@ fn empty<T: Copy, const LENGTH: usize>() -> [T; LENGTH] {
     empty
 }
 
+/// The product of two vectors.
+#[inline]
+pub(crate) fn dot<const LENGTH: usize>(a: &[f64; LENGTH], b: &[f64; LENGTH]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 /// What a function makes of each element of an array: `map` of the standard library is six functions for each that it calls.
 #[inline]
 pub(crate) fn mapped<T: Copy, U: Copy, const LENGTH: usize>(

@@ -1,6 +1,7 @@
 //! Numbers that are linear but for the phase of a drive.
 
 use super::strip::Strip;
+use crate::scalar::dot;
 
 /// a·y + c·w with w = (1, cos φ, sin φ).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,17 +20,13 @@ impl<const N: usize> Form<N> {
         }
         Self {
             row: gradient.into(),
-            wave: match phase {
-                Some(_) => wave(at),
-                None => [at[0], 0.0, 0.0],
-            },
+            wave: wave(at, phase.is_some()),
         }
     }
 
     /// Its value at a state with this wave.
     pub(crate) fn value(&self, state: &[f64; N], wave: &[f64; 3]) -> f64 {
-        let waves = self.wave.iter().zip(wave).map(|(c, w)| c * w);
-        self.row.dot(state) + waves.sum::<f64>()
+        self.row.dot(state) + dot(&self.wave, wave)
     }
 
     /// The magnitude of its terms there.
@@ -40,8 +37,11 @@ impl<const N: usize> Form<N> {
     }
 }
 
-/// c of what has these values at the angles 0, π/2 and π.
-pub(super) fn wave(at: [f64; 3]) -> [f64; 3] {
+/// c of what has these values at the angles 0, π/2 and π, which are one without a drive.
+pub(super) fn wave(at: [f64; 3], driven: bool) -> [f64; 3] {
+    if !driven {
+        return [at[0], 0.0, 0.0];
+    }
     let middle = 0.5 * (at[0] + at[2]);
     [middle, 0.5 * (at[0] - at[2]), at[1] - middle]
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::Field;
 use super::form::wave;
 use super::strip::Strip;
-use crate::scalar::mapped;
+use crate::scalar::{dot, mapped};
 
 /// ẏ = A y + C w with w = (1, cos φ, sin φ), where φ̇ = ω is one of the states, and its derivatives by the design variable.
 ///
@@ -175,10 +175,7 @@ impl<const N: usize> LinearField<N> {
 impl<const N: usize> Parts<N> {
     /// From the values at the angles 0, π/2 and π of the phase.
     fn new(matrix: [[f64; N]; N], at: [[f64; N]; 3], phase: Option<usize>) -> Self {
-        let waves = |i: usize| match phase {
-            Some(_) => wave([at[0][i], at[1][i], at[2][i]]),
-            None => [at[0][i], 0.0, 0.0],
-        };
+        let waves = |i: usize| wave(mapped(&at, |f| f[i]), phase.is_some());
         Self {
             matrix: matrix.map(Strip::of_matrix),
             forcing: crate::scalar::filled(waves),
@@ -196,8 +193,7 @@ impl<const N: usize> Parts<N> {
     fn along(&self, factor: f64, (state, wave): &Point<N>) -> Point<N> {
         let mut rates = [0.0; N];
         for ((rate, row), forcing) in rates.iter_mut().zip(&self.matrix).zip(&self.forcing) {
-            let forced = forcing[0] * wave[0] + forcing[1] * wave[1] + forcing[2] * wave[2];
-            *rate = factor * (forced + row.dot(state));
+            *rate = factor * (dot(forcing, wave) + row.dot(state));
         }
         let turn = factor * self.rate;
         (rates, [0.0, -turn * wave[2], turn * wave[1]])

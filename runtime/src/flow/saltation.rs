@@ -3,7 +3,7 @@
 use super::Determinant;
 use crate::field::Caught;
 use crate::integrate::{Carried, Motion};
-use crate::scalar::mapped;
+use crate::scalar::{dot, mapped};
 
 /// Rate of a guard, relative to its gradient and to the field, which is nothing but rounding error.
 const ROUNDING: f64 = 1e-14;
@@ -160,10 +160,6 @@ pub(super) fn product<const N: usize>(a: &[[f64; N]; N], b: &[[f64; N]; N]) -> [
         }
         sum
     })
-}
-
-pub(super) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm<const N: usize>(a: &[f64; N]) -> f64 {

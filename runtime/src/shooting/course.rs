@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::echelon::{Echelon, Free};
-use super::tried::{slopes_of_speeds, spread};
+use super::tried::{slopes_of_speeds, spread, velocity};
 use crate::linear::svd;
 use crate::motion::Flow;
 
@@ -73,8 +73,7 @@ fn secants(flow: &dyn Flow, place: &[f64], usual: &[f64], sizes: &DVector<f64>) 
 }
 
 fn rates(flow: &dyn Flow, state: &[f64]) -> Option<DVector<f64>> {
-    let velocity = flow.place(state).and_then(|place| flow.velocity(&place));
-    let rates = velocity.ok()?.f;
+    let rates = velocity(flow, state)?.f;
     rates.iter().all(|rate| rate.is_finite()).then_some(rates)
 }
 
@@ -108,8 +107,7 @@ fn repeats(
 ) -> Option<()> {
     let there: Vec<f64> = place.iter().zip(shift).map(|(y, d)| y + d).collect();
     let here = rates(flow, place)?;
-    let velocity = flow.place(&there).and_then(|place| flow.velocity(&place));
-    let velocity = velocity.ok()?;
+    let velocity = velocity(flow, &there)?;
     for (i, before) in here.iter().enumerate() {
         let row = velocity.jacobian.row(i);
         let size = before.abs().max(f64::MIN_POSITIVE);

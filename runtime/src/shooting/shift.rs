@@ -2,8 +2,8 @@
 //!
 //! Where no rate depends on where the states are along a direction, a motion that has moved on along it is as good as one
 //! that has come back, and so is one in which an angle has turned once, or a tip has passed an atom. Orbits are sought modulo
-//! such shifts. A wall is not
-//! felt before it is hit, nor what a constant force opposes: gaps and relative speeds must not depend on it either.
+//! such shifts. A wall is not felt before it is hit, nor what a constant force opposes: gaps and relative speeds must not
+//! depend on it either.
 
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! States at which it is tried what a shift changes.
 
 use crate::math::Spread;
-use crate::motion::Flow;
+use crate::motion::{Flow, Velocity};
 
 /// How many there are.
 pub(super) const TRIED: usize = 12;
@@ -17,6 +17,11 @@ pub(super) fn spread(usual: &[f64]) -> impl Iterator<Item = Vec<f64>> + '_ {
             .map(|(share, size)| (2.0 * share - 1.0) * size)
             .collect()
     })
+}
+
+/// Rates at a state, and their slopes, where a motion can begin there.
+pub(super) fn velocity(flow: &dyn Flow, state: &[f64]) -> Option<Velocity> {
+    flow.velocity(&flow.place(state).ok()?).ok()
 }
 
 /// Slopes of the relative speed of each contact and the gap of each press, in usual sizes of the states.

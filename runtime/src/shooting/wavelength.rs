@@ -6,6 +6,7 @@
 
 use nalgebra::DVector;
 
+use super::tried::velocity;
 use crate::motion::Flow;
 
 /// Places at which it is seen how far rates swing, within so many usual sizes.
@@ -122,8 +123,7 @@ fn rates(
         .zip(direction)
         .map(|(y, d)| y + far * d)
         .collect();
-    let velocity = flow.place(&there).and_then(|place| flow.velocity(&place));
-    let velocity = velocity.ok()?;
+    let velocity = velocity(flow, &there)?;
     let slopes = &velocity.jacobian * DVector::from_column_slice(direction);
     let finite = velocity
         .f

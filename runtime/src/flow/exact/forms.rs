@@ -5,10 +5,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::guard::Guard;
 use crate::field::exact::{ExactSystem, Modes};
 use crate::field::{Form, GENERIC, Strip, generic_state};
-use crate::integrate::Dense;
 use crate::integrate::event::Bernstein;
+use crate::integrate::linear::LinearStepper;
+use crate::integrate::{Carried, Dense};
 use crate::model::Model;
-use crate::scalar::{Inline, Lanes, filled};
+use crate::scalar::{Inline, Lanes, dot, filled};
 
 /// Difference between a guard and its form, relative to its terms, above which it is not linear.
 const LINEAR: f64 = 1e-9;
@@ -60,11 +61,11 @@ pub(super) fn forms<M: Model<N>, const N: usize>(
 
 /// What is known of the guards along one step of a linear stretch.
 pub(super) struct Linear<'a, M: Model<N>, const N: usize> {
-    pub(super) forms: &'a Forms<M, N>,
+    forms: &'a Forms<M, N>,
     /// How far the dense output is off in each state, beside what is relative to the magnitude of the motion.
-    pub(super) errors: &'a [f64; N],
-    /// The way of the wave along the step, and how far that is off; `None` without a drive.
-    pub(super) wave: Option<(Dense<3>, [f64; 3])>,
+    errors: &'a [f64; N],
+    /// The way of the wave along the step, and how far that is off; `None` without a drive, or where no form asks for it.
+    wave: Option<(Dense<3>, [f64; 3])>,
 }
 
 /// Guards along a step, and how far each is off.
@@ -73,7 +74,20 @@ pub(super) struct Way<M: Model<N>, const N: usize> {
     pub(super) errors: M::PerContact<[f64; 2]>,
 }
 
-impl<M: Model<N>, const N: usize> Linear<'_, M, N> {
+impl<'a, M: Model<N>, const N: usize> Linear<'a, M, N> {
+    /// Along the last attempt at a step.
+    pub(super) fn new<V: Carried<N>>(
+        forms: &'a Forms<M, N>,
+        stepper: &'a LinearStepper<'_, V, N>,
+    ) -> Self {
+        let asked = forms.as_ref().iter().flatten().any(Option::is_some);
+        Self {
+            forms,
+            errors: stepper.errors(),
+            wave: if asked { stepper.wave() } else { None },
+        }
+    }
+
     /// All guards along the step with this dense output.
     pub(super) fn along(&self, dense: &Dense<N>) -> Way<M, N> {
         let nothing = Bernstein::new(&[0.0; 8]);
@@ -107,8 +121,4 @@ impl<M: Model<N>, const N: usize> Linear<'_, M, N> {
             .map(|(j, slope)| slope.abs() * self.errors[j])
             .sum()
     }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -42,27 +42,27 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         nearest.clear();
         let system = &self.flow.system;
         let scales = stepper.terms_of_speeds(system, speeds);
-        let linear = stepper.linear().map(|(stepper, forms)| Linear {
-            forms,
-            errors: stepper.errors(),
-            wave: stepper.wave(),
-        });
+        let known = stepper.linear();
+        let linear = known.map(|(stepper, forms)| Linear::new(forms, stepper));
         let mut watch = Watch {
             system,
             modes: &self.modes,
             dense,
             // Of a motion in closed form it is an approximation of its own, that of DOP853 errs as the step does.
-            blur: stepper.linear().map_or(0.0, |(stepper, _)| stepper.error()),
+            blur: known.map_or(0.0, |(stepper, _)| stepper.error()),
             linear: linear.as_ref(),
             scales: scales.as_ref().unwrap_or(&self.scales),
             speeds,
             departure: &self.departure,
             fall: None,
             doubtful: false,
-            nearest: self.want.extrema.then_some(nearest),
+            nearest: self.want.extrema.then_some(&mut *nearest),
         };
         watch.run()?;
-        Ok((!watch.doubtful).then_some(watch.fall))
+        let fall = (!watch.doubtful).then_some(watch.fall);
+        // Those of one guard come after those of another.
+        nearest.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+        Ok(fall)
     }
 
     /// The length of the step at whose end the guard vanishes, by Newton's method on the step map.

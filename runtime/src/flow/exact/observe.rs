@@ -11,13 +11,6 @@ use crate::model::Model;
 
 /// Part of the passage within which a gap that is nearest to closing is nearest at an event.
 const INSTANT: f64 = 1e-10;
-/// Sightings in the order of time: those of one guard come after those of another.
-fn in_time(nearest: &[Sighting]) -> Vec<Sighting> {
-    let mut all = nearest.to_vec();
-    all.sort_by(|a, b| a.theta.total_cmp(&b.theta));
-    all
-}
-
 /// Samples of the path for each step.
 const SAMPLES: u32 = 8;
 
@@ -29,7 +22,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         whole: f64,
         nearest: &[Sighting],
     ) -> Result<(), FlowError> {
-        for sighting in in_time(nearest) {
+        for sighting in nearest {
             let length = sighting.theta * whole;
             if length < stepper.length() {
                 let state = stepper.step_map(length);

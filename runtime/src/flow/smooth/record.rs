@@ -78,11 +78,6 @@ impl<const N: usize> Record<N> {
         }
         let dense = step.dense();
         if self.want.notes_turns() {
-            let looks = mapped(&[0.0, 0.25, 0.5, 0.75, 1.0], |theta| Look {
-                theta,
-                linear: field.linearise(&dense.state(theta)),
-                state: dense.state(theta),
-            });
             let ends = (*step.from().state(), *step.end().state());
             let mut inside = Explicit {
                 field,
@@ -91,6 +86,11 @@ impl<const N: usize> Record<N> {
                 time,
             };
             if self.want.extrema {
+                let looks = mapped(&[0.0, 0.25, 0.5, 0.75, 1.0], |theta| Look {
+                    theta,
+                    linear: field.linearise(&dense.state(theta)),
+                    state: dense.state(theta),
+                });
                 self.extrema.step(&mut looks.into_iter(), &mut inside);
             }
             self.extrema
@@ -121,10 +121,10 @@ impl<const N: usize> Record<N> {
         }
         let (time, length) = (offset + step.time, step.step);
         if self.want.notes_turns() {
-            let mut looks = radau.looks(step);
+            let mut looks = self.want.extrema.then(|| radau.looks(step));
             let mut inside = Implicit::new(radau, step, time);
-            if self.want.extrema {
-                self.extrema.step(&mut looks, &mut inside);
+            if let Some(looks) = &mut looks {
+                self.extrema.step(looks, &mut inside);
             }
             self.extrema
                 .strobes(self.phase, (&step.start, &step.end), &mut inside);

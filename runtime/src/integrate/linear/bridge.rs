@@ -40,17 +40,22 @@ fn place(k: usize) -> f64 {
     k as f64 / (PLACES - 1) as f64
 }
 
-/// A doubled step: where it comes by, its dense output, and how far that is off in each state.
+/// A doubled step: where it comes by, and how far its dense output is off in each state.
 #[derive(Debug, Clone)]
 pub(super) struct Bridge<const N: usize> {
     places: [[f64; N]; PLACES],
-    pub(super) dense: Dense<N>,
+    /// Time from one place to the next.
+    eighth: f64,
     pub(super) errors: [f64; N],
 }
 
 impl<const N: usize> Bridge<N> {
-    /// From here, by steps of this map and as many more.
-    pub(super) fn new(field: &LinearField<N>, start: &Point<N>, eighth: &Leap<N>) -> Self {
+    /// From here, by steps of this map; its dense output, too.
+    pub(super) fn new(
+        field: &LinearField<N>,
+        start: &Point<N>,
+        eighth: &Leap<N>,
+    ) -> (Self, Dense<N>) {
         let mut places = [start.0; PLACES];
         let mut wave = start.1;
         for k in 1..PLACES {
@@ -60,11 +65,12 @@ impl<const N: usize> Bridge<N> {
         let length = eighth.length * (PLACES - 1) as f64;
         let dense = Dense::of_terms(start.0, length, through(&places));
         let errors = errors(&places, &dense.state(0.5));
-        Self {
+        let bridge = Self {
             places,
-            dense,
+            eighth: eighth.length,
             errors,
-        }
+        };
+        (bridge, dense)
     }
 
     /// Whether its dense output is off by no more than this share of these sizes.
@@ -76,10 +82,9 @@ impl<const N: usize> Bridge<N> {
 
     /// The last place that is no further than this length, and how far it is.
     pub(super) fn before(&self, length: f64) -> (f64, [f64; N]) {
-        let eighth = self.dense.length() / (PLACES - 1) as f64;
         let last = (PLACES - 2) as f64;
-        let place = (length / eighth).floor().clamp(0.0, last);
-        (place * eighth, self.places[place as usize])
+        let place = (length / self.eighth).floor().clamp(0.0, last);
+        (place * self.eighth, self.places[place as usize])
     }
 
     /// The largest magnitude of each state on it.

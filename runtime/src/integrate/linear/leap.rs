@@ -1,9 +1,9 @@
 //! How the end of a motion depends on its beginning: of many steps on end found by doubling the map of one.
 
-use super::series::{Series, design, unit};
+use super::series::{Series, add, design, unit};
 use crate::field::{LinearField, Point, Strip};
 use crate::integrate::Propagator;
-use crate::scalar::{filled, mapped};
+use crate::scalar::{dot, filled, mapped};
 
 /// The map of a motion of one length: y₁ = y₀ + R y₀ + S w₀, with w₀ the wave of the drive where it begins.
 ///
@@ -134,15 +134,5 @@ impl<const N: usize> Map<N> {
             states: self.states,
             waves: filled(|i| turned(&self.waves[i])),
         }
-    }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn add(sum: &mut [f64; 3], factor: f64, term: &[f64; 3]) {
-    for (s, t) in sum.iter_mut().zip(term) {
-        *s += factor * t;
     }
 }

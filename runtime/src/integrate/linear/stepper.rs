@@ -137,10 +137,13 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
     /// A step that is; whether its dense output is true.
     fn doubled(&mut self) -> bool {
         let eighth = self.flow.leap(self.doublings + ONE - 3);
-        let bridge = Bridge::new(&self.flow.field, &self.start, eighth);
+        let (bridge, dense) = Bridge::new(&self.flow.field, &self.start, eighth);
         let is_true = bridge.is_true(self.flow.error, &self.sizes);
-        self.dense = bridge.dense;
-        self.bridge = Some(Box::new(bridge));
+        self.dense = dense;
+        match &mut self.bridge {
+            Some(last) => **last = bridge,
+            none => *none = Some(Box::new(bridge)),
+        }
         is_true
     }
 

@@ -1,9 +1,10 @@
 //! The exact derivative of a discrete step: one more solve with the last factorisation.
 
+use super::Radau;
 use super::layout::{Layout, kinematic, position};
-use super::{Radau, dot};
 use crate::field::Field;
 use crate::integrate::Propagator;
+use crate::scalar::dot;
 
 impl<F: Field<N>, const N: usize, const S: usize> Radau<'_, F, N, S> {
     /// The exact derivative of the last accepted step with respect to its start, the design variable and its length.

@@ -245,7 +245,3 @@ impl<'f, F: Field<N>, const N: usize, const S: usize> Radau<'f, F, N, S> {
 fn add<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
     crate::scalar::filled(|j| a[j] + b[j])
 }
-
-fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    (0..N).map(|j| a[j] * b[j]).sum()
-}

@@ -2,8 +2,9 @@
 
 use super::super::lu::Lu;
 use super::layout::{Layout, kinematic, position};
-use super::{NEWTON_ITERATIONS, Radau, add, dot};
+use super::{NEWTON_ITERATIONS, Radau, add};
 use crate::field::{Field, Linear};
+use crate::scalar::dot;
 
 /// What Newton may leave undone of the tolerated error.
 const NEWTON_REST: f64 = 3e-3;
