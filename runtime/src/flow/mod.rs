@@ -173,6 +173,9 @@ pub struct Passage<const N: usize, Mode> {
     pub nodes: Vec<Node<N>>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm<N, Mode>,
+    /// How far rounding of what vanished at its events may have put the state off, in its usual magnitudes: the most at one of
+    /// them; 0 without derivatives.
+    pub rounding: f64,
     /// What it cost.
     pub work: Work,
 }

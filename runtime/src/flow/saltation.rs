@@ -59,14 +59,14 @@ impl<const N: usize> Saltation<N> {
     ///
     /// # Errors
     /// D = h_y f⁻, if the motion `grazes` the surface instead of crossing it and the field jumps there.
-    pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<Determinant, f64> {
+    pub(crate) fn apply(&self, motion: &mut Motion<N>, grazes: bool) -> Result<Passed, f64> {
         let jump: [f64; N] = crate::scalar::filled(|i| self.after[i] - self.before[i]);
         if self.size(&jump) <= NO_JUMP * (self.size(&self.before) + self.size(&self.after)) {
-            return Ok(Determinant::ONE);
+            return Ok(Passed::default());
         }
         let (shift, shifts) = self.shifts(motion, grazes)?;
         leap(motion, &jump, shift, &shifts);
-        Ok(self.stretch())
+        Ok(self.passed(&jump, self.stretch()))
     }
 
     /// The same where the state jumps as well: Ξ = R_y + (f⁺ − R_y f⁻) h_y/(h_y f⁻) with the reset R. It leaves h as it is,
@@ -79,14 +79,24 @@ impl<const N: usize> Saltation<N> {
         motion: &mut Motion<N>,
         reset: &Reset<N>,
         grazes: bool,
-    ) -> Result<Determinant, f64> {
+    ) -> Result<Passed, f64> {
         let jump = crate::scalar::filled(|i| self.after[i] - dot(&reset.slopes[i], &self.before));
         let (shift, shifts) = self.shifts(motion, grazes)?;
         motion.design =
             crate::scalar::filled(|i| dot(&reset.slopes[i], &motion.design) + reset.design[i]);
         motion.tangent = product(&reset.slopes, &motion.tangent);
         leap(motion, &jump, shift, &shifts);
-        Ok(Determinant::of_matrix(reset.slopes).times(self.stretch()))
+        let volumes = Determinant::of_matrix(reset.slopes).times(self.stretch());
+        Ok(self.passed(&jump, volumes))
+    }
+
+    /// What passing does, with this jump of the field.
+    fn passed(&self, jump: &[f64; N], volumes: Determinant) -> Passed {
+        let rate = dot(&self.gradient, &self.before);
+        Passed {
+            volumes,
+            leap: self.size(jump) / rate.abs(),
+        }
     }
 
     /// (h_y f⁺)/(h_y f⁻): zero where the motion stays on the surface.
@@ -132,6 +142,24 @@ fn leap<const N: usize>(motion: &mut Motion<N>, jump: &[f64; N], shift: f64, shi
     motion.design.add(shift, jump);
     for (row, leap) in motion.tangent.iter_mut().zip(jump) {
         row.add(*leap, shifts);
+    }
+}
+
+/// What passing an event does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Passed {
+    /// What it makes of volumes.
+    pub(crate) volumes: Determinant,
+    /// How far off it puts the state, in its usual magnitudes, for each unit by which h is off.
+    pub(crate) leap: f64,
+}
+
+impl Default for Passed {
+    fn default() -> Self {
+        Self {
+            volumes: Determinant::ONE,
+            leap: 0.0,
+        }
     }
 }
 

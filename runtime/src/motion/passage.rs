@@ -55,6 +55,9 @@ pub struct Passage {
     pub nodes: Vec<Node>,
     /// Where the motion is calmest: a good place to begin an orbit.
     pub calm: Calm,
+    /// How far rounding of what vanished at its events may have put the state off, in its usual magnitudes: the most at one of
+    /// them; 0 without derivatives.
+    pub rounding: f64,
     /// What it cost.
     pub work: Work,
 }
@@ -171,6 +174,7 @@ impl Passage {
                 low: passage.calm.low.to_vec(),
                 high: passage.calm.high.to_vec(),
             },
+            rounding: passage.rounding,
             work: passage.work,
         }
     }

@@ -184,7 +184,7 @@ pub(super) fn from(
     // Two runs in closed form differ by rounding alone, which says little of how large it may be.
     let (local, share) = match problem.work.linearisations {
         0 => (
-            f64::EPSILON * ROUNDING.max(offset(shot, &guess.magnitude)),
+            (f64::EPSILON * ROUNDING.max(offset(shot, &guess.magnitude))).max(shot.rounding()),
             CHANCE * CHANCE,
         ),
         _ => (tolerance.explicit().relative, 1.0),

@@ -154,6 +154,12 @@ impl Shot {
         })
     }
 
+    /// How far rounding at its events may have put a state off, in usual magnitudes.
+    pub(super) fn rounding(&self) -> f64 {
+        let passages = self.passages.iter();
+        passages.map(|passage| passage.rounding).fold(0.0, f64::max)
+    }
+
     /// What happened at the contacts once around.
     pub(super) fn events(&self) -> Vec<Event> {
         let passages = self.passages.iter().zip(&self.begins);

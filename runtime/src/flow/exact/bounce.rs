@@ -130,7 +130,8 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             time,
             rate,
         })?;
-        self.jumps = self.jumps.times(found);
+        self.jumps = self.jumps.times(found.volumes);
+        self.rounding = self.rounding.max(strike.rounding(press) * found.leap);
         Ok(())
     }
 

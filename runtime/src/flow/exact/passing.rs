@@ -49,7 +49,7 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let Some(motion) = self.carried.motion() else {
             return Ok(());
         };
-        let crossing = Passing {
+        let passing = Passing {
             flow: self.flow,
             state: motion.state,
             time,
@@ -57,7 +57,9 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
             after: *after,
             strike,
         };
-        self.jumps = self.jumps.times(crossing.carry(motion)?);
+        let (volumes, rounding) = passing.carry(motion)?;
+        self.jumps = self.jumps.times(volumes);
+        self.rounding = self.rounding.max(rounding);
         Ok(())
     }
 }
@@ -97,8 +99,9 @@ struct Passing<'a, M: Model<N>, const N: usize> {
 }
 
 impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
-    /// Carries Φ and p to the other side, in any order of simultaneous events if all agree; what that makes of volumes.
-    fn carry(&self, motion: &mut Motion<N>) -> Result<Determinant, FlowError> {
+    /// Carries Φ and p to the other side, in any order of simultaneous events if all agree; what that makes of volumes, and how
+    /// far off rounding may put the state.
+    fn carry(&self, motion: &mut Motion<N>) -> Result<(Determinant, f64), FlowError> {
         let mut order = Vec::new();
         for guard in self.strike.fallen.as_ref() {
             order.extend(*guard);
@@ -124,13 +127,17 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
     }
 
     /// One saltation for each guard; with the last of them everything is in its new mode.
-    fn chain(&self, motion: &mut Motion<N>, order: &[Guard]) -> Result<Determinant, FlowError> {
+    fn chain(
+        &self,
+        motion: &mut Motion<N>,
+        order: &[Guard],
+    ) -> Result<(Determinant, f64), FlowError> {
         let system = &self.flow.system;
         let linear = system.linear(&self.state, &self.before)?;
         let mut modes = self.before;
         let mut field = system.snapshot(&self.state, &modes)?.field;
         let mut left = order.len();
-        let mut found = Determinant::ONE;
+        let (mut volumes, mut rounding) = (Determinant::ONE, 0.0_f64);
         for guard in order {
             let contact = guard.contact;
             left -= 1;
@@ -155,14 +162,16 @@ impl<M: Model<N>, const N: usize> Passing<'_, M, N> {
             };
             let time = self.time;
             let passed = saltation.apply(motion, self.strike.grazes);
-            found = found.times(passed.map_err(|rate| SensitivityUndefined::Grazing {
+            let passed = passed.map_err(|rate| SensitivityUndefined::Grazing {
                 contact: M::INFO.contact_id(contact),
                 time,
                 rate,
-            })?);
+            })?;
+            volumes = volumes.times(passed.volumes);
+            rounding = rounding.max(self.strike.rounding(contact) * passed.leap);
             field = after;
         }
-        Ok(found)
+        Ok((volumes, rounding))
     }
 }
 

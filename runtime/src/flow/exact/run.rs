@@ -54,6 +54,8 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     pub(super) factors: Vec<[[f64; N]; N]>,
     /// What the events made of volumes.
     pub(super) jumps: Determinant,
+    /// How far rounding of their guards may have put the state off.
+    pub(super) rounding: f64,
     calm: Calm<N, Modes<M, N>>,
     /// Number of events and time when the count of chatter began.
     pub(super) chatter: (u64, f64),
@@ -87,6 +89,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             nodes: Vec::new(),
             factors: Vec::new(),
             jumps: Determinant::ONE,
+            rounding: 0.0,
             calm: Calm::at(*from),
             chatter: (0, 0.0),
         }
@@ -120,6 +123,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             path: self.path,
             nodes: self.nodes,
             calm: self.calm,
+            rounding: self.rounding,
             work: self.work,
         })
     }

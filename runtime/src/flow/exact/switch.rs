@@ -23,9 +23,18 @@ pub(super) struct Strike<M: Model<N>, const N: usize> {
     pub(super) fallen: M::PerContact<Option<Guard>>,
     /// Rates at which they fell, along the motion.
     rates: M::PerContact<f64>,
+    /// Magnitudes of their terms.
+    scales: M::PerContact<f64>,
     first: usize,
     /// Whether the tolerance does not tell the event from a miss.
     pub(super) grazes: bool,
+}
+
+impl<M: Model<N>, const N: usize> Strike<M, N> {
+    /// How far the guard that fell may be off by the rounding of its terms.
+    pub(super) fn rounding(&self, contact: usize) -> f64 {
+        f64::EPSILON * self.scales.as_ref()[contact]
+    }
 }
 
 impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
@@ -45,6 +54,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let resolved = state != stepper.from();
         let mut fallen: M::PerContact<Option<Guard>> = Inline::from_fn(|_| None);
         let mut rates: M::PerContact<f64> = Inline::from_fn(|_| 0.0);
+        let mut terms = rates;
         let mut grazes = false;
         let modes = self.modes.as_slice().iter().enumerate();
         for (i, mode) in modes.filter(|(i, _)| !system.is_idle(*i)) {
@@ -87,7 +97,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
                 let opens = mode.is_of_press() && fallen.as_ref()[i].is_some();
                 if (was_awaited || at_once) && !opens {
                     fallen.as_mut()[i] = Some(guard);
-                    rates.as_mut()[i] = value.eps;
+                    (rates.as_mut()[i], terms.as_mut()[i]) = (value.eps, scale);
                 }
             }
         }
@@ -95,6 +105,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         Ok(Some(Strike {
             fallen,
             rates,
+            scales: terms,
             first,
             grazes,
         }))

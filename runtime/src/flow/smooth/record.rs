@@ -203,6 +203,7 @@ impl<const N: usize> Record<N> {
             nodes: self.nodes,
             calm: self.calm,
             events: Vec::new(),
+            rounding: 0.0,
             work: self.work,
         })
     }

@@ -53,6 +53,7 @@ fn join(all: &mut Passage, next: Passage) {
         all.calm.high[j] = all.calm.high[j].max(next.calm.high[j]);
     }
     all.segments.extend(next.segments);
+    all.rounding = all.rounding.max(next.rounding);
     all.time += next.time;
     all.work += next.work;
     all.end = next.end;
