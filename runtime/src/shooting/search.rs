@@ -260,7 +260,8 @@ impl Failed {
         let calm = calmly(family, r, guess, search).and_then(Result::ok);
         let drawn = |orbit: &_| stays(family, r, guess, (orbit, &search.start)).unwrap_or(false);
         let other = || swung_about(family, r, guess, search).filter(drawn);
-        let eased = || eased(family, r, guess, search).and_then(taken);
+        // Turns bring a motion only to an orbit that draws it: of one that repeats nowhere, returns lead to any.
+        let eased = || eased(family, r, guess, search).filter(drawn);
         calm.and_then(taken).or_else(eased).or_else(other).map(Ok)
     }
 }
