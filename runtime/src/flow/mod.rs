@@ -90,13 +90,25 @@ pub struct Place<const N: usize, Mode> {
     pub mode: Mode,
 }
 
+/// Which local extrema of the states are reported.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Peaks {
+    /// None.
+    #[default]
+    Nowhere,
+    /// All of this state, and of any other at least those beyond all that it was before: of a state that swings fast, few.
+    Extent(usize),
+    /// All of every state.
+    All,
+}
+
 /// What a passage shall report beyond its end.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
-    /// Extrema of every state, and each instant at which the phase of a drive begins anew.
-    pub extrema: bool,
+    /// Extrema, and each instant at which the phase of a drive begins anew.
+    pub extrema: Peaks,
     /// Such instants alone.
     pub strobes: bool,
     /// Samples of the motion, dense enough to draw.
@@ -113,7 +125,7 @@ impl Want {
     /// The end alone.
     const END: Self = Self {
         derivatives: false,
-        extrema: false,
+        extrema: Peaks::Nowhere,
         strobes: false,
         path: false,
         factors: false,
@@ -127,7 +139,7 @@ impl Want {
     };
     /// Extrema.
     pub const EXTREMA: Self = Self {
-        extrema: true,
+        extrema: Peaks::All,
         ..Self::END
     };
     /// Where the phase of a drive begins anew.
@@ -137,13 +149,18 @@ impl Want {
     };
     /// What one Newton iteration of shooting asks for: both.
     pub const SHOT: Self = Self {
-        extrema: true,
+        extrema: Peaks::All,
         ..Self::DERIVATIVES
     };
 
     /// Whether it is noted where the phase of a drive begins anew.
     pub(crate) fn notes_turns(&self) -> bool {
-        self.extrema || self.strobes
+        self.looks_for_extrema() || self.strobes
+    }
+
+    /// Whether any extrema are reported.
+    pub(crate) fn looks_for_extrema(&self) -> bool {
+        self.extrema != Peaks::Nowhere
     }
 
     /// Whether a passage with so many samples goes no further.

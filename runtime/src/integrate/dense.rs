@@ -7,6 +7,9 @@ use crate::scalar::mapped;
 /// Number of coefficients above the value at the start.
 pub(super) const TERMS: usize = 7;
 
+/// The most that what each coefficient is multiplied by comes to: θ^(k/2+1) (1−θ)^((k+1)/2).
+const MOST: [f64; TERMS] = [1.0, 0.25, 0.1482, 0.0625, 0.0346, 0.0157, 0.0084];
+
 /// y(θ) for θ in [0, 1] along a step.
 ///
 /// Stored as Hairer nests it: y₀ + θ(c₀ + (1−θ)(c₁ + θ(c₂ + (1−θ)(c₃ + ...)))).
@@ -88,6 +91,20 @@ impl<const N: usize> Dense<N> {
     pub fn along(&self, value: f64, gradient: impl Fn(&[f64; N]) -> f64) -> Bernstein {
         let projected = crate::scalar::filled(|k| gradient(&self.terms[k]));
         Bernstein::from_nested(value, projected)
+    }
+
+    /// Bounds of one state along the step.
+    pub(crate) fn bounds(&self, index: usize) -> [f64; 2] {
+        let from = self.from[index];
+        let to = from + self.terms[0][index];
+        let higher = self.terms.iter().zip(&MOST).skip(1);
+        let off: f64 = higher.map(|(term, most)| term[index].abs() * most).sum();
+        [from.min(to) - off, from.max(to) + off]
+    }
+
+    /// The rate of one state at the end of the step, for its length as the unit of time.
+    pub(crate) fn leaves(&self, index: usize) -> f64 {
+        self.terms[0][index] - self.terms[1][index] - self.terms[2][index]
     }
 
     /// The polynomial of one state.

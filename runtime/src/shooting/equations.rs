@@ -4,10 +4,11 @@ use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::lows::section;
 use super::problem::OrbitProblem;
 use super::shot::Shot;
 use crate::continuation::Linearisation;
-use crate::flow::FlowError;
+use crate::flow::{FlowError, Peaks, Want};
 use crate::motion::{Flow, spelt};
 
 impl OrbitProblem {
@@ -30,8 +31,9 @@ impl OrbitProblem {
         let mut h_z = DMatrix::zeros(n, n);
         let mut h_r = DVector::zeros(n);
         let mut passages = Vec::with_capacity(m);
+        let want = self.wanted();
         for i in 0..m {
-            let passage = flow.advance(&self.start(z, i), period * self.shares[i], self.want)?;
+            let passage = flow.advance(&self.start(z, i), period * self.shares[i], want)?;
             self.work += passage.work;
             // A start that is held on a surface hides a motion that does not come back to it.
             if passage.end.modes != self.modes[(i + 1) % m] {
@@ -93,6 +95,18 @@ impl OrbitProblem {
                 shift: self.shift.clone(),
             },
         })
+    }
+
+    /// What passages shall report: of states other than the section's, their extent alone.
+    fn wanted(&self) -> Want {
+        let section = section(self.family.phase(), self.shift.as_deref());
+        Want {
+            extrema: match self.want.extrema {
+                Peaks::Nowhere => Peaks::Nowhere,
+                _ => Peaks::Extent(section),
+            },
+            ..self.want
+        }
     }
 
     /// When each segment begins.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use stickslip::flow::{Event, EventKind, ExactFamily, Flow, Passage, Want};
+use stickslip::flow::{Event, EventKind, ExactFamily, Flow, Passage, Peaks, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model;
 use stickslip::model::Model;
@@ -301,7 +301,7 @@ fn what_is_linear_is_proven_from_the_declaration() {
 }
 
 const WANT: Want = Want {
-    extrema: true,
+    extrema: Peaks::All,
     ..Want::DERIVATIVES
 };
 const ACCURACY: f64 = 1e-10;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use stickslip::field::exact::Mode;
-use stickslip::flow::{EventKind, Flow, Want};
+use stickslip::flow::{EventKind, Flow, Peaks, Want};
 
 use crate::models::{Bilinear, flow};
 
@@ -20,7 +20,7 @@ fn each_spring_lasts_half_of_its_period() {
         let place = flow.place([0.0, 1.0]).unwrap();
         assert_eq!(place.mode.as_slice(), [Mode::Open]);
         let want = Want {
-            extrema: true,
+            extrema: Peaks::All,
             ..Want::default()
         };
         let passage = flow.advance(&place, 1.5 * (free + pressed), want).unwrap();

@@ -1,7 +1,7 @@
 //! Motions of models with internal states, followed.
 
 use stickslip::field::{Design, SmoothField};
-use stickslip::flow::{Flow, Passage, SmoothFlow, Want};
+use stickslip::flow::{Flow, Passage, Peaks, SmoothFlow, Want};
 use stickslip::integrate::Tolerance;
 use stickslip::model::Model;
 
@@ -37,7 +37,7 @@ pub(super) fn designed<M: Model<N>, const N: usize>(
     let want = Want {
         path: true,
         derivatives: true,
-        extrema: true,
+        extrema: Peaks::All,
         ..Want::default()
     };
     let from = flow.place(state).expect("a place");

@@ -2,17 +2,24 @@
 
 use super::steps::Steps;
 use crate::flow::extrema::{FLAT, in_order};
-use crate::flow::{Extremum, strobes};
+use crate::flow::{Extremum, Peaks, strobes};
 use crate::integrate::event::Bernstein;
 use crate::integrate::{Carried, Dense};
 use crate::model::Model;
+use crate::scalar::mapped;
 
 /// Relative length of a Newton step after which the extremum is sharp.
 const SHARP: f64 = 1e-9;
 
+/// Part of its size within which a state comes near its extent: more than the dense output errs by.
+const NEAR: f64 = 1e-6;
+
 /// Follows the sign of every rate; where it changes, there is an extremum, be it smooth, a corner or a plateau.
 #[derive(Debug, Clone)]
 pub(super) struct Extrema<const N: usize> {
+    sought: Peaks,
+    /// Least and largest value of each state so far, before the last step.
+    extent: [[f64; 2]; N],
     /// Last sign of the rate that was not zero; 0 as long as nothing moved.
     sign: [f64; N],
     /// Where the state came to rest, if it is at rest.
@@ -21,8 +28,11 @@ pub(super) struct Extrema<const N: usize> {
 }
 
 impl<const N: usize> Extrema<N> {
-    pub(super) fn new() -> Self {
+    /// Those that are sought of a motion from this state.
+    pub(super) fn new(sought: Peaks, from: &[f64; N]) -> Self {
         Self {
+            sought,
+            extent: mapped(from, |state| [state; 2]),
             sign: [0.0; N],
             plateau: [None; N],
             found: Vec::new(),
@@ -36,6 +46,10 @@ impl<const N: usize> Extrema<N> {
         dense: &Dense<N>,
     ) {
         for index in 0..N {
+            if !self.may_show(index, dense.bounds(index)) {
+                self.pass(index, dense.leaves(index));
+                continue;
+            }
             let path = dense.component(index);
             let slope = path.derivative().without_noise(FLAT * path.magnitude());
             let start = (stepper.time(), *stepper.from());
@@ -45,17 +59,45 @@ impl<const N: usize> Extrema<N> {
             };
             self.meet(index, first, start);
             for change in slope.sign_changes().iter() {
-                let (time, state) = sharpen(stepper, &slope, index, change.theta);
-                self.record(index, !change.rising, time, state);
+                if self.may_show(index, [path.value(change.theta); 2]) {
+                    let (time, state) = sharpen(stepper, &slope, index, change.theta);
+                    self.record(index, !change.rising, time, state);
+                }
             }
             self.sign[index] = last;
+            self.widen(index, stepper.end()[index]);
         }
+    }
+
+    /// Whether a value between these of a state may be one that is sought.
+    fn may_show(&self, index: usize, [low, high]: [f64; 2]) -> bool {
+        if self.sought == Peaks::All || self.sought == Peaks::Extent(index) {
+            return true;
+        }
+        let [least, most] = self.extent[index];
+        let near = NEAR * least.abs().max(most.abs());
+        // Comparisons that fail for NaN too.
+        !(low > least + near && high < most - near)
+    }
+
+    /// Notes how a state goes on after a step that showed nothing of it.
+    fn pass(&mut self, index: usize, rate: f64) {
+        self.plateau[index] = None;
+        if rate != 0.0 {
+            self.sign[index] = rate.signum();
+        }
+    }
+
+    fn widen(&mut self, index: usize, value: f64) {
+        let [least, most] = &mut self.extent[index];
+        (*least, *most) = (least.min(value), most.max(value));
     }
 
     /// Notes where states jump: as if they moved on very fast.
     pub(super) fn jump(&mut self, time: f64, before: &[f64; N], after: &[f64; N]) {
         for index in 0..N {
             let way = after[index] - before[index];
+            self.widen(index, after[index]);
             if way != 0.0 {
                 self.meet(index, way.signum(), (time, *before));
                 self.sign[index] = way.signum();
@@ -102,6 +144,7 @@ impl<const N: usize> Extrema<N> {
     }
 
     fn record(&mut self, index: usize, maximum: bool, time: f64, state: [f64; N]) {
+        self.widen(index, state[index]);
         self.found.push(Extremum {
             index,
             maximum,

@@ -56,7 +56,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             departure: &self.departure,
             fall: None,
             doubtful: false,
-            nearest: self.want.extrema.then_some(&mut *nearest),
+            nearest: self.want.looks_for_extrema().then_some(&mut *nearest),
         };
         watch.run()?;
         let fall = (!watch.doubtful).then_some(watch.fall);

@@ -46,7 +46,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// turns with it: neither the step that ends there nor the next one has its minimum inside. `before` are the modes up to
     /// there.
     pub(super) fn note_nearest_here(&mut self, before: &Modes<M, N>) -> Result<(), FlowError> {
-        if !self.want.extrema || M::INFO.presses.is_empty() {
+        if !self.want.looks_for_extrema() || M::INFO.presses.is_empty() {
             return Ok(());
         }
         let (system, state) = (&self.flow.system, *self.carried.state());
@@ -77,7 +77,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
 
     /// Looks for extrema in the step just made, and samples it.
     pub(super) fn observe(&mut self, stepper: &mut Steps<'_, 'f, M, V, N>, dense: &Dense<N>) {
-        if self.want.extrema {
+        if self.want.looks_for_extrema() {
             self.extrema.look(stepper, dense);
         }
         if self.want.notes_turns() {

@@ -84,7 +84,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             segment_from: 0.0,
             impact: None,
             segments: Vec::new(),
-            extrema: Extrema::new(),
+            extrema: Extrema::new(want.extrema, &from.state),
             path: Vec::new(),
             nodes: Vec::new(),
             factors: Vec::new(),
@@ -156,7 +156,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
         let field = ExactField::new(&flow.system, self.modes, self.carried.state())?;
         self.scales = flow.speed_scales(self.carried.state());
         let mut settings = flow.settings;
-        let blur = match self.want.extrema || M::INFO.moving {
+        let blur = match self.want.looks_for_extrema() || M::INFO.moving {
             true => Blur::Fine,
             false => Blur::Coarse,
         };
@@ -221,7 +221,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             let length = self.locate(stepper, &fall);
             stepper.shorten(length)?;
             strike = self.struck(stepper, &fall)?;
-            if self.want.extrema || self.want.path {
+            if self.want.looks_for_extrema() || self.want.path {
                 dense = stepper.dense();
             }
         }

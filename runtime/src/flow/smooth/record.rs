@@ -85,7 +85,7 @@ impl<const N: usize> Record<N> {
                 dense,
                 time,
             };
-            if self.want.extrema {
+            if self.want.looks_for_extrema() {
                 let looks = mapped(&[0.0, 0.25, 0.5, 0.75, 1.0], |theta| Look {
                     theta,
                     linear: field.linearise(&dense.state(theta)),
@@ -121,7 +121,7 @@ impl<const N: usize> Record<N> {
         }
         let (time, length) = (offset + step.time, step.step);
         if self.want.notes_turns() {
-            let mut looks = self.want.extrema.then(|| radau.looks(step));
+            let mut looks = self.want.looks_for_extrema().then(|| radau.looks(step));
             let mut inside = Implicit::new(radau, step, time);
             if let Some(looks) = &mut looks {
                 self.extrema.step(looks, &mut inside);

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Uncertified;
 use crate::continuation::ZeroProblem;
-use crate::flow::FlowError;
+use crate::flow::{FlowError, Peaks};
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Modes};
 use crate::shooting::anchor::problem;
@@ -40,7 +40,7 @@ impl Equations {
         let family = family.with_tolerance(tolerance);
         let family = family.with_magnitude(&orbit.magnitude);
         let (mut problem, start) = problem(family, r, orbit, 1)?;
-        problem.want.extrema = false;
+        problem.want.extrema = Peaks::Nowhere;
         Ok(Self { problem, start, r })
     }
 

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::sized::Sized;
 use crate::field::Work;
 use crate::field::exact::Mode;
-use crate::flow::{FlowError, Want};
+use crate::flow::{FlowError, Peaks, Want};
 use crate::motion::{Family, Flow, Modes, Passage, Place, Segment};
 use crate::poincare::longest;
 
@@ -137,7 +137,7 @@ pub(super) fn follow(
     see: &mut dyn FnMut(&Stretch<'_>) -> Result<ControlFlow<()>, FlowError>,
 ) -> Result<(), FlowError> {
     let want = Want {
-        extrema: true,
+        extrema: Peaks::All,
         path: true,
         samples: (NUMBERS / start.len().max(1)).max(LEAST),
         ..Want::default()
