@@ -16,7 +16,7 @@ const NOISE: f64 = 30.0;
 pub(crate) const CLOSED: f64 = 1e3;
 
 /// Share of the last correction up to which the next one shows that Newton's method converges.
-const CONTRACTS: f64 = 0.25;
+pub(super) const CONTRACTS: f64 = 0.25;
 
 /// Why a correction failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -79,20 +79,3 @@ pub(super) fn newton(
     }
     Ok((found, problem))
 }
-
-/// The guess after one step of Newton's method, however long, at a tolerance for this accuracy.
-pub(super) fn one_step(
-    family: &Family,
-    r: f64,
-    guess: &Guess,
-    segments: usize,
-    accuracy: f64,
-) -> Option<Guess> {
-    let effort = Effort {
-        accuracy: f64::INFINITY,
-        tolerance: Tolerance::for_accuracy(accuracy.clamp(ROUGH, LOOSEST)),
-        factors: false,
-    };
-    let (found, _) = newton(family, r, guess, segments, effort).ok()?;
-    Some(guess.moved(&found))
-}

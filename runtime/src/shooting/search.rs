@@ -2,13 +2,13 @@
 
 use super::anchor::anchored;
 use super::converge::{calmly, converge, from, missed};
+use super::damped::damped;
 use super::error::OrbitError;
 use super::guess::{Guess, magnitude_of};
 use super::least::{midway, parts};
 use super::neutral::neutral;
 use super::newton::ROUGH;
 use super::orbit::Orbit;
-use super::picard::eased;
 use super::settle::{Settled, settle};
 use super::shift::Shifts;
 use super::sought::Search;
@@ -260,8 +260,7 @@ impl Failed {
         let calm = calmly(family, r, guess, search).and_then(Result::ok);
         let drawn = |orbit: &_| stays(family, r, guess, (orbit, &search.start)).unwrap_or(false);
         let other = || swung_about(family, r, guess, search).filter(drawn);
-        // Turns bring a motion only to an orbit that draws it: of one that repeats nowhere, returns lead to any.
-        let eased = || eased(family, r, guess, search).filter(drawn);
-        calm.and_then(taken).or_else(eased).or_else(other).map(Ok)
+        let damped = || damped(family, r, guess, search).and_then(taken);
+        calm.and_then(taken).or_else(damped).or_else(other).map(Ok)
     }
 }
