@@ -34,6 +34,13 @@ macro_rules! counters {
     };
 }
 
+impl Work {
+    /// Whether it was done without an integrator: all motions in closed form, where derivatives were asked for.
+    pub(crate) fn is_in_closed_form(&self) -> bool {
+        self.linearisations == 0
+    }
+}
+
 counters! {
     /// Accepted integration steps.
     steps: "steps",

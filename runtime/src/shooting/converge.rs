@@ -182,12 +182,12 @@ pub(super) fn from(
     let mut orbit = Orbit::read(family, solution, error, work);
     // What hardly attracts keeps the error of each period: two runs may agree by chance.
     // Two runs in closed form differ by rounding alone, which says little of how large it may be.
-    let (local, share) = match problem.work.linearisations {
-        0 => (
+    let (local, share) = match problem.work.is_in_closed_form() {
+        true => (
             (f64::EPSILON * ROUNDING.max(offset(shot, &guess.magnitude))).max(shot.rounding()),
             CHANCE * CHANCE,
         ),
-        _ => (tolerance.explicit().relative, 1.0),
+        false => (tolerance.explicit().relative, 1.0),
     };
     let least = CHANCE * local / orbit.floquet.pull();
     // Extrema are those of the last motion, one correction away from the orbit.

@@ -4,6 +4,7 @@ mod braced;
 mod certificates;
 mod coverage;
 mod ferried;
+mod given;
 mod hostile;
 mod lattice;
 mod laws;
