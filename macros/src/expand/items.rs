@@ -39,13 +39,18 @@ pub(super) fn tokens(model: &Model) -> TokenStream {
 type Sizes = [Literal; 4];
 
 fn types(model: &Model, [_, parameters, contacts, observables]: &Sizes) -> TokenStream {
-    let lanes = Literal::usize_unsuffixed(model.states.len() + 1);
+    let order = model.states.len();
+    let count = Literal::usize_unsuffixed(order + 1);
+    let lanes = match order <= MEDIUM {
+        true => quote!(::stickslip::DualSVec64<#count>),
+        false => quote!(::stickslip::scalar::Wide<#count>),
+    };
     quote! {
         type Params<D: ::stickslip::scalar::Scalar> = [D; #parameters];
         type PerContact<T: ::core::marker::Copy + ::core::marker::Send + ::core::marker::Sync> =
             [T; #contacts];
         type Observables = [f64; #observables];
-        type Lanes = ::stickslip::DualSVec64<#lanes>;
+        type Lanes = #lanes;
     }
 }
 

@@ -96,7 +96,7 @@ fn items<'l>(law: &'l Law<'_>, formulas: [&Formula; 2], lift: Lift<'l>) -> Token
         [&stick, &slip].map(|quantity| tangents.slope(&quantity.slopes, along(law)));
     let by_speed = tangents.slope(&slip.slopes, SPEED);
     let (stick, slip) = (tangents.value(&stick), tangents.value(&slip));
-    let lines = tangents.lines;
+    let lines = tangents.lines();
     quote! {
         #[inline]
         fn stick(&self) -> D {

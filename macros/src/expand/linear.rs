@@ -26,7 +26,7 @@ pub(super) fn body(model: &Model) -> TokenStream {
     let rates = model.states.iter().map(|state| state.rate.as_ref());
     let rates: Vec<Quantity> = rates.map(|rate| tangents.formula(rate)).collect();
     let linear = gathered(&rates, &tangents);
-    let lines = tangents.lines;
+    let lines = tangents.lines();
     quote!(#opening #lines #linear)
 }
 
@@ -60,7 +60,7 @@ fn follow<'m>(step: &'m Step<'_>, model: &Model, tangents: &mut Tangents<'m>) {
     };
     for (name, (value, slopes)) in step.computes().into_iter().zip(computed) {
         let place = whole::field(name);
-        tangents.lines.extend(quote!(#place = #value;));
+        tangents.assign(&place, &value);
         tangents.known.insert(name, slopes);
     }
 }

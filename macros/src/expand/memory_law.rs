@@ -91,7 +91,7 @@ fn slopes<'l>(law: &'l Law<'_>, force: &Formula, lift: Lift<'l>) -> TokenStream 
     let force = sloped(force);
     let rates = law.states.iter().map(|state| sloped(&state.rate.formula));
     let rates: Vec<_> = rates.collect();
-    let lines = tangents.lines;
+    let lines = tangents.lines();
     quote! {
         #lines
         ::stickslip::memory::AnswerSlopes {

@@ -18,7 +18,7 @@ pub(super) fn items<'l>(law: &'l Law<'_>, force: &Whole, lift: Lift<'l>) -> Toke
     let [by_depth, by_rate, by_fields] =
         [SPEED, RATE, along(law)].map(|direction| tangents.slope(&quantity.slopes, direction));
     let value = tangents.value(&quantity);
-    let lines = tangents.lines;
+    let lines = tangents.lines();
     quote! {
         #[inline]
         fn force(&self, __speed: D, __rate: D) -> D {
@@ -47,7 +47,7 @@ pub(super) fn rigid<'l>(law: &'l Law<'_>, rebound: &Whole, lift: Lift<'l>) -> To
     let quantity = tangents.formula(&rebound.formula);
     let by_fields = tangents.slope(&quantity.slopes, along(law));
     let value = tangents.value(&quantity);
-    let lines = tangents.lines;
+    let lines = tangents.lines();
     quote! {
         #[inline]
         fn force(&self, _: D, _: D) -> D {

@@ -31,7 +31,7 @@ pub trait Model<const N: usize>: Copy + Default + fmt::Debug + Send + Sync + 'st
     type PerContact<T: Copy + Send + Sync>: Inline<T>;
     /// One value for each `let` line: `[f64; K]`.
     type Observables: Inline<f64>;
-    /// Dual numbers with `N` + 1 lanes: `DualSVec64<{N + 1}>`.
+    /// Dual numbers with `N` + 1 lanes: `DualSVec64<{N + 1}>`, or [`Wide`](crate::scalar::Wide) ones for many states.
     type Lanes: Lanes<N>;
 
     /// The model as data.

@@ -35,10 +35,14 @@ pub(super) struct Quantity {
 pub(super) struct Tangents<'a> {
     pub(super) lift: Lift<'a>,
     pub(super) known: HashMap<&'a Ident, Slopes>,
-    /// The bindings so far.
-    pub(super) lines: TokenStream,
+    /// The lines so far, with the name that each binds.
+    lines: Vec<(Option<Ident>, TokenStream)>,
     bound: usize,
 }
+
+/// Most lines that stand side by side. A binding is a scope within that of the last one, and a compiler that notes them for
+/// debuggers goes through them by recursion: thousands overflow its stack.
+const BLOCK: usize = 64;
 
 impl Slope {
     /// An expression that is a name or a field.
@@ -60,7 +64,7 @@ impl<'a> Tangents<'a> {
         Self {
             lift,
             known,
-            lines: TokenStream::new(),
+            lines: Vec::new(),
             bound: 0,
         }
     }
@@ -113,8 +117,30 @@ impl<'a> Tangents<'a> {
     pub(super) fn bind(&mut self, expression: impl ToTokens) -> Ident {
         let name = format_ident!("__t{}", self.bound, span = Span::mixed_site());
         self.bound += 1;
-        self.lines.extend(quote!(let #name = #expression;));
+        let line = quote!(let #name = #expression;);
+        self.lines.push((Some(name.clone()), line));
         name
+    }
+
+    /// Gives a value to a place.
+    pub(super) fn assign(&mut self, place: &TokenStream, value: &TokenStream) {
+        self.lines.push((None, quote!(#place = #value;)));
+    }
+
+    /// All lines, many of them in blocks.
+    pub(super) fn lines(&self) -> TokenStream {
+        let lines = |of: &[(Option<Ident>, TokenStream)]| -> TokenStream {
+            of.iter().map(|(_, line)| line.clone()).collect()
+        };
+        if self.lines.len() <= BLOCK {
+            return lines(&self.lines);
+        }
+        let blocks = self.lines.chunks(BLOCK).map(|block| {
+            let names: Vec<&Ident> = block.iter().filter_map(|(name, _)| name.as_ref()).collect();
+            let lines = lines(block);
+            quote!(let (#(#names,)*) = { #lines (#(#names,)*) };)
+        });
+        blocks.collect()
     }
 
     fn keep(&mut self, lifted: &Lifted) -> Lifted {

@@ -1,7 +1,11 @@
 //! Numbers that a model can be evaluated with: plain, or carrying derivatives.
 
+mod wide;
+
 use nalgebra::SVector;
 use num_dual::{Derivative, DualNum, DualSVec64};
+
+pub use wide::Wide;
 
 /// A number that a declared formula can be evaluated with: `f64`, or a dual number over it.
 ///
