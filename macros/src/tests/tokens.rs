@@ -112,6 +112,49 @@ fn a_stub_stands_beside_errors() {
     assert_eq!(begins("Model < 1 > for Belt"), 1);
 }
 
+/// Each binding is a scope within that of the last one: some thousands of them overflow a compiler's stack.
+#[test]
+fn few_bindings_stand_within_each_other_however_many_states() {
+    let tokens = crate::expand::model(quote! {
+        pub struct Row {
+            state x[60] = 1.0;
+            param k = 1.0;
+            for i in 0..60 { der(x[i]) = -k * sin(x[i]) * powi(x[i], 3); }
+        }
+    });
+    let file: syn::File = syn::parse2(tokens).expect("a model is items");
+    let functions = file.items.iter().filter_map(|item| match item {
+        syn::Item::Impl(one) => Some(&one.items),
+        _ => None,
+    });
+    let functions = functions.flatten().filter_map(|item| match item {
+        syn::ImplItem::Fn(function) => Some(&function.block),
+        _ => None,
+    });
+    let deepest = functions.map(depth).max();
+    assert!(
+        deepest.is_some_and(|deepest| (60..100).contains(&deepest)),
+        "{deepest:?}"
+    );
+}
+
+/// How many bindings stand within each other at most.
+fn depth(block: &syn::Block) -> usize {
+    let (mut bound, mut most) = (0, 0);
+    for statement in &block.stmts {
+        let syn::Stmt::Local(local) = statement else {
+            continue;
+        };
+        bound += 1;
+        if let Some(syn::LocalInit { expr, .. }) = &local.init
+            && let syn::Expr::Block(inner) = &**expr
+        {
+            most = most.max(bound + depth(&inner.block));
+        }
+    }
+    most.max(bound)
+}
+
 /// The tokens with one of them left out, or struck twice, at any depth.
 fn mutilated(tokens: &TokenStream) -> Vec<TokenStream> {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
