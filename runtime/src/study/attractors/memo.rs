@@ -42,6 +42,8 @@ struct Known {
 struct Way {
     word: Vec<(usize, Mode)>,
     of: usize,
+    /// Whether it runs on, so that nothing depends on where it is.
+    runs: bool,
 }
 
 impl Memo {
@@ -52,7 +54,8 @@ impl Memo {
         }
         let Track { word, releases } = track;
         let way = self.ways.len();
-        self.ways.push(Way { word, of });
+        let runs = class == Class::Running;
+        self.ways.push(Way { word, of, runs });
         for release in releases {
             if self.known.len() < MOST && self.same(&release, usual).is_none() {
                 self.known.push(Known { release, way });
@@ -72,8 +75,21 @@ impl Memo {
         all.filter(|known| known.release.is_alike(one))
     }
 
+    /// Where a contact let go, as it counts for what a known motion does.
+    fn place<'a>(&self, release: &'a Release, known: &Known) -> &'a [f64] {
+        match self.ways[known.way].runs {
+            true => &release.home,
+            false => &release.state,
+        }
+    }
+
+    fn far(&self, one: &Release, known: &Known, usual: &[f64]) -> f64 {
+        let [here, there] = [one, &known.release].map(|release| self.place(release, known));
+        apart(here, there, usual)
+    }
+
     fn same(&self, one: &Release, usual: &[f64]) -> Option<usize> {
-        let same = |known: &&Known| apart(&known.release.state, &one.state, usual) <= SAME;
+        let same = |known: &&Known| self.far(one, known, usual) <= SAME;
         self.alike(one)
             .find(same)
             .map(|known| self.ways[known.way].of)
@@ -84,14 +100,16 @@ impl Memo {
         if one.free != 1 {
             return None;
         }
-        let far = |known: &Known| apart(&known.release.state, &one.state, usual);
+        let far = |known: &Known| self.far(one, known, usual);
         let nearer = |a: &&Known, b: &&Known| far(a).total_cmp(&far(b));
-        let from = |known: &Known| difference(&one.state, &known.release.state, usual);
         let first = self.alike(one).min_by(nearer)?;
+        let between =
+            |[a, b]: [&Release; 2]| difference(self.place(a, first), self.place(b, first), usual);
+        let from = |known: &Known| between([one, &known.release]);
         let way = from(first);
         let beyond = |known: &&Known| from(known).dot(&way) < 0.0;
         let second = self.alike(one).filter(beyond).min_by(nearer)?;
-        let chord = difference(&second.release.state, &first.release.state, usual);
+        let chord = between([&second.release, &first.release]);
         let off = &way - &chord * (way.dot(&chord) / chord.norm_squared());
         let gap = chord.amax();
         (gap <= NEXT && off.amax() <= BENT * gap).then(|| self.common(first, second))?

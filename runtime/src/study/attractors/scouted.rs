@@ -241,7 +241,7 @@ impl<'a> Scouted<'a> {
         for _ in 0..PASSAGES {
             let (begun, modes) = (pursuit.time, pursuit.place.modes.clone());
             let passage = pursuit.on()?;
-            let new = track.note(&passage, modes);
+            let new = track.note(&passage, modes, &ground.shifts);
             let mut crossed = false;
             let mut roams = None;
             for minimum in minima(&passage, section) {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::field::exact::Mode;
 use crate::flow::EventKind;
 use crate::motion::{Passage, sticking};
+use crate::shooting::Shifts;
 
 /// A contact that let go.
 #[derive(Debug, Clone)]
@@ -13,6 +14,8 @@ pub(super) struct Release {
     /// Of all contacts, afterwards.
     pub(super) modes: Vec<Mode>,
     pub(super) state: Vec<f64>,
+    /// The same but for shifts that change nothing.
+    pub(super) home: Vec<f64>,
     /// How many dimensions the states have at which this contact lets go out of these modes.
     pub(super) free: usize,
     /// How many switches had happened, this one among them.
@@ -36,8 +39,13 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Goes on with a passage that begins in these modes; the places of its releases.
-    pub(super) fn note(&mut self, passage: &Passage, mut modes: Vec<Mode>) -> Range<usize> {
+    /// Goes on with a passage that begins in these modes, where these shifts change nothing; the places of its releases.
+    pub(super) fn note(
+        &mut self,
+        passage: &Passage,
+        mut modes: Vec<Mode>,
+        shifts: &Shifts,
+    ) -> Range<usize> {
         let known = self.releases.len();
         for event in passage.events.iter().filter(|event| event.switches()) {
             // What sticks has lost dimensions, and to be at the limit of what it bears takes one more.
@@ -49,6 +57,7 @@ impl Track {
                     contact: event.contact,
                     modes: modes.clone(),
                     state: event.state.clone(),
+                    home: shifts.home(&event.state),
                     free: event.state.len().saturating_sub(bound),
                     after: self.word.len(),
                 });
