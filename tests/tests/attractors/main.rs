@@ -8,3 +8,4 @@ mod models;
 mod settling;
 mod shares;
 mod sharing;
+mod transport;

@@ -25,7 +25,7 @@ pub(crate) fn region(info: &ModelInfo, sides: &[(&str, f64, f64)]) -> Region {
     }
 }
 
-fn survey(
+pub(crate) fn survey(
     system: &System,
     set: &[(&str, f64)],
     sides: &[(&str, f64, f64)],
