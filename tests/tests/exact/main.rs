@@ -4,6 +4,7 @@ mod audit;
 mod closed_form;
 mod derivatives;
 mod enclosed_cycles;
+mod extents;
 mod ground;
 mod henon;
 mod late;
