@@ -26,8 +26,6 @@ const RETURNED: f64 = 0.3;
 /// An orbit of a part of the period that is given may be as far as this from its start, in half extents: one that is known to
 /// four digits.
 const GIVEN: f64 = 1e-4;
-/// What is found a turn later may have a period that is off the one given by this share of it: else it is another orbit.
-const MEANT: f64 = 0.1;
 /// Returns that are all looked at; of later ones every eighth.
 const OFTEN: usize = 64;
 const SELDOM: usize = 8;
@@ -170,25 +168,9 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
     let passes = |part: &&Guess| missed(family, r, part, search).is_some_and(|off| off <= GIVEN);
     match sure.iter().find_map(orbit) {
         Some(orbit) => Ok(orbit),
-        None => converge(family, r, guess, search).or_else(|error| {
-            let part = || others.iter().filter(passes).find_map(orbit);
-            let meant = |orbit: &Orbit| (orbit.period / guess.period - 1.0).abs() <= MEANT;
-            let later = || orbit(&a_turn_on(family, r, guess)?).filter(meant);
-            part().or_else(later).ok_or(error)
-        }),
+        None => converge(family, r, guess, search)
+            .or_else(|error| others.iter().filter(passes).find_map(orbit).ok_or(error)),
     }
-}
-
-/// A guess where the motion is a period later: of a start that is known to few digits, contacts slide that should stick.
-fn a_turn_on(family: &Family, r: f64, guess: &Guess) -> Option<Guess> {
-    let flow = loose(family, &guess.magnitude).at(r).ok()?;
-    let passage = flow.advance(&guess.place, guess.period, Want::default());
-    let mut place = passage.ok()?.end;
-    place.state = flow.wrapped(place.state);
-    Some(Guess {
-        place,
-        ..guess.clone()
-    })
 }
 
 /// The orbit about which a motion swings to and fro that comes back after two turns.

@@ -4,7 +4,6 @@ mod braced;
 mod certificates;
 mod coverage;
 mod ferried;
-mod given;
 mod hostile;
 mod lattice;
 mod laws;
