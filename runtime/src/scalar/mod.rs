@@ -1,5 +1,6 @@
 //! Numbers that a model can be evaluated with: plain, or carrying derivatives.
 
+pub(crate) mod number;
 mod wide;
 
 use nalgebra::SVector;

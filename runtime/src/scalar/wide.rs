@@ -5,15 +5,13 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::iter::{Product, Sum};
-use std::ops::{
-    Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
-};
+use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
-use num_dual::{DualNum, DualSVec64, DualStruct, Mappable};
-use num_traits::{FromPrimitive, Inv, Num, One, Signed, Zero};
+use num_dual::{DualNum, DualSVec64, DualStruct};
+use num_traits::{Inv, Signed};
 
 use super::Lanes;
+use super::number::number;
 
 /// A [`DualSVec64`] with the same values, bit for bit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,19 +36,12 @@ impl<const N: usize, const P: usize> Lanes<N> for Wide<P> {
 }
 
 macro_rules! operators {
-    ($($operator:ident $method:ident $assign:ident $assigned:ident;)*) => {$(
+    ($($operator:ident $method:ident;)*) => {$(
         impl<const P: usize> $operator for Wide<P> {
             type Output = Self;
             #[inline(never)]
             fn $method(self, other: Self) -> Self {
                 Self($operator::$method(self.0, other.0))
-            }
-        }
-
-        impl<const P: usize> $operator<&Self> for Wide<P> {
-            type Output = Self;
-            fn $method(self, other: &Self) -> Self {
-                $operator::$method(self, *other)
             }
         }
 
@@ -61,28 +52,18 @@ macro_rules! operators {
                 Self($operator::$method(self.0, other))
             }
         }
-
-        impl<const P: usize> $assign for Wide<P> {
-            fn $assigned(&mut self, other: Self) {
-                *self = $operator::$method(*self, other);
-            }
-        }
-
-        impl<const P: usize> $assign<f64> for Wide<P> {
-            fn $assigned(&mut self, other: f64) {
-                *self = $operator::$method(*self, other);
-            }
-        }
     )*};
 }
 
 operators! {
-    Add add AddAssign add_assign;
-    Sub sub SubAssign sub_assign;
-    Mul mul MulAssign mul_assign;
-    Div div DivAssign div_assign;
-    Rem rem RemAssign rem_assign;
+    Add add;
+    Sub sub;
+    Mul mul;
+    Div div;
+    Rem rem;
 }
+
+number!(Wide);
 
 /// Functions of one number, by what the number inside makes of them.
 macro_rules! functions {
@@ -158,42 +139,6 @@ impl<const P: usize> From<f64> for Wide<P> {
     }
 }
 
-impl<const P: usize> Sum for Wide<P> {
-    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
-        terms.fold(Self::zero(), Add::add)
-    }
-}
-
-impl<const P: usize> Product for Wide<P> {
-    fn product<I: Iterator<Item = Self>>(factors: I) -> Self {
-        factors.fold(Self::one(), Mul::mul)
-    }
-}
-
-impl<const P: usize> Zero for Wide<P> {
-    fn zero() -> Self {
-        Self::from(0.0)
-    }
-
-    fn is_zero(&self) -> bool {
-        self.0.is_zero()
-    }
-}
-
-impl<const P: usize> One for Wide<P> {
-    fn one() -> Self {
-        Self::from(1.0)
-    }
-}
-
-impl<const P: usize> Num for Wide<P> {
-    type FromStrRadixErr = num_traits::ParseFloatError;
-
-    fn from_str_radix(text: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
-        f64::from_str_radix(text, radix).map(Self::from)
-    }
-}
-
 impl<const P: usize> Signed for Wide<P> {
     fn abs(&self) -> Self {
         Self(self.0.abs())
@@ -213,20 +158,6 @@ impl<const P: usize> Signed for Wide<P> {
 
     fn is_negative(&self) -> bool {
         self.0.is_negative()
-    }
-}
-
-impl<const P: usize> FromPrimitive for Wide<P> {
-    fn from_i64(value: i64) -> Option<Self> {
-        f64::from_i64(value).map(Self::from)
-    }
-
-    fn from_u64(value: u64) -> Option<Self> {
-        f64::from_u64(value).map(Self::from)
-    }
-
-    fn from_f64(value: f64) -> Option<Self> {
-        Some(Self::from(value))
     }
 }
 
@@ -264,13 +195,5 @@ impl<const P: usize> DualStruct for Wide<P> {
 
     fn from_inner(inner: &Self) -> Self {
         *inner
-    }
-}
-
-impl<const P: usize> Mappable<Self> for Wide<P> {
-    type Output<O> = O;
-
-    fn map_dual<M: Fn(Self) -> O, O>(self, map: M) -> O {
-        map(self)
     }
 }

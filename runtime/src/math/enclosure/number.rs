@@ -2,16 +2,14 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::iter::{Product, Sum};
-use std::ops::{
-    Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
-};
+use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
-use num_dual::{DualStruct, Mappable};
-use num_traits::{FromPrimitive, Inv, Num, One, Signed, Zero};
+use num_dual::DualStruct;
+use num_traits::{Inv, One, Signed};
 
 use super::Enclosure;
 use crate::math::interval::Interval;
+use crate::scalar::number::number;
 
 impl<const N: usize> Enclosure<N> {
     fn combined(self, other: Self, value: Interval, [a, b]: [Interval; 2]) -> Self {
@@ -53,18 +51,11 @@ impl<const N: usize> Enclosure<N> {
 }
 
 macro_rules! operators {
-    ($($operator:ident $method:ident $assign:ident $assigned:ident = $rule:ident;)*) => {$(
+    ($($operator:ident $method:ident = $rule:ident;)*) => {$(
         impl<const N: usize> $operator for Enclosure<N> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
                 self.$rule(other)
-            }
-        }
-
-        impl<const N: usize> $operator<&Self> for Enclosure<N> {
-            type Output = Self;
-            fn $method(self, other: &Self) -> Self {
-                self.$rule(*other)
             }
         }
 
@@ -74,28 +65,18 @@ macro_rules! operators {
                 self.$rule(Self::from(other))
             }
         }
-
-        impl<const N: usize> $assign for Enclosure<N> {
-            fn $assigned(&mut self, other: Self) {
-                *self = self.$rule(other);
-            }
-        }
-
-        impl<const N: usize> $assign<f64> for Enclosure<N> {
-            fn $assigned(&mut self, other: f64) {
-                *self = self.$rule(Self::from(other));
-            }
-        }
     )*};
 }
 
 operators! {
-    Add add AddAssign add_assign = sum;
-    Sub sub SubAssign sub_assign = difference;
-    Mul mul MulAssign mul_assign = product;
-    Div div DivAssign div_assign = quotient;
-    Rem rem RemAssign rem_assign = remainder;
+    Add add = sum;
+    Sub sub = difference;
+    Mul mul = product;
+    Div div = quotient;
+    Rem rem = remainder;
 }
+
+number!(Enclosure);
 
 impl<const N: usize> Neg for Enclosure<N> {
     type Output = Self;
@@ -108,42 +89,6 @@ impl<const N: usize> Neg for Enclosure<N> {
 impl<const N: usize> From<f64> for Enclosure<N> {
     fn from(value: f64) -> Self {
         Self::constant(Interval::from(value))
-    }
-}
-
-impl<const N: usize> Sum for Enclosure<N> {
-    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
-        terms.fold(Self::zero(), |sum, term| sum + term)
-    }
-}
-
-impl<const N: usize> Product for Enclosure<N> {
-    fn product<I: Iterator<Item = Self>>(factors: I) -> Self {
-        factors.fold(Self::one(), |product, factor| product * factor)
-    }
-}
-
-impl<const N: usize> Zero for Enclosure<N> {
-    fn zero() -> Self {
-        Self::from(0.0)
-    }
-
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl<const N: usize> One for Enclosure<N> {
-    fn one() -> Self {
-        Self::from(1.0)
-    }
-}
-
-impl<const N: usize> Num for Enclosure<N> {
-    type FromStrRadixErr = num_traits::ParseFloatError;
-
-    fn from_str_radix(text: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
-        f64::from_str_radix(text, radix).map(Self::from)
     }
 }
 
@@ -179,20 +124,6 @@ impl<const N: usize> Inv for Enclosure<N> {
 
     fn inv(self) -> Self {
         Self::one() / self
-    }
-}
-
-impl<const N: usize> FromPrimitive for Enclosure<N> {
-    fn from_i64(value: i64) -> Option<Self> {
-        f64::from_i64(value).map(Self::from)
-    }
-
-    fn from_u64(value: u64) -> Option<Self> {
-        f64::from_u64(value).map(Self::from)
-    }
-
-    fn from_f64(value: f64) -> Option<Self> {
-        Some(Self::from(value))
     }
 }
 
@@ -241,13 +172,5 @@ impl<const N: usize> DualStruct for Enclosure<N> {
 
     fn from_inner(inner: &Self) -> Self {
         *inner
-    }
-}
-
-impl<const N: usize> Mappable<Self> for Enclosure<N> {
-    type Output<O> = O;
-
-    fn map_dual<M: Fn(Self) -> O, O>(self, map: M) -> O {
-        map(self)
     }
 }
