@@ -1,8 +1,8 @@
 //! Newton's method from far away: steps as long as they bring it nearer.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-use super::corrector::{CONTRACTS, Failure};
+use super::corrector::CONTRACTS;
 use super::{Linearisation, ZeroProblem};
 
 /// Most steps.
@@ -10,70 +10,79 @@ const STEPS: usize = 24;
 /// Least share of a step that is tried.
 const LEAST: f64 = 1.0 / 128.0;
 
-/// Unknowns at this r from which [`correct_at`](super::correct_at) leads to a solution, as far as the next correction tells.
-///
-/// A share of a step is taken if what is left to go, by the same derivatives, falls with it (the natural test of Deuflhard
-/// 1974): the residual itself may rise in directions that are amplified, and says less.
-///
-/// # Errors
-/// See [`Failure`].
-pub fn approach<P: ZeroProblem>(
+/// Where a share of a step has led.
+pub(crate) struct Damped<Extra> {
+    /// Unknowns.
+    pub(crate) z: DVector<f64>,
+    /// The equations there.
+    pub(crate) at: Linearisation<Extra>,
+    /// How large the next step would be by the derivatives of this one.
+    left: f64,
+    share: f64,
+}
+
+/// The first share of a step, halved from one of them down to another, after which what is `left` to go by the same derivatives
+/// is no more than what `most` is for that share: the natural test of Deuflhard (1974). The residual itself may rise in
+/// directions that are amplified, and says less. `None` where no share does.
+pub(crate) fn damped<P: ZeroProblem>(
+    problem: &mut P,
+    r: f64,
+    (z, step): (&DVector<f64>, &DVector<f64>),
+    (mut share, least): (f64, f64),
+    left: impl Fn(&Linearisation<P::Extra>) -> Option<f64>,
+    most: impl Fn(f64) -> f64,
+) -> Option<Damped<P::Extra>> {
+    while share >= least {
+        let tried = z + step * share;
+        let there = problem.evaluate(&tried, r).ok();
+        if let Some((left, at)) = there.and_then(|at| Some((left(&at)?, at)))
+            && left <= most(share)
+        {
+            let z = tried;
+            return Some(Damped { z, at, left, share });
+        }
+        share *= 0.5;
+    }
+    None
+}
+
+/// Unknowns at this r from which [`correct_at`](super::correct_at) leads to a solution, as far as the next correction tells;
+/// `None` where damped steps lead to none.
+pub(crate) fn approach<P: ZeroProblem>(
     problem: &mut P,
     mut z: DVector<f64>,
     r: f64,
-) -> Result<DVector<f64>, Failure<P::Error>> {
+) -> Option<DVector<f64>> {
     let scale = problem.scale();
-    let mut at = problem.evaluate(&z, r).map_err(Failure::Evaluation)?;
-    let (mut share, mut size) = (1.0, f64::NAN);
+    let mut at = problem.evaluate(&z, r).ok()?;
+    let mut share = 1.0;
     for _ in 0..STEPS {
-        let solved = scaled(&at, &scale).lu();
-        let solve = |there: &Linearisation<P::Extra>| solved.solve(&-&there.residual);
-        let step = solve(&at).ok_or(Failure::Singular { r })?;
-        size = step.norm();
-        let (there, left) = loop {
-            let tried = &z + share * step.component_mul(&scale);
-            let failure = match problem.evaluate(&tried, r) {
-                Ok(there) => match solve(&there).map(|left| left.norm()) {
-                    Some(left) if left <= (1.0 - 0.5 * share) * size => {
-                        z = tried;
-                        break (there, left);
-                    }
-                    _ => Failure::NoConvergence {
-                        correction: size,
-                        r,
-                    },
-                },
-                Err(error) => Failure::Evaluation(error),
-            };
-            share *= 0.5;
-            if share < LEAST {
-                return Err(failure);
-            }
-        };
-        if share == 1.0 && left <= CONTRACTS * size {
-            return Ok(z);
+        let factors = at.scaled(&scale).lu();
+        let next = |there: &Linearisation<P::Extra>| factors.solve(&-&there.residual);
+        let step = next(&at)?;
+        let size = step.norm();
+        let went = damped(
+            problem,
+            r,
+            (&z, &step.component_mul(&scale)),
+            (share, LEAST),
+            |there| Some(next(there)?.norm()),
+            |share| (1.0 - 0.5 * share) * size,
+        )?;
+        if went.share == 1.0 && went.left <= CONTRACTS * size {
+            return Some(went.z);
         }
-        at = there;
-        share = (2.0 * share).min(1.0);
+        share = (2.0 * went.share).min(1.0);
+        (z, at) = (went.z, went.at);
     }
-    Err(Failure::NoConvergence {
-        correction: size,
-        r,
-    })
-}
-
-/// h_z in units of the unknowns.
-fn scaled<Extra>(linearisation: &Linearisation<Extra>, scale: &DVector<f64>) -> DMatrix<f64> {
-    let mut matrix = linearisation.jacobian.clone();
-    for (mut column, unit) in matrix.column_iter_mut().zip(scale) {
-        column *= *unit;
-    }
-    matrix
+    None
 }
 
 #[cfg(test)]
 mod tests {
     use std::convert::Infallible;
+
+    use nalgebra::DMatrix;
 
     use super::*;
     use crate::continuation::correct_at;

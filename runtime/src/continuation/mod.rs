@@ -33,7 +33,7 @@ pub use branch::{Branch, Started};
 pub(crate) use corrector::CLOSED;
 pub use corrector::{Corrected, Failure, correct, correct_at};
 pub use crossing::{Beyond, Crossing};
-pub use damped::approach;
+pub(crate) use damped::{approach, damped};
 pub use detect::detect;
 pub use ending::Ending;
 pub use kind::Kind;
@@ -120,4 +120,15 @@ pub struct Linearisation<Extra> {
     pub design: DVector<f64>,
     /// Whatever else was found.
     pub extra: Extra,
+}
+
+impl<Extra> Linearisation<Extra> {
+    /// ∂h/∂z in units of the unknowns.
+    pub(crate) fn scaled(&self, scale: &DVector<f64>) -> DMatrix<f64> {
+        let mut matrix = self.jacobian.clone();
+        for (mut column, unit) in matrix.column_iter_mut().zip(scale) {
+            column *= *unit;
+        }
+        matrix
+    }
 }

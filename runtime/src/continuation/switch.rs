@@ -1,9 +1,10 @@
 //! The other branch at a point where two of them cross.
 
 use crate::linear::svd;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::Linearisation;
+use super::corrector::bordered;
 
 /// The unit vector (scaled, r last) in the kernel of [h_z h_r] that is orthogonal to the branch `along`.
 ///
@@ -18,12 +19,12 @@ pub fn across<Extra>(
     along: &DVector<f64>,
 ) -> Option<DVector<f64>> {
     let n = scale.len();
-    let matrix = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i == n, j == n) {
-        (true, _) => 0.0,
-        (false, true) => linearisation.design[i] * r_scale,
-        (false, false) => linearisation.jacobian[(i, j)] * scale[j],
-    });
-    let svd = svd(matrix)?;
+    let svd = svd(bordered(
+        linearisation,
+        scale,
+        r_scale,
+        &DVector::zeros(n + 1),
+    ))?;
     let rows = svd.v_t?;
     let mut order: Vec<usize> = (0..=n).collect();
     order.sort_by(|&a, &b| svd.singular_values[a].total_cmp(&svd.singular_values[b]));
@@ -38,6 +39,8 @@ pub fn across<Extra>(
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::DMatrix;
+
     use super::*;
 
     #[test]

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::corner::sides;
 use super::problem::usual;
 use super::{EquilibriumProblem, Spectrum};
-use crate::continuation::ZeroProblem;
+use crate::continuation::{Linearisation, ZeroProblem, damped};
 use crate::motion::{Family, Modes, Place};
 
 const ITERATIONS: usize = 100;
@@ -89,7 +89,7 @@ pub(super) fn near(a: &[f64], b: &[f64], like: &[f64]) -> bool {
     })
 }
 
-/// Deuflhard's natural test: a damped step must shrink the correction that the same Jacobian would make next.
+/// The solution to which damped steps lead; `None` where they lead to none.
 fn newton<P: ZeroProblem>(problem: &mut P, mut z: DVector<f64>, r: f64) -> Option<DVector<f64>> {
     let mut before = f64::INFINITY;
     let scale = problem.scale();
@@ -100,8 +100,8 @@ fn newton<P: ZeroProblem>(problem: &mut P, mut z: DVector<f64>, r: f64) -> Optio
             .sum::<f64>()
             .sqrt()
     };
+    let mut here = problem.evaluate(&z, r).ok()?;
     for _ in 0..ITERATIONS {
-        let here = problem.evaluate(&z, r).ok()?;
         let factors = here.jacobian.lu();
         let step = factors.solve(&-&here.residual)?;
         let length = size(&step, &z);
@@ -112,20 +112,17 @@ fn newton<P: ZeroProblem>(problem: &mut P, mut z: DVector<f64>, r: f64) -> Optio
             return Some(z + step);
         }
         before = length;
-        let mut damping = 1.0;
-        z = loop {
-            let tried = &z + &step * damping;
-            let next = problem.evaluate(&tried, r).ok();
-            let next = next.and_then(|there| factors.solve(&there.residual));
-            let shrinks = |next: DVector<f64>| size(&next, &z) <= (1.0 - 0.25 * damping) * length;
-            if length <= STALLED || next.is_some_and(shrinks) {
-                break tried;
-            }
-            damping *= 0.5;
-            if damping < LEAST_DAMPING {
-                return None;
-            }
+        let left = |there: &Linearisation<P::Extra>| {
+            let next = factors.solve(&there.residual)?;
+            Some(size(&next, &z))
         };
+        let most = |share: f64| match length <= STALLED {
+            true => f64::INFINITY,
+            false => (1.0 - 0.25 * share) * length,
+        };
+        let shares = (1.0, LEAST_DAMPING);
+        let went = damped(problem, r, (&z, &step), shares, left, most)?;
+        (z, here) = (went.z, went.at);
     }
     None
 }

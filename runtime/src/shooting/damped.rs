@@ -29,7 +29,7 @@ fn nearer(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Gue
         .with_tolerance(tolerance)
         .with_magnitude(&guess.magnitude);
     let (mut problem, z) = problem(family, r, guess, search.segments).ok()?;
-    let z = approach(&mut problem, z, r).ok()?;
+    let z = approach(&mut problem, z, r)?;
     let found = correct_at(&mut problem, z, r, f64::INFINITY).ok()?;
     Some(guess.moved(&found))
 }

@@ -12,7 +12,6 @@ use nalgebra::DVector;
 use super::anchor::problem;
 use super::converge::converge;
 use super::guess::Guess;
-use super::neutral::scaled;
 use super::newton::ROUGH;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
@@ -84,7 +83,7 @@ fn deflated(family: &Family, r: f64, seed: &Guess, taken: &[Vec<f64>]) -> Option
     let mut at = problem.evaluate(&z, r).ok()?;
     for _ in 0..STEPS {
         let scale = problem.scale();
-        let plain = scaled(&at, &scale).lu().solve(&-&at.residual)?;
+        let plain = at.scaled(&scale).lu().solve(&-&at.residual)?;
         if !plain.norm().is_finite() {
             return None;
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DVector};
 
 use super::anchor::problem;
 use super::conserved::{is_conserved, is_free};
@@ -46,7 +46,7 @@ const NEIGHBOUR: f64 = 1e-5;
 
 /// Whether the equations at an orbit known roughly may be singular.
 pub(super) fn suspect(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> bool {
-    let decomposed = svd(scaled(linearisation, scale));
+    let decomposed = svd(linearisation.scaled(scale));
     decomposed.is_some_and(|svd| svd.singular_values.min() <= SUSPECT * svd.singular_values.max())
 }
 
@@ -135,7 +135,7 @@ fn stays(problem: &OrbitProblem, r: f64, at: &Linearisation<Shot>) -> Option<boo
 
 /// Newton's correction, of the least size, in those directions that are not neutral.
 fn correction(at: &Linearisation<Shot>, scale: &DVector<f64>) -> Option<DVector<f64>> {
-    let svd = svd(scaled(at, scale))?;
+    let svd = svd(at.scaled(scale))?;
     let least = SUSPECT * svd.singular_values.max();
     let found = svd.solve(&-&at.residual, least).ok()?;
     Some(found.component_mul(scale))
@@ -201,7 +201,7 @@ pub(super) struct Null {
 impl Null {
     /// `None` where h_z is regular.
     pub(super) fn of(at: &Linearisation<Shot>, scale: &DVector<f64>) -> Option<Self> {
-        let svd = svd(scaled(at, scale))?;
+        let svd = svd(at.scaled(scale))?;
         let (u, vt) = (svd.u?, svd.v_t?);
         let limit = NEUTRAL * svd.singular_values.max();
         let null = |i: &usize| svd.singular_values[*i] <= limit;
@@ -210,15 +210,6 @@ impl Null {
         let right = null.iter().map(|&i| vt.row(i).transpose()).collect();
         (!null.is_empty()).then_some(Self { left, right })
     }
-}
-
-/// h_z in units of the unknowns.
-pub(super) fn scaled(linearisation: &Linearisation<Shot>, scale: &DVector<f64>) -> DMatrix<f64> {
-    let mut matrix = linearisation.jacobian.clone();
-    for (mut column, unit) in matrix.column_iter_mut().zip(scale) {
-        column *= *unit;
-    }
-    matrix
 }
 
 /// Whether there is an orbit to one side of this condition: at a fold, or at a branch point, there is none.

@@ -46,10 +46,7 @@ impl Equations {
 
     pub(super) fn at(&mut self, z: &DVector<f64>) -> Result<Values, FlowError> {
         let there = self.problem.evaluate(z, self.r)?;
-        let mut df = there.jacobian;
-        for (mut column, unit) in df.column_iter_mut().zip(&self.problem.scale()) {
-            column *= *unit;
-        }
+        let df = there.scaled(&self.problem.scale());
         let passages = there.extra.passages.iter();
         let segments = passages.flat_map(|passage| &passage.segments);
         Ok(Values {
