@@ -90,12 +90,14 @@ pub struct Place<const N: usize, Mode> {
     pub mode: Mode,
 }
 
-/// Which local extrema of the states are reported.
+/// Which local extrema of the states are reported; if any, each instant at which the phase of a drive begins anew, too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Peaks {
     /// None.
     #[default]
     Nowhere,
+    /// Such instants alone.
+    Strobes,
     /// All of this state, and of any other at least those beyond all that it was before: of a state that swings fast, few.
     Extent(usize),
     /// All of every state.
@@ -107,10 +109,8 @@ pub enum Peaks {
 pub struct Want {
     /// Φ, ∂φ/∂r and ∫ tr J.
     pub derivatives: bool,
-    /// Extrema, and each instant at which the phase of a drive begins anew.
+    /// Extrema.
     pub extrema: Peaks,
-    /// Such instants alone.
-    pub strobes: bool,
     /// Samples of the motion, dense enough to draw.
     pub path: bool,
     /// The factors of Φ, for multipliers that would underflow in their product.
@@ -126,7 +126,6 @@ impl Want {
     const END: Self = Self {
         derivatives: false,
         extrema: Peaks::Nowhere,
-        strobes: false,
         path: false,
         factors: false,
         panel: 0.0,
@@ -144,7 +143,7 @@ impl Want {
     };
     /// Where the phase of a drive begins anew.
     pub const STROBES: Self = Self {
-        strobes: true,
+        extrema: Peaks::Strobes,
         ..Self::END
     };
     /// What one Newton iteration of shooting asks for: both.
@@ -155,12 +154,12 @@ impl Want {
 
     /// Whether it is noted where the phase of a drive begins anew.
     pub(crate) fn notes_turns(&self) -> bool {
-        self.looks_for_extrema() || self.strobes
+        self.extrema != Peaks::Nowhere
     }
 
     /// Whether any extrema are reported.
     pub(crate) fn looks_for_extrema(&self) -> bool {
-        self.extrema != Peaks::Nowhere
+        matches!(self.extrema, Peaks::Extent(_) | Peaks::All)
     }
 
     /// Whether a passage with so many samples goes no further.

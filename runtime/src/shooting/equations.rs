@@ -102,8 +102,8 @@ impl OrbitProblem {
         let section = section(self.family.phase(), self.shift.as_deref());
         Want {
             extrema: match self.want.extrema {
-                Peaks::Nowhere => Peaks::Nowhere,
-                _ => Peaks::Extent(section),
+                Peaks::All => Peaks::Extent(section),
+                other => other,
             },
             ..self.want
         }

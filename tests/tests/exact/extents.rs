@@ -21,7 +21,7 @@ fn extents<Mode, const N: usize>(passage: &Passage<N, Mode>) -> [[f64; 2]; N] {
     all
 }
 
-fn agree<M: Model<N> + Default, const N: usize>() {
+fn agree<M: Model<N>, const N: usize>() {
     let flow = ExactFlow::new(&M::default(), None, Tolerance::for_accuracy(1e-9)).unwrap();
     let mut dice = Random::new(11);
     let mut saved = 0;

@@ -5,7 +5,7 @@ use super::setting::Region;
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Flow, Segment, word};
-use crate::shooting::{Search, Shifts};
+use crate::shooting::Search;
 use crate::study::question::Case;
 use crate::study::system::System;
 
@@ -27,8 +27,6 @@ pub(super) struct Ground<'a> {
     pub(super) flow: Box<dyn Flow>,
     /// How large states are where starts lie.
     pub(super) usual: Vec<f64>,
-    /// What changes nothing.
-    pub(super) shifts: Shifts,
     region: &'a Region,
     others: Vec<f64>,
 }
@@ -44,14 +42,12 @@ impl<'a> Ground<'a> {
         let usual = region.magnitude(&others);
         let rough = family.with_tolerance(Tolerance::for_accuracy(ROUGH));
         let flow = rough.with_magnitude(&usual).at(0.0)?;
-        let shifts = Shifts::of(flow.as_ref(), &usual);
         Ok(Self {
             system,
             case,
             family,
             flow,
             usual,
-            shifts,
             region,
             others,
         })

@@ -6,6 +6,7 @@ use super::record::Class;
 use super::track::{Release, Track};
 use crate::field::exact::Mode;
 use crate::motion::apart;
+use crate::shooting::Shifts;
 
 /// States that agree to this, in usual sizes, are the same but for rounding.
 const SAME: f64 = 1e-10;
@@ -24,8 +25,10 @@ const MOST: usize = 4096;
 /// all that let go there share one future. Where one dimension is left, places of letting go lie on a line, and a place
 /// between two neighbours whose motions go on through the same switches to the same end goes on so, too: what follows on
 /// the line is stretched or shrunk by them, but keeps its order.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Memo {
+    /// What changes nothing.
+    pub(super) shifts: Shifts,
     known: Vec<Known>,
     ways: Vec<Way>,
 }
@@ -47,6 +50,15 @@ struct Way {
 }
 
 impl Memo {
+    /// Nothing known yet, where these shifts change nothing.
+    pub(super) fn new(shifts: Shifts) -> Self {
+        Self {
+            shifts,
+            known: Vec::new(),
+            ways: Vec::new(),
+        }
+    }
+
     /// Told of the way of a motion that settles on motion number `of`. Of irregular ones nothing is kept: neighbours part.
     pub(super) fn learn(&mut self, track: Track, (of, class): (usize, Class), usual: &[f64]) {
         if matches!(class, Class::Chaos | Class::Torus | Class::Unsettled) {

@@ -15,7 +15,7 @@ use super::trap::{Hold, Rest, Trap};
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::Passage;
-use crate::shooting::unshifted;
+use crate::shooting::{Shifts, unshifted};
 
 /// Starts that are looked at closely before any other.
 const SCOUTS: usize = 32;
@@ -41,13 +41,14 @@ pub(super) struct Scouted<'a> {
 impl<'a> Scouted<'a> {
     /// Looks at the first starts, each with what those before have found.
     pub(super) fn new(ground: Ground<'a>, starts: usize) -> Self {
+        let memo = Memo::new(Shifts::of(ground.flow.as_ref(), &ground.usual));
         let mut scouted = Self {
             ground,
             attractors: Vec::new(),
             traps: Vec::new(),
             rests: Vec::new(),
             clouds: Vec::new(),
-            memo: Memo::default(),
+            memo,
             shifts: Vec::new(),
         };
         scouted.equilibria();
@@ -241,7 +242,7 @@ impl<'a> Scouted<'a> {
         for _ in 0..PASSAGES {
             let (begun, modes) = (pursuit.time, pursuit.place.modes.clone());
             let passage = pursuit.on()?;
-            let new = track.note(&passage, modes, &ground.shifts);
+            let new = track.note(&passage, modes, &self.memo.shifts);
             let mut crossed = false;
             let mut roams = None;
             for minimum in minima(&passage, section) {
