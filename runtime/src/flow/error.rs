@@ -40,9 +40,11 @@ pub enum FlowError {
     },
     /// A law was used outside the bounds of its fields.
     #[error(
-        "the friction `{force}` has no law at t = {}: `{law}` wants {bound}, and there it is {}, where {state}",
+        "the friction `{force}` has no law at t = {}: `{law}` wants {bound}, and there it {} {}{}, where {state}",
         brief(*.time),
-        brief(*.value)
+        if *.passes { "passes" } else { "is" },
+        brief(*.value),
+        if *.passes && *.value == 0.0 { " (what may lift off is a `press`)" } else { "" }
     )]
     OutOfLaw {
         /// The force.
@@ -53,6 +55,8 @@ pub enum FlowError {
         bound: String,
         /// The value of the field.
         value: f64,
+        /// Whether it passes its bound there, and was inside before.
+        passes: bool,
         /// When.
         time: f64,
         /// Where.

@@ -3,7 +3,7 @@
 use crate::friction::{ContactRule, FrictionLaw, LawParameter};
 use crate::integrate::event::Bernstein;
 use crate::memory::{Answer, MemoryLaw};
-use crate::model::{Model, ModelInfo};
+use crate::model::{Bounds, Model, ModelInfo};
 
 /// Rounding error of a margin relative to its terms.
 const NOISE: f64 = 128.0 * f64::EPSILON;
@@ -21,6 +21,8 @@ pub(crate) struct Beyond {
     pub(crate) field: &'static LawParameter,
     /// Its value.
     pub(crate) value: f64,
+    /// Whether it comes to its bound there, from inside.
+    pub(crate) passes: bool,
 }
 
 /// The first field of a law that is out of its bounds at a state.
@@ -54,7 +56,7 @@ pub(crate) fn leaves<M: Model<N>, const N: usize>(
 
 /// The first of the fields that a function shows of a place on a step to leave its bounds, and where.
 fn first_out(fields: &dyn Fn(f64) -> Vec<Beyond>) -> Option<(f64, Beyond)> {
-    let margins = |theta: f64| -> Vec<f64> { fields(theta).iter().flat_map(ends).collect() };
+    let margins = |theta: f64| -> Vec<f64> { fields(theta).iter().flat_map(margins).collect() };
     let rows = Bernstein::nodes().map(margins);
     let fall = |slot: usize| {
         let values = rows.each_ref().map(|row| row[slot]);
@@ -65,8 +67,13 @@ fn first_out(fields: &dyn Fn(f64) -> Vec<Beyond>) -> Option<(f64, Beyond)> {
     let falls = (0..rows[0].len()).filter_map(|slot| Some((slot, fall(slot)?)));
     let (slot, (theta, until)) = falls.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
     let theta = sharpened(|theta| margins(theta)[slot], [0.0, theta, until])?;
-    let each_end = |one| std::iter::repeat_n(one, ends(&one).count());
-    let out = fields(theta).into_iter().flat_map(each_end).nth(slot)?;
+    let each_end = |one: Beyond| bounds(&one).map(move |end| (one, end));
+    let (out, bound) = fields(theta).into_iter().flat_map(each_end).nth(slot)?;
+    let out = Beyond {
+        value: bound,
+        passes: true,
+        ..out
+    };
     Some((theta, out))
 }
 
@@ -92,8 +99,14 @@ fn sharpened(value: impl Fn(f64) -> f64, [from, theta, until]: [f64; 3]) -> Opti
     Some(high)
 }
 
-/// How far a field is inside each of its bounds.
-fn ends(one: &Beyond) -> impl Iterator<Item = f64> {
+/// The bounds of a field, the lower one first.
+fn bounds(one: &Beyond) -> impl Iterator<Item = f64> + use<> {
+    let Bounds { lower, upper } = one.field.bounds;
+    lower.into_iter().chain(upper).map(|end| end.value)
+}
+
+/// How far a field is inside each of them.
+fn margins(one: &Beyond) -> impl Iterator<Item = f64> + use<> {
     let (value, bounds) = (one.value, one.field.bounds);
     let lower = bounds.lower.map(|end| value - end.value);
     let upper = bounds.upper.map(|end| end.value - value);
@@ -124,6 +137,7 @@ impl ContactRule<f64> for Fields<'_> {
                 law: L::INFO.name,
                 field: &parameters[i],
                 value,
+                passes: false,
             });
         });
         0.0
@@ -143,6 +157,7 @@ impl ContactRule<f64> for Fields<'_> {
                 law: L::INFO.name,
                 field: &parameters[i],
                 value,
+                passes: false,
             });
         });
         law.answer(memory, speed)

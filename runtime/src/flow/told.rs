@@ -29,6 +29,7 @@ impl FlowError {
             law: found.law,
             bound: found.field.bounds.describe(found.field.name),
             value: found.value,
+            passes: found.passes,
             time,
             state: state.to_vec().into(),
         }
@@ -124,6 +125,7 @@ impl FlowError {
                 law,
                 bound,
                 value,
+                passes,
                 time,
                 state,
             } => Self::OutOfLaw {
@@ -131,6 +133,7 @@ impl FlowError {
                 law,
                 bound,
                 value,
+                passes,
                 time,
                 state: state.named(model),
             },

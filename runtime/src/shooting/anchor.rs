@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::division::Division;
 use super::guess::Guess;
 use super::phase::Phase;
-use super::pin::through;
+use super::pin::told;
 use super::problem::OrbitProblem;
 use super::shift::changes_nothing;
 use super::shot::Shot;
@@ -86,7 +86,7 @@ pub fn anchored(family: &Family, r: f64, found: &Found, usual: &[f64]) -> Result
     };
     let (period, magnitude) = once_around(family.at(r)?.as_ref(), shot, usual);
     Ok(Guess {
-        pins: through(&shot.pins, &place.state),
+        pins: told(&shot.pins, &place.state),
         shift: shot.gain(period),
         division: shot.division(&found.z).filter(|_| period == shot.period),
         place,

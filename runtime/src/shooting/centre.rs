@@ -198,6 +198,7 @@ fn centred(
         is_conserved(flow, &combination, &at.extra, magnitude).then_some(Pin {
             combination,
             value: 0.0,
+            told: 0.0,
             direction: None,
             centred: Some(Swing::State(*state)),
             left,

@@ -180,11 +180,12 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
             let pin = Pin {
                 combination,
                 value: 0.0,
+                told: 0.0,
                 direction,
                 centred: None,
                 left,
             };
-            pin.through(&guess.place.state)
+            pin.told(&guess.place.state)
         })
         .collect();
     (0..pins.len())

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::division::Division;
 use super::guess::Guess;
 use super::lows::section;
-use super::pin::{Pin, through};
+use super::pin::{Pin, through, told};
 use super::shot::{Shot, usual};
 use crate::bifurcation::{Disturbances, Floquet, floquet};
 use crate::field::Work;
@@ -122,8 +122,13 @@ impl Orbit {
             r,
             residual,
         } = solution;
-        let (place, calm) = section_place(family, &solution);
-        let (min, max) = shot.extent();
+        let (mut place, calm) = section_place(family, &solution);
+        let from_section = shot.from_section(family, r, &place);
+        let telling = from_section.as_ref().unwrap_or(shot);
+        if let Some(Shot { start, .. }) = &from_section {
+            place.clone_from(start);
+        }
+        let (min, max) = telling.extent();
         let passages = shot.passages.iter();
         let segments = shot.stretches();
         let zeros = most_stuck(&segments);
@@ -162,7 +167,7 @@ impl Orbit {
             error_estimate: accuracy.max(residual),
             events: shot.events(),
             segments,
-            section: shot.points(),
+            section: telling.points(),
             heading: Heading {
                 start: solution.start(),
                 tangent: None,
@@ -193,7 +198,7 @@ impl Orbit {
         let first = division.as_ref().map(|division| &division.starts[0]);
         let place = first.or(self.calm.as_ref()).unwrap_or(&self.place).clone();
         Guess {
-            pins: through(&self.pins, &place.state),
+            pins: through(&told(&self.pins, &self.place.state), &place.state),
             place,
             period: self.period,
             magnitude: self.magnitude(),

@@ -17,6 +17,8 @@ pub struct Pin {
     pub combination: Vec<f64>,
     /// b.
     pub value: f64,
+    /// What c·x is where the orbit is told to begin, wherever shooting begins.
+    pub(super) told: f64,
     /// Where c·x changes along the orbit, the direction in which that may be shifted.
     pub(super) direction: Option<Free>,
     /// What swings about the middle of its bounds instead. It meets both at once where it begins to meet any, so that the
@@ -33,6 +35,11 @@ pub(super) enum Swing {
     State(usize),
     /// The force of the contact of this index, which sticks all along, over the most that it can bear.
     Force(usize),
+}
+
+/// The same conditions, fulfilled by this state, where orbits are told to begin.
+pub(super) fn told(pins: &[Pin], state: &[f64]) -> Vec<Pin> {
+    pins.iter().map(|pin| pin.clone().told(state)).collect()
 }
 
 /// The same conditions, fulfilled by this state.
@@ -52,6 +59,15 @@ impl Pin {
         matches!(self.centred, Some(Swing::State(_)))
     }
 
+    /// The same condition, fulfilled by this state, where orbits are told to begin.
+    #[must_use]
+    pub(super) fn told(self, state: &[f64]) -> Self {
+        Self {
+            told: self.of(state),
+            ..self.through(state)
+        }
+    }
+
     /// The same condition, fulfilled by this state.
     #[must_use]
     pub(super) fn through(mut self, state: &[f64]) -> Self {
@@ -60,15 +76,15 @@ impl Pin {
     }
 
     /// c·x.
-    pub(super) fn of(&self, state: &[f64]) -> f64 {
+    pub(crate) fn of(&self, state: &[f64]) -> f64 {
         let terms = self.combination.iter().zip(state);
         terms.map(|(c, x)| c * x).sum()
     }
 
-    /// Shifts a state to where c·x is what it is for another, if that may be shifted.
-    pub(super) fn slide(&self, state: &mut [f64], to: &[f64]) {
+    /// Shifts a state to where c·x is this, if that may be shifted.
+    pub(super) fn slide(&self, state: &mut [f64], to: f64) {
         if let Some((_, direction)) = &self.direction {
-            let along = (self.of(to) - self.of(state)) / self.of(direction);
+            let along = (to - self.of(state)) / self.of(direction);
             state
                 .iter_mut()
                 .zip(direction)

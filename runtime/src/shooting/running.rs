@@ -7,13 +7,17 @@
 use nalgebra::DVector;
 
 use super::echelon::Free;
+use super::lows::section;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
 use super::shift::keeps_rates;
 use super::shot::Shot;
 use crate::continuation::Linearisation;
-use crate::flow::FlowError;
-use crate::motion::Flow;
+use crate::flow::{FlowError, Peaks, Want};
+use crate::motion::{Family, Flow, Place, apart};
+
+/// How near its beginning a motion ends that is told from its section, in usual sizes of the states.
+const CLOSED: f64 = 1e-6;
 
 impl OrbitProblem {
     /// Lets orbits that close gain, from now on, along what may be shifted: beyond where friction holds it they run on.
@@ -67,6 +71,47 @@ impl OrbitProblem {
     /// Where the equations begin by which the last segment closes the orbit.
     fn closing(&self) -> usize {
         (self.modes.len() - 1) * self.order()
+    }
+}
+
+impl Shot {
+    /// A motion that runs on as it is told: from this place on its section, held there as before, wherever shooting begins.
+    ///
+    /// `None` where nothing may be shifted at will, where shooting begins there, and where it does not come back from there,
+    /// as where errors grow.
+    pub(super) fn from_section(&self, family: &Family, r: f64, place: &Place) -> Option<Self> {
+        let shift = self.shift.as_deref()?;
+        let mut pins = self.pins.iter().filter(|pin| !pin.conserved()).peekable();
+        pins.peek()?;
+        if self.starts_on_section() && pins.all(|pin| pin.value == pin.told) {
+            return None;
+        }
+        let mut start = place.clone();
+        for pin in &self.pins {
+            pin.slide(&mut start.state, pin.told);
+        }
+        let want = Want {
+            extrema: Peaks::Extent(section(self.drive, Some(shift))),
+            ..Want::EXTREMA
+        };
+        let flow = family.at(r).ok()?;
+        let passage = flow.advance(&start, self.period, want).ok()?;
+        let mut end = passage.end.state.clone();
+        for (y, gain) in end.iter_mut().zip(shift) {
+            *y -= gain;
+        }
+        if let Some(phase) = self.drive {
+            end[phase] = start.state[phase];
+        }
+        let told = Self {
+            passages: vec![passage],
+            velocity: flow.velocity(&start).ok()?,
+            start,
+            begins: vec![0.0],
+            ..self.clone()
+        };
+        let sizes = told.magnitude(&vec![1.0; end.len()]);
+        (apart(&end, &told.start.state, &sizes) <= CLOSED).then_some(told)
     }
 }
 

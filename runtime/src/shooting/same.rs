@@ -103,7 +103,7 @@ impl Orbit {
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
         let mut q = q.to_vec();
         for pin in self.pins.iter().filter(|_| self.shift.is_some()) {
-            pin.slide(&mut q, p);
+            pin.slide(&mut q, pin.of(p));
         }
         apart(p, &q, &self.magnitude())
     }

@@ -14,9 +14,16 @@ pub struct Ended {
 }
 
 impl Ended {
-    pub(super) fn of(ending: &Ending<FlowError>, along: Along) -> Self {
+    /// Of what was followed up to this value of the design variable, where that is known.
+    pub(super) fn of(ending: &Ending<FlowError>, along: Along, last: Option<f64>) -> Self {
+        let reason = match (ending, last) {
+            (Ending::Stopped(stop @ Stop::StepTooSmall(_)), Some(last)) => {
+                format!("beyond {} {stop}", rounded(along.value(last)))
+            }
+            _ => reason(ending, along),
+        };
         Self {
-            reason: reason(ending, along),
+            reason,
             ending: ending.clone(),
         }
     }

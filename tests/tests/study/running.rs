@@ -88,6 +88,28 @@ model! {
     }
 }
 
+model! {
+    /// A part on a trough that shakes along a slanted line: beyond throw g it would hop.
+    pub struct Conveyor {
+        state x: m = 0.0;
+        state y: m = 0.0;
+        state vx: m/s = 0.0;
+        state vy: m/s = 0.0;
+        param throw: m = 0.4 where throw > 0.0;
+        param cot: 1 = 1.7;
+        param mu: 1 = 0.4 where mu >= 0.0;
+        param g: m/s^2 = 1.0;
+        param omega: rad/s = 1.0 where omega > 0.0;
+        drive phi at omega;
+        press N: m/s^2 = Rigid { restitution: 0.1 } closing y - throw * sin(phi);
+        friction F: m/s^2 = Coulomb { level: mu * N } opposing vx - throw * omega * cot * cos(phi);
+        der(x) = vx;
+        der(y) = vy;
+        der(vx) = F;
+        der(vy) = N - g;
+    }
+}
+
 fn along(system: &System, parameter: usize, from: f64, to: f64) -> Case {
     let design = Design::Parameter(parameter);
     Case {
@@ -337,5 +359,30 @@ fn what_gets_on_is_periodic_in_a_diagram() {
     let record = system.diagram(&case, &diagram).unwrap();
     for slice in &record.sweeps[0].slices {
         assert_eq!(slice.motion, Motion::Periodic(1), "{}", slice.r);
+    }
+}
+
+/// Wherever shooting begins, which moves along a branch, a lap is told from where its section is met, and held there alike.
+#[test]
+fn extents_of_what_runs_on_do_not_depend_on_how_its_branch_was_followed() {
+    let system = System::of::<Conveyor, _>();
+    for (from, to) in [(0.405, 0.43), (0.43, 0.405)] {
+        let case = along(&system, Conveyor::throw.index, from, to);
+        let branch = system.branch(&case).unwrap();
+        assert!(branch.ended.is_whole(), "{}", branch.ended.reason);
+        for orbit in &branch.points {
+            let alone = Case {
+                along: None,
+                ..case.at(orbit.r.unwrap())
+            };
+            let alone = system.orbit(&alone).unwrap();
+            close(orbit.held[0].value, 0.0, 1e-12);
+            for (found, right) in orbit.max.iter().zip(&alone.max) {
+                close(*found, *right, 1e-8);
+            }
+            for (found, right) in orbit.section[0].iter().zip(&alone.section[0]) {
+                close(*found, *right, 1e-8);
+            }
+        }
     }
 }

@@ -73,7 +73,11 @@ pub(in crate::study) fn follow(
     Stretch {
         points,
         located: walked.located,
-        ended: Ended::of(&walked.ending, along),
+        ended: Ended::of(
+            &walked.ending,
+            along,
+            walked.points.last().map(|last| last.r),
+        ),
         began: None,
     }
 }

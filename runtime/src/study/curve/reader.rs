@@ -63,7 +63,7 @@ impl Reader {
         (
             points.collect(),
             special,
-            Ended::of(&walked.ending, self.and),
+            Ended::of(&walked.ending, self.and, None),
             work,
         )
     }

@@ -252,7 +252,11 @@ fn ended(
     along: Along,
     modes: &Modes,
 ) -> Ended {
-    let mut ended = Ended::of(&walked.ending, along);
+    let mut ended = Ended::of(
+        &walked.ending,
+        along,
+        walked.points.last().map(|last| last.r),
+    );
     if let Ending::At(Kind::BoundaryEquilibrium, _) = walked.ending {
         let margin = walked.points.last().and_then(EquilibriumPoint::margin);
         let contact = margin.map_or(usize::MAX, |(contact, _)| contact);

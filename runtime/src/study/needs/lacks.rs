@@ -51,7 +51,7 @@ pub(super) fn lack(error: &StudyError) -> Option<Lack> {
             value,
             time,
             ..
-        } if *value < 0.0 => Some(Lack::Press {
+        } if *value <= 0.0 => Some(Lack::Press {
             force,
             bound: bound.clone(),
             value: *value,

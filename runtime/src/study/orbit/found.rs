@@ -155,7 +155,7 @@ impl Sought<'_> {
             held: orbit
                 .pins
                 .iter()
-                .map(|pin| Held::new(pin, self.system.info()))
+                .map(|pin| Held::new(pin, &orbit.place.state, self.system.info()))
                 .collect(),
             harmonics: self.harmonics(orbit),
             word: rubs.then(|| word(self.system.info(), &orbit.segments)),

@@ -16,8 +16,8 @@ pub struct Held {
 }
 
 impl Held {
-    /// The condition in the names of the model.
-    pub(in crate::study) fn new(pin: &Pin, info: &ModelInfo) -> Self {
+    /// The condition on an orbit that begins at this state, in the names of the model.
+    pub(in crate::study) fn new(pin: &Pin, state: &[f64], info: &ModelInfo) -> Self {
         let entries = pin.combination.iter().zip(info.states);
         let terms = entries.filter(|(c, _)| **c != 0.0);
         let mut combination = String::new();
@@ -36,7 +36,7 @@ impl Held {
         }
         Self {
             combination,
-            value: pin.value,
+            value: pin.of(state),
             conserved: pin.conserved(),
         }
     }
