@@ -29,8 +29,9 @@ const LESS: f64 = 0.9;
 const PANELS: f64 = 50.0;
 /// How far two extrapolations may be apart, as a share of the way to where they lead.
 const APART: f64 = 0.05;
-/// How far beyond the orbits are held for certain, over the same way.
-const BEYOND: f64 = 2.0;
+/// How far beyond orbits are sought that are held, over the same way: next to the point those alone are that strain the contact
+/// as much the one way as the other.
+const BEYOND: [f64; 4] = [2.0, 8.0, 32.0, 128.0];
 /// Orbits beyond by which it is located, as shares of the way to the first of them, then ever closer.
 const NEARER: [f64; 3] = [1.0, 0.5, 0.25];
 const CLOSER: [f64; 2] = [1.0 / 16.0, 1.0 / 256.0];
@@ -60,10 +61,13 @@ pub(super) fn comes_to_rest(
     let rest = rest(&branch.problem.family, [first, second, last])?;
     let settings = branch.settings();
     let upwards = rest.r > last.r;
-    let r = beyond(rest.r, rest.r - last.r, [settings.from, settings.to])?;
     let search = near(last, accuracy);
     let family = &branch.problem.family;
-    let held = held(family, r, ([second, last], rest.contact), &search)?;
+    let (orbits, range) = ([second, last], [settings.from, settings.to]);
+    let (r, held) = BEYOND.into_iter().find_map(|far| {
+        let r = beyond(rest.r, far * (rest.r - last.r), range)?;
+        Some((r, held(family, r, (orbits, rest.contact), &search)?))
+    })?;
     let started = begin(family, &held, &search, settings, (r, upwards)).ok()?;
     let mut z = started.1.z.clone();
     let mut closer = |rest: Rest, share| rest.sharper(&started, &mut z, share, accuracy);
@@ -153,11 +157,11 @@ impl Rest {
     }
 }
 
-/// A place beyond r in the range, next to it on this way; `None` if r is not inside.
+/// The place so far beyond r, or nearer if that is out of the range; `None` if r is.
 fn beyond(r: f64, way: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let inside = |r: f64| (r - from) * (r - to) < 0.0;
     let end = if (to - from) * way > 0.0 { to } else { from };
-    let far = r + BEYOND * way;
+    let far = r + way;
     let within = if inside(far) {
         far
     } else {

@@ -78,6 +78,83 @@ fn an_unstable_branch_reaches_its_end() {
     assert!(sensitivity * ACCURACY < 1e-4, "{sensitivity:e}");
 }
 
+/// Stages of Gauss's collocation of order 6: their weights in the increment, and those that lead to each stage.
+const ROOT: f64 = 3.872_983_346_207_417; // √15
+const WEIGHTS: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
+const STAGES: [[f64; 3]; 3] = [
+    [
+        5.0 / 36.0,
+        2.0 / 9.0 - ROOT / 15.0,
+        5.0 / 36.0 - ROOT / 30.0,
+    ],
+    [
+        5.0 / 36.0 + ROOT / 24.0,
+        2.0 / 9.0,
+        5.0 / 36.0 - ROOT / 24.0,
+    ],
+    [
+        5.0 / 36.0 + ROOT / 30.0,
+        2.0 / 9.0 + ROOT / 15.0,
+        5.0 / 36.0,
+    ],
+];
+
+/// A lap in so many steps of collocation, backwards: where it ends, and ∫ tr J dt forwards.
+fn backwards(
+    rates: &dyn Fn(&[f64]) -> (Vec<f64>, f64),
+    from: &[f64],
+    period: f64,
+    steps: usize,
+) -> (Vec<f64>, f64) {
+    let (mut state, mut growth) = (from.to_vec(), 0.0);
+    let step = -period / steps as f64;
+    for _ in 0..steps {
+        let mut stages = [0; 3].map(|_| rates(&state));
+        for _ in 0..12 {
+            stages = STAGES.map(|row| {
+                let moved = |j: usize| {
+                    let terms = row.iter().zip(&stages);
+                    state[j] + step * terms.map(|(a, (f, _))| a * f[j]).sum::<f64>()
+                };
+                rates(&(0..state.len()).map(moved).collect::<Vec<f64>>())
+            });
+        }
+        for (weight, (f, trace)) in WEIGHTS.iter().zip(&stages) {
+            let pairs = state.iter_mut().zip(f);
+            pairs.for_each(|(y, rate)| *y += step * weight * rate);
+            growth -= step * weight * trace;
+        }
+    }
+    (state, growth)
+}
+
+/// Backwards such an orbit attracts: what is left of the first lap's errors is a hundred millionth. Collocation along it, which
+/// knows nothing of shooting and its segments, finds its period, and by Liouville's formula its multiplier.
+#[test]
+fn an_unstable_orbit_is_the_attractor_of_its_past() {
+    let (orbits, _) = branch(1e-11);
+    let unstable: Vec<&Orbit> = orbits.iter().filter(|orbit| largest(orbit) > 1e6).collect();
+    for orbit in unstable.iter().rev().step_by(unstable.len() / 4) {
+        let flow = family(1e-12).at(orbit.r).expect("a flow");
+        let rates = |state: &[f64]| {
+            let place = flow.place(state).expect("a place");
+            let velocity = flow.velocity(&place).expect("a field");
+            (velocity.f.as_slice().to_vec(), velocity.jacobian.trace())
+        };
+        let lap = |from: &[f64]| backwards(&rates, from, orbit.period, 20_000);
+        let (settled, _) = lap(&orbit.place.state);
+        let (end, growth) = lap(&settled);
+        // How much later it passes where it was, at its own speed.
+        let (f, trace) = rates(&settled);
+        let square: f64 = f.iter().map(|rate| rate * rate).sum();
+        let off = f.iter().zip(end.iter().zip(&settled));
+        let late = off.map(|(rate, (y, x))| rate * (y - x)).sum::<f64>() / square;
+        assert!((late / orbit.period).abs() < 1e-9, "{late:e}");
+        let [found, right] = [largest(orbit).ln(), growth + trace * late];
+        assert!((found - right).abs() < 1e-6, "{found} {right}");
+    }
+}
+
 #[test]
 fn newton_is_quadratic_where_errors_grow() {
     let (orbits, _) = branch(ACCURACY);
