@@ -15,7 +15,7 @@ pub enum Lack {
         force: &'static str,
         /// The bounds of the field, as a user writes them.
         bound: String,
-        /// What it became.
+        /// What it comes to.
         value: f64,
         /// When.
         time: f64,

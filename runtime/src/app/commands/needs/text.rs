@@ -224,7 +224,7 @@ pub(super) fn lack(lack: &Lack) -> String {
             value,
             time,
         } => format!(
-            "the law of `{force}` wants {bound}, which becomes {} at t = {}: if that is the force that presses the contact, it \
+            "the law of `{force}` wants {bound}, and that comes to {} at t = {}: if that is the force that presses the contact, it \
              opens there, and wants a `press` line",
             number(*value, 3),
             number(*time, 6)
