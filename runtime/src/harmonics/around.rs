@@ -34,6 +34,25 @@ pub struct Around<'a> {
     pub shift: &'a [f64],
 }
 
+impl<'a> Around<'a> {
+    /// The same from another place.
+    fn from(self, place: &'a Place) -> Self {
+        Self { place, ..self }
+    }
+
+    /// By how much each state misses where it began, if the motion ends here.
+    fn gap(&self, flow: &dyn Flow, end: Vec<f64>) -> DVector<f64> {
+        let mut gap = DVector::from_vec(end) - DVector::from_column_slice(&self.place.state);
+        for (gap, gain) in gap.iter_mut().zip(self.shift) {
+            *gap -= gain;
+        }
+        if let Some(phase) = flow.phase() {
+            gap[phase] = 0.0;
+        }
+        gap
+    }
+}
+
 /// A periodic motion at the nodes of a quadrature.
 pub(super) struct Motion {
     period: f64,
@@ -52,19 +71,16 @@ impl Motion {
         around: Around<'_>,
         panel: f64,
     ) -> Result<Self, FlowError> {
-        let given = Self::follow(flow, around, panel)?;
-        if flow.phase().is_none() {
-            return Ok(given);
+        if flow.phase().is_some() {
+            let (gap, place) = corrected(flow, around)?;
+            let other = place.map(|place| Self::follow(flow, around.from(&place), panel));
+            if let Some(Ok(other)) = other
+                && other.gap.norm() < gap.norm()
+            {
+                return Ok(other);
+            }
         }
-        let corrected = corrected(flow, around.place, around.period, &given.gap)?;
-        let corrected = corrected.map(|place| {
-            let place = &place;
-            Self::follow(flow, Around { place, ..around }, panel)
-        });
-        Ok(match corrected {
-            Some(Ok(other)) if other.gap.norm() < given.gap.norm() => other,
-            _ => given,
-        })
+        Self::follow(flow, around, panel)
     }
 
     fn follow(flow: &dyn Flow, around: Around<'_>, panel: f64) -> Result<Self, FlowError> {
@@ -79,16 +95,11 @@ impl Motion {
         };
         let mut passage = flow.advance(place, period, want)?;
         for (j, gain) in shift.iter().enumerate() {
-            passage.end.state[j] -= gain;
             for node in &mut passage.nodes {
                 node.state[j] -= gain * node.time / period;
             }
         }
-        let mut gap =
-            DVector::from_vec(passage.end.state) - DVector::from_column_slice(&place.state);
-        if let Some(phase) = flow.phase() {
-            gap[phase] = 0.0;
-        }
+        let gap = around.gap(flow, passage.end.state);
         Ok(Self {
             period,
             phase: flow.phase(),
@@ -131,16 +142,17 @@ impl Motion {
     }
 }
 
-/// The place from which, to first order, the motion comes back; `None` where that is not known.
+/// By how much a motion misses its start, and the place from which, to first order, it would come back; `None` where that is
+/// not known.
 fn corrected(
     flow: &dyn Flow,
-    place: &Place,
-    period: f64,
-    gap: &DVector<f64>,
-) -> Result<Option<Place>, FlowError> {
-    let passage = flow.advance(place, period, Want::DERIVATIVES)?;
+    around: Around<'_>,
+) -> Result<(DVector<f64>, Option<Place>), FlowError> {
+    let place = around.place;
+    let passage = flow.advance(place, around.period, Want::DERIVATIVES)?;
+    let gap = around.gap(flow, passage.end.state);
     let Some(derivatives) = passage.derivatives else {
-        return Ok(None);
+        return Ok((gap, None));
     };
     let order = gap.len();
     let mut stays = DMatrix::identity(order, order) - derivatives.state;
@@ -148,9 +160,9 @@ fn corrected(
     if let Some(phase) = flow.phase() {
         stays.column_mut(phase).fill(0.0);
     }
-    let step = svd(stays).and_then(|svd| svd.solve(gap, svd.singular_values.max() / LASTING).ok());
+    let step = svd(stays).and_then(|svd| svd.solve(&gap, svd.singular_values.max() / LASTING).ok());
     let step = step.filter(|step| step.iter().all(|change| change.is_finite()));
-    Ok(step.map(|step| Place {
+    let place = step.map(|step| Place {
         state: place
             .state
             .iter()
@@ -158,5 +170,6 @@ fn corrected(
             .map(|(x, change)| x + change)
             .collect(),
         modes: place.modes.clone(),
-    }))
+    });
+    Ok((gap, place))
 }
