@@ -7,7 +7,7 @@ use super::least::{between, shorter};
 use super::neutral::{pins, suspect};
 use super::newton::{Converged, Effort, Found, LOOSEST, ROUGH, newton};
 use super::orbit::{Orbit, Solution};
-use super::pin::through;
+use super::pin::{through, told};
 use super::shot::Shot;
 use super::sought::Search;
 use crate::continuation::{CLOSED, Failure, ZeroProblem};
@@ -59,9 +59,11 @@ pub(super) fn calmly(
     let found = from(family, r, &calm, search, |family, r, found, usual| {
         let shot = &found.linearisation.extra;
         let (period, magnitude) = once_around(family.at(r)?.as_ref(), shot, usual);
+        // What was found to be neutral on the way is held.
         Ok(Guess {
             period,
             magnitude,
+            pins: told(&shot.pins, &shot.start.state),
             ..calm.moved(found)
         })
     });
