@@ -9,6 +9,10 @@ use crate::motion::{Flow, Modes, Place, Row, Segment};
 
 /// A state this near to its stop, relatively, is on it.
 const ON: f64 = 1e-13;
+/// Steps of Newton's method by which it is told when a force turns.
+const SHARPENED: usize = 4;
+/// Part of a stretch within which it is known then: what is left of its value is the square of that.
+const SHARP: f64 = 1e-6;
 /// Panels of a quadrature over a period, at whose nodes forces are looked at.
 const PANELS: f64 = 24.0;
 
@@ -140,6 +144,7 @@ pub(super) fn peaks(
             .nodes
             .into_iter()
             .map(|node| (node.time, node.state));
+        let first = state.clone();
         let ends = [(0.0, state), (stretch.duration, passage.end.state.clone())];
         let mut looks: Vec<(f64, Vec<f64>)> = nodes.chain(ends).collect();
         looks.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -149,7 +154,13 @@ pub(super) fn peaks(
             looked.push([begin + time, load.value, rate]);
         }
         for (sign, most) in [1.0, -1.0].into_iter().zip(&mut most) {
-            let turn = top(&looked, sign, modes);
+            let turn = top(&looked, sign, modes, stretches.len() == 1);
+            let turn = sharpened(
+                flow,
+                contact,
+                turn,
+                (&place(first.clone()), begin, stretch.duration),
+            )?;
             let further = |old: &Turn| sign * (turn.value - old.value) > 0.0;
             if most.as_ref().is_none_or(further) {
                 *most = Some(turn);
@@ -187,19 +198,19 @@ pub(super) fn spare_force(
     Some(1.0 - part(&turns[0])?.max(part(&turns[1])?))
 }
 
-/// The turn next to the greatest, or least, of these times, values and rates.
-fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes) -> Turn {
+/// The turn next to the greatest, or least, of these times, values and rates, which go all `around` the orbit or are those of
+/// one stretch of it: beyond the end of that there is none.
+fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: bool) -> Turn {
     let heights = looked.iter().map(|[_, value, _]| sign * value).enumerate();
     let (i, _) = heights
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .unwrap_or_default();
     let [time, value, rate] = looked.get(i).copied().unwrap_or_default();
-    let next = if sign * rate > 0.0 {
-        Some(i + 1)
-    } else {
-        i.checked_sub(1)
-    };
-    let next = next.and_then(|next| looked.get(next));
+    let mut sides = [i.checked_sub(1), Some(i + 1)].map(|side| looked.get(side?));
+    if sign * rate > 0.0 {
+        sides.reverse();
+    }
+    let next = sides[0].or(sides[1].filter(|_| around));
     let bend = next.map(|next| (next[2] - rate) / (next[0] - time));
     let bend = bend.filter(|bend| sign * bend < 0.0 && bend.is_finite());
     let off = bend.map_or(0.0, |bend| -rate / bend);
@@ -210,6 +221,39 @@ fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes) -> Turn {
         modes: Some(modes.clone()),
         bend,
     }
+}
+
+/// A turn where the rate vanishes, by Newton's method with secants, in the stretch that begins at a place at this time and lasts
+/// so long: taken from the nodes of a quadrature alone, it would jump with those from one orbit to the next.
+fn sharpened(
+    flow: &dyn Flow,
+    contact: usize,
+    mut turn: Turn,
+    (from, begin, duration): (&Place, f64, f64),
+) -> Result<Turn, FlowError> {
+    let mut before: Option<[f64; 2]> = None;
+    for _ in 0..SHARPENED {
+        let Some(bend) = turn.bend else { break };
+        let since = turn.time - begin;
+        if !(0.0..=duration).contains(&since) {
+            break;
+        }
+        let state = flow.advance(from, since, Want::default())?.end.state;
+        let place = Place::known(flow, &state, Some(&from.modes))?;
+        let (load, rate) = load(flow, &place, contact)?;
+        let secant = before.map(|[time, other]| (rate - other) / (turn.time - time));
+        let bend = secant.filter(|secant| secant * bend > 0.0).unwrap_or(bend);
+        let off = -rate / bend;
+        let next = (turn.time + off).clamp(begin, begin + duration);
+        turn.value = load.value + 0.5 * off * rate;
+        turn.bend = Some(bend);
+        if (next - turn.time).abs() <= SHARP * duration {
+            break;
+        }
+        before = Some([turn.time, rate]);
+        turn.time = next;
+    }
+    Ok(turn)
 }
 
 /// What part of the most that it can bear a contact holds at a place, and its rate.
