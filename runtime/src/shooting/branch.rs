@@ -9,7 +9,7 @@ use super::halved::Halved;
 use super::homoclinic::homoclinic;
 use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
-use super::rest::comes_to_rest;
+use super::rest::{comes_to_rest, rests_beyond};
 use super::same::SAME_ORBIT;
 use super::shot::Shot;
 use super::shrunk::shrunk;
@@ -160,7 +160,16 @@ impl Reader for Orbits {
         branch: &Branch<OrbitProblem>,
         orbits: &[Orbit],
     ) -> Option<Crossing<OrbitProblem, Orbit>> {
-        cross(branch, orbits, self.accuracy)
+        let crossing = cross(branch, orbits, self.accuracy)?;
+        let held = || {
+            let at = (crossing.located.r, crossing.located.error);
+            rests_beyond(branch, orbits, at, self.accuracy)
+        };
+        let held = match crossing.beyond {
+            Beyond::Undecided => held(),
+            _ => None,
+        };
+        Some(held.unwrap_or(crossing))
     }
 
     fn leads(

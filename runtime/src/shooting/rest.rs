@@ -32,6 +32,8 @@ const APART: f64 = 0.05;
 /// How far beyond orbits are sought that are held, over the same way: next to the point those alone are that strain the contact
 /// as much the one way as the other.
 const BEYOND: [f64; 4] = [2.0, 8.0, 32.0, 128.0];
+/// How far away, relatively, the orbit is from which one that has come to a border is continued.
+const AWAY: f64 = 1e-3;
 /// Orbits beyond by which it is located, as shares of the way to the first of them, then ever closer.
 const NEARER: [f64; 3] = [1.0, 0.5, 0.25];
 const CLOSER: [f64; 2] = [1.0 / 16.0, 1.0 / 256.0];
@@ -59,27 +61,23 @@ pub(super) fn comes_to_rest(
         return None;
     };
     let rest = rest(&branch.problem.family, [first, second, last])?;
-    let settings = branch.settings();
-    let upwards = rest.r > last.r;
-    let search = near(last, accuracy);
-    let family = &branch.problem.family;
-    let (orbits, range) = ([second, last], [settings.from, settings.to]);
-    let (r, held) = BEYOND.into_iter().find_map(|far| {
-        let r = beyond(rest.r, far * (rest.r - last.r), range)?;
-        Some((r, held(family, r, (orbits, rest.contact), &search)?))
-    })?;
-    let started = begin(family, &held, &search, settings, (r, upwards)).ok()?;
-    let mut z = started.1.z.clone();
-    let mut closer = |rest: Rest, share| rest.sharper(&started, &mut z, share, accuracy);
-    let seen = closer(rest, 1.0)?;
-    if (seen.r - rest.r).abs() > APART * (rest.r - last.r).abs() {
-        return None;
-    }
-    let mut rest = seen;
-    for share in CLOSER {
-        rest = closer(rest, share).unwrap_or(rest);
-    }
-    Some(passes(last, (rest.r, rest.error), started, accuracy))
+    rest.passes(branch, [second, last], rest.r - last.r, accuracy)
+}
+
+/// The same where a border has been found at r at which a contact should cease to slide, and no orbits beyond it along which
+/// it slides.
+pub(super) fn rests_beyond(
+    branch: &Branch<OrbitProblem>,
+    orbits: &[Orbit],
+    (r, error): (f64, f64),
+    accuracy: f64,
+) -> Option<Crossing<OrbitProblem, Orbit>> {
+    let (last, before) = orbits.split_last()?;
+    let far = |orbit: &&Orbit| (orbit.r - r).abs() >= AWAY * r.abs();
+    let from = before.iter().rev().find(far)?;
+    let slides = (0..last.place.modes.len()).filter(|contact| slides(last, *contact) > 0.0);
+    let mut rests = slides.map(|contact| Rest { contact, r, error });
+    rests.find_map(|rest| rest.passes(branch, [from, last], r - from.r, accuracy))
 }
 
 /// Where the sliding of a contact vanishes, as three orbits that follow each other ever more closely show.
@@ -126,6 +124,36 @@ fn urge(family: &Family, orbit: &Orbit, contact: usize) -> Option<f64> {
 }
 
 impl Rest {
+    /// The point, and the orbits beyond; before it lie these two, as far as this way.
+    fn passes(
+        self,
+        branch: &Branch<OrbitProblem>,
+        orbits: [&Orbit; 2],
+        way: f64,
+        accuracy: f64,
+    ) -> Option<Crossing<OrbitProblem, Orbit>> {
+        let (last, settings) = (orbits[1], branch.settings());
+        let search = near(last, accuracy);
+        let family = &branch.problem.family;
+        let range = [settings.from, settings.to];
+        let (r, held) = BEYOND.into_iter().find_map(|far| {
+            let r = beyond(self.r, far * way, range)?;
+            Some((r, held(family, r, (orbits, self.contact), &search)?))
+        })?;
+        let started = begin(family, &held, &search, settings, (r, way > 0.0)).ok()?;
+        let mut z = started.1.z.clone();
+        let mut closer = |rest: Self, share| rest.sharper(&started, &mut z, share, accuracy);
+        let seen = closer(self, 1.0)?;
+        if (seen.r - self.r).abs() > APART * way.abs() {
+            return None;
+        }
+        let mut rest = seen;
+        for share in CLOSER {
+            rest = closer(rest, share).unwrap_or(rest);
+        }
+        Some(passes(last, (rest.r, rest.error), started, accuracy))
+    }
+
     /// The same from the other side, where it is known better: how near orbits that are held are to letting go.
     fn sharper(
         self,
