@@ -207,6 +207,12 @@ impl Orbit {
         }
     }
 
+    /// Whether a state is not where it was when the motion has come back.
+    pub(crate) fn runs(&self, state: usize) -> bool {
+        let shift = self.shift.as_deref();
+        shift.is_some_and(|shift| shift[state] != 0.0)
+    }
+
     /// Largest magnitude of each state.
     #[must_use]
     pub fn max_abs(&self) -> Vec<f64> {

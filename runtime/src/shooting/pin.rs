@@ -54,6 +54,12 @@ impl Pin {
         self.direction.is_none()
     }
 
+    /// The direction in which the orbit may be shifted at will, if c·x changes along it.
+    pub(crate) fn along(&self) -> Option<&[f64]> {
+        let (_, direction) = self.direction.as_ref()?;
+        Some(direction)
+    }
+
     /// Whether an internal state of a law is what is held.
     pub(super) fn holds_state(&self) -> bool {
         matches!(self.centred, Some(Swing::State(_)))

@@ -11,6 +11,7 @@ use nalgebra::DMatrix;
 
 use super::course::{courses, sharper};
 use super::echelon::{Echelon, Free};
+use super::moved::moved;
 use super::tried::{TRIED, slopes_of_speeds, spread};
 use super::wavelength::wavelengths;
 use crate::linear::svd;
@@ -98,8 +99,15 @@ impl Shifts {
                 shift[j] += along * d;
             }
         }
+        let turns = self.turns(&rest);
+        shift.iter().zip(&turns).map(|(a, b)| a + b).collect()
+    }
+
+    /// What of a way is whole shifts: a body that may stand anywhere stays where it is.
+    pub(crate) fn turns(&self, way: &[f64]) -> Vec<f64> {
+        let mut shift = vec![0.0; way.len()];
         for (pivot, turn) in &self.angles {
-            let turns = (rest[*pivot] / turn[*pivot] + ASIDE).round();
+            let turns = (way[*pivot] / turn[*pivot] + ASIDE).round();
             for (gain, turn) in shift.iter_mut().zip(turn) {
                 *gain += turns * turn;
             }
@@ -109,8 +117,23 @@ impl Shifts {
 
     /// The state moved by such a shift to the origin, as far as one leads there.
     pub(crate) fn home(&self, state: &[f64]) -> Vec<f64> {
-        let shift = self.between(&vec![0.0; state.len()], state);
-        moved(state, &shift, 1.0)
+        self.beside(state, &vec![0.0; state.len()])
+    }
+
+    /// The state moved by such a shift to where it is next to a point.
+    pub(crate) fn beside(&self, state: &[f64], point: &[f64]) -> Vec<f64> {
+        if self.is_empty() {
+            return state.to_vec();
+        }
+        moved(state, &self.between(point, state), 1.0)
+    }
+
+    /// How far a state is from a point in these units, but for such shifts.
+    pub(crate) fn apart(&self, state: &[f64], point: &[f64], units: &[f64]) -> f64 {
+        match self.is_empty() {
+            true => apart(state, point, units),
+            false => apart(&self.beside(state, point), point, units),
+        }
     }
 
     /// The shift between two states, if no state lacks more than `closeness` in these units besides; `None` also where the
@@ -253,29 +276,4 @@ fn keeps_speeds(flow: &dyn Flow, shift: &[f64], places: &[Vec<f64>]) -> bool {
         !differ.any(|differ| differ > SAME * size)
     };
     (0..pairs.first().map_or(0, |(here, _)| here.len())).all(same)
-}
-
-/// The state moved by any share of a shift to where it is nearest to a point.
-pub(crate) fn slid(state: &[f64], point: &[f64], shift: &[f64]) -> Vec<f64> {
-    let turns = shifts_apart(state, point, shift);
-    moved(state, shift, turns)
-}
-
-/// The state moved by whole shifts to where it is nearest to a point.
-pub(crate) fn unshifted(state: &[f64], point: &[f64], shift: &[f64]) -> Vec<f64> {
-    let turns = shifts_apart(state, point, shift).round();
-    moved(state, shift, turns)
-}
-
-/// How many shifts a state is away from a point.
-fn shifts_apart(state: &[f64], point: &[f64], shift: &[f64]) -> f64 {
-    let pairs = state.iter().zip(point).zip(shift);
-    let along: f64 = pairs.map(|((y, p), d)| (y - p) * d).sum();
-    let square: f64 = shift.iter().map(|d| d * d).sum();
-    along / square
-}
-
-fn moved(state: &[f64], shift: &[f64], turns: f64) -> Vec<f64> {
-    let back = state.iter().zip(shift).map(|(y, d)| y - turns * d);
-    back.collect()
 }

@@ -2,8 +2,8 @@
 
 use super::error::OrbitError;
 use super::guess::Guess;
+use super::moved::unshifted;
 use super::orbit::Orbit;
-use super::shift::unshifted;
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};

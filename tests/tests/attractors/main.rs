@@ -9,3 +9,4 @@ mod settling;
 mod shares;
 mod sharing;
 mod transport;
+mod windings;

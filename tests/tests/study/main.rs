@@ -3,6 +3,7 @@
 mod braced;
 mod certificates;
 mod coverage;
+mod crawling;
 mod ferried;
 mod hostile;
 mod lattice;

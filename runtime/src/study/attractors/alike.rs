@@ -2,7 +2,7 @@
 
 use super::record::{Attractor, Class};
 use crate::motion::{apart, half_extents};
-use crate::shooting::{slid, unshifted};
+use crate::shooting::{Shifts, slid, unshifted};
 
 /// Points of two computations of one motion agree to this share of its extent.
 const SAME: f64 = 1e-5;
@@ -15,23 +15,19 @@ impl Attractor {
         half_extents(&self.min, &self.max, fallback)
     }
 
-    /// Whether two computations have found the same motion; states that hardly move are measured against `usual` sizes.
-    pub(super) fn is(&self, other: &Self, usual: &[f64]) -> bool {
+    /// Whether two computations have found the same motion, but for shifts that change nothing; states that hardly move are
+    /// measured against `usual` sizes.
+    pub(super) fn is(&self, other: &Self, usual: &[f64], shifts: &Shifts) -> bool {
         if self.class != other.class {
             return false;
         }
         let units = self.magnitude(usual);
         match self.class {
-            Class::Equilibrium => apart(&self.state, &other.state, usual) <= SAME,
+            Class::Equilibrium => shifts.apart(&other.state, &self.state, usual) <= SAME,
             Class::Sticking => self.modes == other.modes,
-            Class::Orbit => self.coincides(other, &units),
-            Class::Running => self.runs_like(other, usual) && self.coincides(other, &units),
-            Class::Torus | Class::Chaos => {
-                apart(&self.state, &other.state, &units)
-                    .max(apart(&self.min, &other.min, &units))
-                    .max(apart(&self.max, &other.max, &units))
-                    <= ALIKE
-            }
+            Class::Orbit => self.coincides(other, &units, shifts),
+            Class::Running => self.runs_like(other, usual) && self.coincides(other, &units, shifts),
+            Class::Torus | Class::Chaos => self.extends_like(other, &units, shifts),
             Class::Family => self.word == other.word,
             Class::Escape | Class::Unsettled => true,
             Class::Failed => self.fails_like(other),
@@ -52,6 +48,19 @@ impl Attractor {
         words(self) == words(other)
     }
 
+    /// Whether both keep to one region.
+    fn extends_like(&self, other: &Self, units: &[f64], shifts: &Shifts) -> bool {
+        let shift = shifts.between(&self.state, &other.state);
+        let far = |here: &[f64], there: &[f64]| {
+            let there = there.iter().zip(&shift).map(|(y, by)| y - by);
+            apart(here, &there.collect::<Vec<f64>>(), units)
+        };
+        far(&self.state, &other.state)
+            .max(far(&self.min, &other.min))
+            .max(far(&self.max, &other.max))
+            <= ALIKE
+    }
+
     /// Whether both advance as much.
     fn runs_like(&self, other: &Self, usual: &[f64]) -> bool {
         match (&self.shift, &other.shift) {
@@ -61,7 +70,7 @@ impl Attractor {
     }
 
     /// Whether both meet their section in the same points, in turn.
-    fn coincides(&self, other: &Self, units: &[f64]) -> bool {
+    fn coincides(&self, other: &Self, units: &[f64], shifts: &Shifts) -> bool {
         let count = self.points.len();
         let periods = [self, other].map(|one| one.period.unwrap_or(0.0));
         let near = |turn: usize| {
@@ -71,7 +80,7 @@ impl Attractor {
                 .zip(other.points.iter().cycle().skip(turn));
             pairs
                 .into_iter()
-                .all(|(a, b)| self.unshifted(a, b, units) <= SAME)
+                .all(|(a, b)| self.unshifted(a, b, units, shifts) <= SAME)
         };
         self.section == other.section
             && count == other.points.len()
@@ -79,12 +88,18 @@ impl Attractor {
             && (0..count.max(1)).any(near)
     }
 
-    /// How far a state is from a point, but for whole shifts.
-    pub(super) fn unshifted(&self, state: &[f64], point: &[f64], units: &[f64]) -> f64 {
+    /// How far a state is from a point, but for what it gains in laps and for shifts that change nothing.
+    pub(super) fn unshifted(
+        &self,
+        state: &[f64],
+        point: &[f64],
+        units: &[f64],
+        shifts: &Shifts,
+    ) -> f64 {
         match &self.shift {
-            Some(shift) if self.slides => apart(&slid(state, point, shift), point, units),
-            Some(shift) => apart(&unshifted(state, point, shift), point, units),
-            None => apart(state, point, units),
+            Some(shift) if self.slides => shifts.apart(&slid(state, point, shift), point, units),
+            Some(shift) => shifts.apart(&unshifted(state, point, shift), point, units),
+            None => shifts.apart(state, point, units),
         }
     }
 }

@@ -5,6 +5,7 @@ use super::returns::returns;
 use super::statistics::visited;
 use crate::flow::FlowError;
 use crate::motion::{apart, half_extents};
+use crate::shooting::Shifts;
 
 /// So many crossings on end are judged together.
 const CROSSINGS: u32 = 100;
@@ -30,10 +31,12 @@ impl Cloud {
         ground: &Ground<'_>,
         of: usize,
         start: &[f64],
+        shifts: &Shifts,
     ) -> Result<Option<Self>, FlowError> {
         let Some(points) = visited(ground, start)? else {
             return Ok(None);
         };
+        let points: Vec<Vec<f64>> = points.iter().map(|point| shifts.home(point)).collect();
         let bound = |far: fn(f64, f64) -> f64, from: f64| -> Vec<f64> {
             let most = |j: usize| points.iter().fold(from, |most, point| far(most, point[j]));
             (0..start.len()).map(most).collect()
@@ -100,18 +103,18 @@ impl Kept {
         Self(vec![Latest::default(); clouds.len()])
     }
 
-    /// The motion to whose places another one keeps as well as it does itself, after one more crossing, the first of those
-    /// that are `latest`.
+    /// The motion to whose places another one keeps as well as it does itself, after one more crossing: there but for shifts
+    /// that change nothing, and the first of those that are `latest`.
     pub(super) fn watch<'a>(
         &mut self,
         clouds: &[Cloud],
-        latest: impl Iterator<Item = &'a Vec<f64>> + Clone,
+        home: &[f64],
+        latest: impl Iterator<Item = &'a Vec<f64>>,
         usual: &[f64],
     ) -> Option<usize> {
-        let state = latest.clone().next()?;
         let mut kept = None;
         for (cloud, own) in clouds.iter().zip(&mut self.0) {
-            own.note(cloud.strays_from(&cloud.points, state));
+            own.note(cloud.strays_from(&cloud.points, home));
             if own.seen >= CROSSINGS && own.strays() <= cloud.strays {
                 kept = kept.or(Some(cloud.of));
             }

@@ -6,7 +6,6 @@ use super::record::Class;
 use super::track::{Release, Track};
 use crate::field::exact::Mode;
 use crate::motion::apart;
-use crate::shooting::Shifts;
 
 /// States that agree to this, in usual sizes, are the same but for rounding.
 const SAME: f64 = 1e-10;
@@ -25,10 +24,10 @@ const MOST: usize = 4096;
 /// all that let go there share one future. Where one dimension is left, places of letting go lie on a line, and a place
 /// between two neighbours whose motions go on through the same switches to the same end goes on so, too: what follows on
 /// the line is stretched or shrunk by them, but keeps its order.
-#[derive(Debug, Clone)]
+///
+/// Nothing depends on where along a shift that changes nothing it was: places are those at home.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Memo {
-    /// What changes nothing.
-    pub(super) shifts: Shifts,
     known: Vec<Known>,
     ways: Vec<Way>,
 }
@@ -45,20 +44,9 @@ struct Known {
 struct Way {
     word: Vec<(usize, Mode)>,
     of: usize,
-    /// Whether it runs on, so that nothing depends on where it is.
-    runs: bool,
 }
 
 impl Memo {
-    /// Nothing known yet, where these shifts change nothing.
-    pub(super) fn new(shifts: Shifts) -> Self {
-        Self {
-            shifts,
-            known: Vec::new(),
-            ways: Vec::new(),
-        }
-    }
-
     /// Told of the way of a motion that settles on motion number `of`. Of irregular ones nothing is kept: neighbours part.
     pub(super) fn learn(&mut self, track: Track, (of, class): (usize, Class), usual: &[f64]) {
         if matches!(class, Class::Chaos | Class::Torus | Class::Unsettled) {
@@ -66,8 +54,7 @@ impl Memo {
         }
         let Track { word, releases } = track;
         let way = self.ways.len();
-        let runs = class == Class::Running;
-        self.ways.push(Way { word, of, runs });
+        self.ways.push(Way { word, of });
         for release in releases {
             if self.known.len() < MOST && self.same(&release, usual).is_none() {
                 self.known.push(Known { release, way });
@@ -87,21 +74,8 @@ impl Memo {
         all.filter(|known| known.release.is_alike(one))
     }
 
-    /// Where a contact let go, as it counts for what a known motion does.
-    fn place<'a>(&self, release: &'a Release, known: &Known) -> &'a [f64] {
-        match self.ways[known.way].runs {
-            true => &release.home,
-            false => &release.state,
-        }
-    }
-
-    fn far(&self, one: &Release, known: &Known, usual: &[f64]) -> f64 {
-        let [here, there] = [one, &known.release].map(|release| self.place(release, known));
-        apart(here, there, usual)
-    }
-
     fn same(&self, one: &Release, usual: &[f64]) -> Option<usize> {
-        let same = |known: &&Known| self.far(one, known, usual) <= SAME;
+        let same = |known: &&Known| far(one, known, usual) <= SAME;
         self.alike(one)
             .find(same)
             .map(|known| self.ways[known.way].of)
@@ -112,11 +86,10 @@ impl Memo {
         if one.free != 1 {
             return None;
         }
-        let far = |known: &Known| self.far(one, known, usual);
+        let far = |known: &Known| far(one, known, usual);
         let nearer = |a: &&Known, b: &&Known| far(a).total_cmp(&far(b));
         let first = self.alike(one).min_by(nearer)?;
-        let between =
-            |[a, b]: [&Release; 2]| difference(self.place(a, first), self.place(b, first), usual);
+        let between = |[a, b]: [&Release; 2]| difference(&a.home, &b.home, usual);
         let from = |known: &Known| between([one, &known.release]);
         let way = from(first);
         let beyond = |known: &&Known| from(known).dot(&way) < 0.0;
@@ -136,6 +109,10 @@ impl Memo {
         let alike = common >= ALIKE && after_a[..common] == after_b[..common];
         (alike && of(a) == of(b)).then(|| of(a))
     }
+}
+
+fn far(one: &Release, known: &Known, usual: &[f64]) -> f64 {
+    apart(&one.home, &known.release.home, usual)
 }
 
 fn difference(a: &[f64], b: &[f64], units: &[f64]) -> DVector<f64> {

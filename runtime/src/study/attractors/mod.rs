@@ -16,6 +16,7 @@ mod edge;
 mod followed;
 mod following;
 mod further;
+mod future;
 mod ground;
 mod memo;
 mod passes;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::setting::Sampling;
 use crate::bifurcation::Stability;
 use crate::motion::Modes;
+use crate::shooting::Shifts;
 use crate::study::question::Along;
 use crate::words::words;
 
@@ -172,6 +173,18 @@ impl Attractor {
             error: None,
             reason,
         }
+    }
+
+    /// The same, angles within one turn of where they are nothing.
+    pub(super) fn turned(mut self, shifts: &Shifts) -> Self {
+        let turns = shifts.turns(&self.state);
+        let told = [&mut self.state, &mut self.min, &mut self.max];
+        for state in told.into_iter().chain(&mut self.points) {
+            for (y, by) in state.iter_mut().zip(&turns) {
+                *y -= by;
+            }
+        }
+        self
     }
 
     /// The same, judged by its multipliers or eigenvalues.

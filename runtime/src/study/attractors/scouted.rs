@@ -1,55 +1,45 @@
 //! What the first starts have found, and how later ones are recognised by it.
 
-use std::collections::VecDeque;
-
 use super::basin::Basin;
-use super::cloud::{Cloud, Kept};
+use super::cloud::Cloud;
 use super::ground::Ground;
 use super::memo::Memo;
-use super::pursuit::{Pursuit, minima};
 use super::record::{Attractor, Class, Fate};
-use super::returns::{SETTLED, returns};
 use super::statistics::irregular;
 use super::track::Track;
-use super::trap::{Hold, Rest, Trap};
+use super::trap::{Rest, Trap};
 use crate::bifurcation::Stability;
-use crate::flow::FlowError;
-use crate::motion::Passage;
 use crate::shooting::{Shifts, unshifted};
 
 /// Starts that are looked at closely before any other.
 const SCOUTS: usize = 32;
-/// Passages for which a start is followed to a motion that is known.
-const PASSAGES: usize = 1500;
-/// Steps of the integrator for that.
-const STEPS: u64 = 2_000_000;
-/// Crossings that are looked back at.
-const BACK: usize = 20;
 
 pub(super) struct Scouted<'a> {
-    ground: Ground<'a>,
+    pub(super) ground: Ground<'a>,
     /// The motions, in the order in which they were found.
     pub(super) attractors: Vec<Attractor>,
-    traps: Vec<Trap>,
-    rests: Vec<Rest>,
-    clouds: Vec<Cloud>,
-    memo: Memo,
-    /// Shifts of states that change nothing.
-    shifts: Vec<Vec<f64>>,
+    pub(super) traps: Vec<Trap>,
+    pub(super) rests: Vec<Rest>,
+    pub(super) clouds: Vec<Cloud>,
+    pub(super) memo: Memo,
+    /// Shifts of states that change nothing: motions are one but for these.
+    pub(super) shifts: Shifts,
+    /// Others, by which motions turned out to differ.
+    pub(super) copies: Vec<Vec<f64>>,
 }
 
 impl<'a> Scouted<'a> {
     /// Looks at the first starts, each with what those before have found.
     pub(super) fn new(ground: Ground<'a>, starts: usize) -> Self {
-        let memo = Memo::new(Shifts::of(ground.flow.as_ref(), &ground.usual));
         let mut scouted = Self {
+            shifts: Shifts::of(ground.flow.as_ref(), &ground.usual),
             ground,
             attractors: Vec::new(),
             traps: Vec::new(),
             rests: Vec::new(),
             clouds: Vec::new(),
-            memo,
-            shifts: Vec::new(),
+            memo: Memo::default(),
+            copies: Vec::new(),
         };
         scouted.equilibria();
         for k in 0..starts.min(SCOUTS) {
@@ -58,7 +48,7 @@ impl<'a> Scouted<'a> {
             let of = match scouted.future(&start, &mut track) {
                 Some(of) => of,
                 None => {
-                    let of = scouted.take(scouted.ground.closely(&start));
+                    let of = scouted.take(scouted.closely(&start));
                     scouted.visit(of, &start);
                     of
                 }
@@ -85,19 +75,19 @@ impl<'a> Scouted<'a> {
             if let Ok(found) = self.ground.rest(&place)
                 && found.class == Class::Equilibrium
             {
-                self.take(found);
+                self.take(found.turned(&self.shifts));
             }
         }
     }
 
+    /// What a start settles on, angles told within one turn.
+    fn closely(&self, start: &[f64]) -> Attractor {
+        self.ground.closely(start).turned(&self.shifts)
+    }
+
     /// The place of a motion in the list, where it is put if it is new.
     fn take(&mut self, new: Attractor) -> usize {
-        let usual = &self.ground.usual;
-        if let Some(known) = self
-            .attractors
-            .iter()
-            .position(|known| known.is(&new, usual))
-        {
+        if let Some(known) = self.place(&new) {
             return known;
         }
         let copied = |known: &Attractor| {
@@ -111,7 +101,7 @@ impl<'a> Scouted<'a> {
             .enumerate()
             .find_map(|(of, known)| Some((of, copied(known)?)));
         if let Some((of, shift)) = copy {
-            self.shift(shift);
+            self.copied_by(shift);
             return of;
         }
         let of = self.attractors.len();
@@ -125,18 +115,18 @@ impl<'a> Scouted<'a> {
         let chaos = self.attractors[of].class == Class::Chaos;
         if chaos
             && self.clouds.iter().all(|cloud| cloud.of != of)
-            && let Ok(Some(cloud)) = Cloud::of(&self.ground, of, start)
+            && let Ok(Some(cloud)) = Cloud::of(&self.ground, of, start, &self.shifts)
         {
             self.clouds.push(cloud);
         }
     }
 
-    fn shift(&mut self, shift: Vec<f64>) {
+    fn copied_by(&mut self, shift: Vec<f64>) {
         let square = |shift: &Vec<f64>| shift.iter().map(|d| d * d).sum::<f64>();
         // The shortest of those along one line is the one that the others are whole numbers of.
-        match self.shifts.first_mut() {
+        match self.copies.first_mut() {
             Some(known) if square(&shift) < square(known) => *known = shift,
-            None => self.shifts.push(shift),
+            None => self.copies.push(shift),
             Some(_) => {}
         }
     }
@@ -146,8 +136,13 @@ impl<'a> Scouted<'a> {
         let (ground, usual) = (&self.ground, &self.ground.usual);
         match new.class {
             Class::Orbit | Class::Running if new.period.is_some() => {
-                self.traps
-                    .extend(Trap::around(ground.flow.as_ref(), of, new, usual));
+                self.traps.extend(Trap::around(
+                    ground.flow.as_ref(),
+                    of,
+                    new,
+                    usual,
+                    &self.shifts,
+                ));
             }
             Class::Equilibrium => {
                 let touches = ground.touches().then_some(new.modes.as_slice());
@@ -168,7 +163,7 @@ impl<'a> Scouted<'a> {
             _ => {}
         }
         if let (Some(shift), Some(_)) = (&new.shift, new.period) {
-            self.shift(shift.clone());
+            self.copied_by(shift.clone());
         }
     }
 
@@ -177,20 +172,23 @@ impl<'a> Scouted<'a> {
         if let Some(of) = self.future(start, &mut Track::default()) {
             return Fate::Known(of);
         }
-        let usual = &self.ground.usual;
-        let known = |new: &Attractor| {
-            self.attractors
-                .iter()
-                .position(|known| known.is(new, usual))
+        let known = |new: Attractor| match self.place(&new) {
+            Some(of) => Fate::Known(of),
+            None => Fate::Other(Box::new(new)),
         };
         let wild = |one: &Attractor| matches!(one.class, Class::Torus | Class::Chaos);
         if self.attractors.iter().any(wild)
             && let Ok(Some(new)) = irregular(&self.ground, start)
         {
-            return known(&new).map_or_else(|| Fate::Other(Box::new(new)), Fate::Known);
+            return known(new.turned(&self.shifts));
         }
-        let new = self.ground.closely(start);
-        known(&new).map_or_else(|| Fate::Other(Box::new(new)), Fate::Known)
+        known(self.closely(start))
+    }
+
+    /// The place of a motion in the list, if it is there.
+    fn place(&self, new: &Attractor) -> Option<usize> {
+        let mut all = self.attractors.iter();
+        all.position(|known| known.is(new, &self.ground.usual, &self.shifts))
     }
 
     pub(super) fn ground(&self) -> &Ground<'a> {
@@ -219,81 +217,7 @@ impl<'a> Scouted<'a> {
             moved
         };
         let resting = a.class == Class::Equilibrium;
-        a.is(b, &self.ground.usual)
-            || (resting
-                && self
-                    .shifts
-                    .iter()
-                    .any(|shift| a.is(&moved(shift), &self.ground.usual)))
-    }
-
-    /// The motion on which a start settles, as soon as that is known, and the way until then.
-    fn future(&self, start: &[f64], track: &mut Track) -> Option<usize> {
-        self.followed(start, track).ok().flatten()
-    }
-
-    fn followed(&self, start: &[f64], track: &mut Track) -> Result<Option<usize>, FlowError> {
-        let ground = &self.ground;
-        let mut pursuit = Pursuit::new(ground.flow.as_ref(), start)?;
-        let mut holds: Vec<Option<Hold>> = vec![None; self.traps.len()];
-        let section = ground.flow.phase().unwrap_or(0);
-        let mut kept_to = Kept::new(&self.clouds);
-        let mut latest: VecDeque<Vec<f64>> = VecDeque::new();
-        for _ in 0..PASSAGES {
-            let (begun, modes) = (pursuit.time, pursuit.place.modes.clone());
-            let passage = pursuit.on()?;
-            let new = track.note(&passage, modes, &self.memo.shifts);
-            let mut crossed = false;
-            let mut roams = None;
-            for minimum in minima(&passage, section) {
-                crossed = true;
-                latest.push_front(minimum.state.clone());
-                latest.truncate(BACK);
-                roams = roams.or(kept_to.watch(&self.clouds, latest.iter(), &ground.usual));
-            }
-            let future = self
-                .memo
-                .future(&track.releases[new], &ground.usual)
-                .or_else(|| self.held(&passage, &mut holds));
-            let future = future.or_else(|| {
-                let mut rests = self.rests.iter();
-                Some(
-                    rests
-                        .find(|rest| rest.holds(&pursuit.place, &self.shifts))?
-                        .of,
-                )
-            });
-            let future = future.or(roams);
-            let rests = future.is_none() && ground.rests(&passage, pursuit.time - begun)?;
-            if future.is_some() {
-                return Ok(future);
-            }
-            if rests {
-                let found = ground.rest(&pursuit.place)?;
-                return Ok(self
-                    .attractors
-                    .iter()
-                    .position(|known| self.same(known, &found)));
-            }
-            if pursuit.steps > STEPS
-                || (crossed && returns(latest.iter(), &ground.usual, SETTLED).is_some())
-            {
-                break;
-            }
-        }
-        Ok(None)
-    }
-
-    /// The orbit that holds the motion for good after this passage, if one does.
-    fn held(&self, passage: &Passage, holds: &mut [Option<Hold>]) -> Option<usize> {
-        for (trap, hold) in self.traps.iter().zip(holds) {
-            for minimum in minima(passage, trap.section()) {
-                match trap.watch(*hold, &minimum.state) {
-                    Ok(next) => *hold = next,
-                    Err(of) => return Some(of),
-                }
-            }
-        }
-        None
+        let is = |b: &Attractor| a.is(b, &self.ground.usual, &self.shifts);
+        is(b) || (resting && self.copies.iter().any(|shift| is(&moved(shift))))
     }
 }

@@ -13,8 +13,7 @@ pub(super) struct Release {
     pub(super) contact: usize,
     /// Of all contacts, afterwards.
     pub(super) modes: Vec<Mode>,
-    pub(super) state: Vec<f64>,
-    /// The same but for shifts that change nothing.
+    /// The state, but for shifts that change nothing.
     pub(super) home: Vec<f64>,
     /// How many dimensions the states have at which this contact lets go out of these modes.
     pub(super) free: usize,
@@ -56,7 +55,6 @@ impl Track {
                 self.releases.push(Release {
                     contact: event.contact,
                     modes: modes.clone(),
-                    state: event.state.clone(),
                     home: shifts.home(&event.state),
                     free: event.state.len().saturating_sub(bound),
                     after: self.word.len(),

@@ -4,7 +4,7 @@ use super::pursuit::{Pursuit, minima};
 use super::record::Attractor;
 use crate::bifurcation::Stability;
 use crate::motion::{Flow, Place};
-use crate::shooting::unshifted;
+use crate::shooting::{Shifts, unshifted};
 
 /// Sizes tried, in half extents of the orbit.
 const SIZES: [f64; 6] = [0.3, 0.1, 0.03, 0.01, 3e-3, FAINT];
@@ -48,6 +48,7 @@ impl Trap {
         of: usize,
         orbit: &Attractor,
         usual: &[f64],
+        shifts: &Shifts,
     ) -> Option<Self> {
         if orbit.stability != Some(Stability::Stable) || orbit.points.is_empty() {
             return None;
@@ -69,8 +70,8 @@ impl Trap {
             size,
             crossings: (factor * laps).ceil() as usize * orbit.points.len(),
         };
-        let held = |trap: &Self| trap.holds(flow);
-        let faint = |factor: &f64| trap(FAINT, *factor).holds(flow);
+        let held = |trap: &Self| trap.holds(flow, shifts);
+        let faint = |factor: &f64| trap(FAINT, *factor).holds(flow, shifts);
         let factor = FACTORS.into_iter().find(faint)?;
         let mut sizes = SIZES.into_iter().map(|size| trap(size, factor));
         sizes.find(held)
@@ -82,15 +83,20 @@ impl Trap {
     }
 
     /// The distance of a point of the section to the nearest one of the orbit, in half extents.
-    fn distance(&self, state: &[f64]) -> f64 {
+    fn distance(&self, state: &[f64], shifts: &Shifts) -> f64 {
         let points = self.orbit.points.iter();
-        let distances = points.map(|point| self.orbit.unshifted(state, point, &self.units));
-        distances.fold(f64::INFINITY, f64::min)
+        let far = |point: &Vec<f64>| self.orbit.unshifted(state, point, &self.units, shifts);
+        points.map(far).fold(f64::INFINITY, f64::min)
     }
 
     /// What a crossing of the section makes of a motion: in the trap or not, or, as `Err`, for good.
-    pub(super) fn watch(&self, hold: Option<Hold>, state: &[f64]) -> Result<Option<Hold>, usize> {
-        let distance = self.distance(state);
+    pub(super) fn watch(
+        &self,
+        hold: Option<Hold>,
+        state: &[f64],
+        shifts: &Shifts,
+    ) -> Result<Option<Hold>, usize> {
+        let distance = self.distance(state, shifts);
         if distance > self.size {
             return Ok(None);
         }
@@ -115,7 +121,7 @@ impl Trap {
     }
 
     /// Whether motions from its border, in the direction of each state, come nearer by half.
-    fn holds(&self, flow: &dyn Flow) -> bool {
+    fn holds(&self, flow: &dyn Flow, shifts: &Shifts) -> bool {
         let free = |j: &usize| self.units[*j].is_finite();
         let states = (0..self.units.len()).filter(free);
         let directions: Vec<(usize, f64)> = states
@@ -126,12 +132,12 @@ impl Trap {
             directions.iter().all(|&(j, size)| {
                 let mut start = point.clone();
                 start[j] += size * self.units[j];
-                self.nears(flow, &start)
+                self.nears(flow, &start, shifts)
             })
         })
     }
 
-    fn nears(&self, flow: &dyn Flow, start: &[f64]) -> bool {
+    fn nears(&self, flow: &dyn Flow, start: &[f64], shifts: &Shifts) -> bool {
         let Ok(mut pursuit) = Pursuit::new(flow, start) else {
             return false;
         };
@@ -143,7 +149,7 @@ impl Trap {
             for minimum in minima(&passage, self.section()) {
                 left -= 1;
                 if left == 0 {
-                    return self.distance(&minimum.state) <= FALL * self.size;
+                    return self.distance(&minimum.state, shifts) <= FALL * self.size;
                 }
             }
         }
@@ -162,14 +168,14 @@ pub(super) struct Rest {
 }
 
 impl Rest {
-    /// Whether the future of a place is this rest; `shifts` change nothing.
-    pub(super) fn holds(&self, place: &Place, shifts: &[Vec<f64>]) -> bool {
+    /// Whether the future of a place is this rest, but for shifts that change nothing, and for `copies`.
+    pub(super) fn holds(&self, place: &Place, shifts: &Shifts, copies: &[Vec<f64>]) -> bool {
         let Some(basin) = &self.basin else {
             return false;
         };
         let inside = |state: &[f64]| basin.holds(state);
-        inside(&place.state)
-            || shifts
+        inside(&shifts.beside(&place.state, &self.state))
+            || copies
                 .iter()
                 .any(|shift| inside(&unshifted(&place.state, &self.state, shift)))
     }

@@ -20,6 +20,8 @@ pub(crate) struct History {
     pub(super) passage: Passage,
     pub(super) start: Place,
     pub(super) period: f64,
+    /// The state that is the phase of a drive.
+    pub(super) drive: Option<usize>,
     pub(super) switches: Vec<Switch>,
     /// What a copy loses is that of this one.
     pub(super) smoothing: Smoothing,
@@ -46,12 +48,14 @@ impl History {
         smoothing: Smoothing,
     ) -> Result<Self, PredictError> {
         let mut start = orbit.place.clone();
-        let passage = model.flow()?.advance(&start, orbit.period, Want::EXTREMA)?;
+        let flow = model.flow()?;
+        let passage = flow.advance(&start, orbit.period, Want::EXTREMA)?;
         start.modes.resize(passage.end.modes.len(), Mode::Stick);
         let mut history = Self {
             passage,
             start,
             period: orbit.period,
+            drive: flow.phase(),
             switches: Vec::new(),
             smoothing,
             leading: false,

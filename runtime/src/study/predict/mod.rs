@@ -15,6 +15,7 @@ mod release;
 mod response;
 mod rubbing;
 mod scalar;
+mod shift;
 mod virtual_field;
 
 pub(super) use collect::predict;

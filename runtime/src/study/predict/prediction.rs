@@ -18,7 +18,7 @@ pub struct Prediction {
     /// Per state, whether the leading term of each release alone says something else of that: what is left of contributions
     /// that cancel is no better known than they are.
     pub cancelling: Vec<bool>,
-    /// Shift of the start of the orbit, orthogonal to the field there.
+    /// Shift of the start of the orbit, orthogonal to the field there; of one that runs on under a drive, at its phase.
     pub start: Vec<f64>,
     /// The releases of one period.
     pub releases: Vec<ReleaseLoss>,
