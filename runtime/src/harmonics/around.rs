@@ -36,7 +36,7 @@ pub struct Around<'a> {
 
 impl<'a> Around<'a> {
     /// The same from another place.
-    fn from(self, place: &'a Place) -> Self {
+    fn begun_at(self, place: &'a Place) -> Self {
         Self { place, ..self }
     }
 
@@ -73,7 +73,7 @@ impl Motion {
     ) -> Result<Self, FlowError> {
         if flow.phase().is_some() {
             let (gap, place) = corrected(flow, around)?;
-            let other = place.map(|place| Self::follow(flow, around.from(&place), panel));
+            let other = place.map(|place| Self::follow(flow, around.begun_at(&place), panel));
             if let Some(Ok(other)) = other
                 && other.gap.norm() < gap.norm()
             {

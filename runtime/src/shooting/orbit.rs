@@ -123,9 +123,9 @@ impl Orbit {
             residual,
         } = solution;
         let (mut place, calm) = section_place(family, &solution);
-        let from_section = shot.from_section(family, r, &place);
-        let telling = from_section.as_ref().unwrap_or(shot);
-        if let Some(Shot { start, .. }) = &from_section {
+        let told = shot.told(family, r, &place);
+        let telling = told.as_ref().unwrap_or(shot);
+        if let Some(Shot { start, .. }) = &told {
             place.clone_from(start);
         }
         let (min, max) = telling.extent();

@@ -79,7 +79,7 @@ impl Shot {
     ///
     /// `None` where nothing may be shifted at will, where shooting begins there, and where it does not come back from there,
     /// as where errors grow.
-    pub(super) fn from_section(&self, family: &Family, r: f64, place: &Place) -> Option<Self> {
+    pub(super) fn told(&self, family: &Family, r: f64, place: &Place) -> Option<Self> {
         let shift = self.shift.as_deref()?;
         let mut pins = self.pins.iter().filter(|pin| !pin.conserved()).peekable();
         pins.peek()?;

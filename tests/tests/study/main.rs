@@ -5,6 +5,7 @@ mod certificates;
 mod coverage;
 mod crawling;
 mod ferried;
+mod gripped;
 mod hostile;
 mod lattice;
 mod laws;
