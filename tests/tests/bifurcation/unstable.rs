@@ -99,13 +99,11 @@ const STAGES: [[f64; 3]; 3] = [
     ],
 ];
 
+/// The field at a state, and its divergence.
+type Rates<'a> = dyn Fn(&[f64]) -> (Vec<f64>, f64) + 'a;
+
 /// A lap in so many steps of collocation, backwards: where it ends, and ∫ tr J dt forwards.
-fn backwards(
-    rates: &dyn Fn(&[f64]) -> (Vec<f64>, f64),
-    from: &[f64],
-    period: f64,
-    steps: usize,
-) -> (Vec<f64>, f64) {
+fn backwards(rates: &Rates<'_>, from: &[f64], period: f64, steps: usize) -> (Vec<f64>, f64) {
     let (mut state, mut growth) = (from.to_vec(), 0.0);
     let step = -period / steps as f64;
     for _ in 0..steps {
