@@ -3,7 +3,7 @@
 use crate::friction::{ContactRule, FrictionLaw, LawParameter};
 use crate::integrate::event::Bernstein;
 use crate::memory::{Answer, MemoryLaw};
-use crate::model::{Bounds, Model, ModelInfo};
+use crate::model::{Model, ModelInfo};
 
 /// Rounding error of a margin relative to its terms.
 const NOISE: f64 = 128.0 * f64::EPSILON;
@@ -56,7 +56,14 @@ pub(crate) fn leaves<M: Model<N>, const N: usize>(
 
 /// The first of the fields that a function shows of a place on a step to leave its bounds, and where.
 fn first_out(fields: &dyn Fn(f64) -> Vec<Beyond>) -> Option<(f64, Beyond)> {
-    let margins = |theta: f64| -> Vec<f64> { fields(theta).iter().flat_map(margins).collect() };
+    let margins = |theta: f64| -> Vec<f64> {
+        let fields = fields(theta);
+        fields
+            .iter()
+            .flat_map(ends)
+            .map(|(margin, _)| margin)
+            .collect()
+    };
     let rows = Bernstein::nodes().map(margins);
     let fall = |slot: usize| {
         let values = rows.each_ref().map(|row| row[slot]);
@@ -67,7 +74,7 @@ fn first_out(fields: &dyn Fn(f64) -> Vec<Beyond>) -> Option<(f64, Beyond)> {
     let falls = (0..rows[0].len()).filter_map(|slot| Some((slot, fall(slot)?)));
     let (slot, (theta, until)) = falls.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
     let theta = sharpened(|theta| margins(theta)[slot], [0.0, theta, until])?;
-    let each_end = |one: Beyond| bounds(&one).map(move |end| (one, end));
+    let each_end = |one: Beyond| ends(&one).map(move |(_, bound)| (one, bound));
     let (out, bound) = fields(theta).into_iter().flat_map(each_end).nth(slot)?;
     let out = Beyond {
         value: bound,
@@ -99,17 +106,11 @@ fn sharpened(value: impl Fn(f64) -> f64, [from, theta, until]: [f64; 3]) -> Opti
     Some(high)
 }
 
-/// The bounds of a field, the lower one first.
-fn bounds(one: &Beyond) -> impl Iterator<Item = f64> + use<> {
-    let Bounds { lower, upper } = one.field.bounds;
-    lower.into_iter().chain(upper).map(|end| end.value)
-}
-
-/// How far a field is inside each of them.
-fn margins(one: &Beyond) -> impl Iterator<Item = f64> + use<> {
+/// How far a field is inside each of its bounds, and that bound.
+fn ends(one: &Beyond) -> impl Iterator<Item = (f64, f64)> + use<> {
     let (value, bounds) = (one.value, one.field.bounds);
-    let lower = bounds.lower.map(|end| value - end.value);
-    let upper = bounds.upper.map(|end| end.value - value);
+    let lower = bounds.lower.map(|end| (value - end.value, end.value));
+    let upper = bounds.upper.map(|end| (end.value - value, end.value));
     lower.into_iter().chain(upper)
 }
 

@@ -161,14 +161,11 @@ impl Reader for Orbits {
         orbits: &[Orbit],
     ) -> Option<Crossing<OrbitProblem, Orbit>> {
         let crossing = cross(branch, orbits, self.accuracy)?;
-        let held = || {
-            let at = (crossing.located.r, crossing.located.error);
-            rests_beyond(branch, orbits, at, self.accuracy)
-        };
-        let held = match crossing.beyond {
-            Beyond::Undecided => held(),
-            _ => None,
-        };
+        if !matches!(crossing.beyond, Beyond::Undecided) {
+            return Some(crossing);
+        }
+        let at = (crossing.located.r, crossing.located.error);
+        let held = rests_beyond(branch, orbits, at, self.accuracy);
         Some(held.unwrap_or(crossing))
     }
 

@@ -139,12 +139,12 @@ pub(super) fn peaks(
             state,
             modes: modes.clone(),
         };
-        let passage = flow.advance(&place(state.clone()), stretch.duration, want)?;
+        let from = place(state.clone());
+        let passage = flow.advance(&from, stretch.duration, want)?;
         let nodes = passage
             .nodes
             .into_iter()
             .map(|node| (node.time, node.state));
-        let first = state.clone();
         let ends = [(0.0, state), (stretch.duration, passage.end.state.clone())];
         let mut looks: Vec<(f64, Vec<f64>)> = nodes.chain(ends).collect();
         looks.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -155,12 +155,7 @@ pub(super) fn peaks(
         }
         for (sign, most) in [1.0, -1.0].into_iter().zip(&mut most) {
             let turn = top(&looked, sign, modes, stretches.len() == 1);
-            let turn = sharpened(
-                flow,
-                contact,
-                turn,
-                (&place(first.clone()), begin, stretch.duration),
-            )?;
+            let turn = sharpened(flow, contact, turn, (&from, begin, stretch.duration))?;
             let further = |old: &Turn| sign * (turn.value - old.value) > 0.0;
             if most.as_ref().is_none_or(further) {
                 *most = Some(turn);

@@ -66,18 +66,15 @@ pub(in crate::study) fn follow(
         points.push(point);
         verdict
     });
+    let last = walked.points.last().map(|last| last.r);
     if let (Ending::Meets(kind, r), Some(met)) = (&mut walked.ending, walked.located.last_mut()) {
-        undouble(sought, met, walked.points.last().map(|last| last.r));
+        undouble(sought, met, last);
         (*kind, *r) = (met.kind, met.r);
     }
     Stretch {
         points,
         located: walked.located,
-        ended: Ended::of(
-            &walked.ending,
-            along,
-            walked.points.last().map(|last| last.r),
-        ),
+        ended: Ended::of(&walked.ending, along, last),
         began: None,
     }
 }
