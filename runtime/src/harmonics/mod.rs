@@ -32,6 +32,16 @@ pub struct Harmonic {
     pub error: Vec<f64>,
 }
 
+/// Harmonics of an orbit, and what finding them has told of it.
+#[derive(Debug, Clone)]
+pub struct Harmonics {
+    /// Those that were asked for, in their order.
+    pub all: Vec<Harmonic>,
+    /// How far the start of a driven orbit moves on the flow of the tighter tolerance, state by state: what its place has of
+    /// error that shooting, which knows its own flow only, cannot see. Zeros without a drive.
+    pub moved: Vec<f64>,
+}
+
 /// The harmonics of these orders of the orbit of `family` at r that begins at `place` and has this period; its
 /// integration is held to `tolerance`, and to a tighter one for comparison. Of an orbit whose states gain `shift` once around
 /// they are those of what does not run on.
@@ -44,7 +54,7 @@ pub fn harmonics(
     around: Around<'_>,
     orders: &[usize],
     tolerance: Tolerance,
-) -> Result<Vec<Harmonic>, FlowError> {
+) -> Result<Harmonics, FlowError> {
     let at = |tolerance: Tolerance| family.with_tolerance(tolerance).at(r);
     let (rough, fine) = (at(tolerance)?, at(tolerance.times(TIGHTER))?);
     let highest = orders.iter().copied().max().unwrap_or(0) as f64;
@@ -63,7 +73,11 @@ pub fn harmonics(
             phase: found.iter().map(|c| c.arg()).collect(),
         }
     };
-    Ok(orders.iter().map(harmonic).collect())
+    let ends = fine.start.iter().zip(&around.place.state);
+    Ok(Harmonics {
+        all: orders.iter().map(harmonic).collect(),
+        moved: ends.map(|(fine, given)| (fine - given).abs()).collect(),
+    })
 }
 
 #[cfg(test)]

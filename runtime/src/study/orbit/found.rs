@@ -5,7 +5,7 @@ use super::record::{Beside, CertifiedOrbit, OrbitRecord};
 use super::sought::Sought;
 use crate::field::Work;
 use crate::flow::FlowError;
-use crate::harmonics::{Around, Harmonic, harmonics, series};
+use crate::harmonics::{Around, Harmonics, harmonics, series};
 use crate::integrate::Tolerance;
 use crate::motion::word;
 use crate::shooting::{Guess, Orbit, certify};
@@ -69,7 +69,7 @@ impl System {
 
 impl Sought<'_> {
     /// The harmonics of an orbit that the case asks for; their errors are also those of the orbit.
-    fn harmonics(&self, orbit: &Orbit) -> Result<Vec<Harmonic>, FlowError> {
+    fn harmonics(&self, orbit: &Orbit) -> Result<Harmonics, FlowError> {
         let around = Around {
             place: &orbit.place,
             period: orbit.period,
@@ -78,7 +78,7 @@ impl Sought<'_> {
         let mut found = self.harmonics_at(orbit, orbit.r, around)?;
         // The period of a driven orbit is certain, and its start has been corrected.
         let doubt = self.family.phase().map_or(orbit.error_estimate, |_| 0.0);
-        for harmonic in &mut found {
+        for harmonic in &mut found.all {
             for (error, size) in harmonic.error.iter_mut().zip(orbit.magnitude()) {
                 *error += doubt * size;
             }
@@ -92,10 +92,13 @@ impl Sought<'_> {
         orbit: &Orbit,
         r: f64,
         around: Around<'_>,
-    ) -> Result<Vec<Harmonic>, FlowError> {
+    ) -> Result<Harmonics, FlowError> {
         let orders = &self.case.harmonics;
         if orders.is_empty() {
-            return Ok(Vec::new());
+            return Ok(Harmonics {
+                all: Vec::new(),
+                moved: Vec::new(),
+            });
         }
         let family = self.family.with_magnitude(&orbit.magnitude());
         let tolerance = Tolerance::for_accuracy(self.case.accuracy);
@@ -125,7 +128,7 @@ impl Sought<'_> {
             max: beside.max,
             min: beside.min,
             section: beside.section,
-            harmonics: harmonics.unwrap_or_default(),
+            harmonics: harmonics.map_or_else(Vec::new, |found| found.all),
         };
         (Some(record), beside.work)
     }
@@ -135,6 +138,8 @@ impl Sought<'_> {
         let r = self.case.along.map(|along| along.value(orbit.r));
         let case = r.map_or_else(|| self.case.clone(), |r| self.case.at(r));
         let rubs = self.system.touches(self.case);
+        let harmonics = self.harmonics(orbit);
+        let moved = harmonics.as_ref().map_or(0.0, |found| moved(found, orbit));
         let (beside, spent) = self.beside(orbit);
         let mut work = orbit.work;
         work += spent;
@@ -157,12 +162,19 @@ impl Sought<'_> {
                 .iter()
                 .map(|pin| Held::new(pin, &orbit.place.state, self.system.info()))
                 .collect(),
-            harmonics: self.harmonics(orbit),
+            harmonics: harmonics.map(|found| found.all),
             word: rubs.then(|| word(self.system.info(), &orbit.segments)),
             residual: orbit.residual,
-            error_estimate: orbit.error_estimate,
+            error_estimate: orbit.error_estimate.max(moved),
             beside,
             work,
         }
     }
+}
+
+/// How far the start of an orbit moves on a finer flow, relative to the extents of its states.
+fn moved(found: &Harmonics, orbit: &Orbit) -> f64 {
+    let sizes = orbit.magnitude();
+    let moved = found.moved.iter().zip(sizes).map(|(by, size)| by / size);
+    moved.fold(0.0, f64::max)
 }

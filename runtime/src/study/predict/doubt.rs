@@ -72,9 +72,9 @@ fn apart(prediction: &Prediction) -> Option<String> {
     })
 }
 
-/// Whether two predictions of one error differ in more than a small correction.
+/// Whether two predictions of one error differ in more than a small correction; that nothing is wrong may be what both say.
 fn parts(leading: f64, refined: f64) -> bool {
-    !(1.0 / APART..=APART).contains(&(leading / refined))
+    leading != refined && !(1.0 / APART..=APART).contains(&(leading / refined))
 }
 
 /// Per state, whether the leading terms alone say something else of its error, because contributions cancel.
