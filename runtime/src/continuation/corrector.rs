@@ -22,7 +22,7 @@ pub(super) const CONTRACTS: f64 = 0.25;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Failure<E> {
     /// The residual did not fall monotonically: (2.20).
-    #[error("the residual rose from {before:e} to {after:e} at r = {r}")]
+    #[error("Newton's method leaves: what does not vanish grew from {before:.2e} to {after:.2e}")]
     ResidualRose {
         /// Norm before.
         before: f64,
@@ -32,7 +32,7 @@ pub enum Failure<E> {
         r: f64,
     },
     /// Newton did not converge within its iterations.
-    #[error("no convergence at r = {r}: the last correction was {correction:e}")]
+    #[error("Newton's method does not settle: its last correction was {correction:.2e}")]
     NoConvergence {
         /// Norm of the last correction.
         correction: f64,
@@ -40,13 +40,13 @@ pub enum Failure<E> {
         r: f64,
     },
     /// The bordered matrix is singular: (2.23).
-    #[error("the bordered Jacobian is singular at r = {r}")]
+    #[error("its equations are singular there, so that they single out no solution")]
     Singular {
         /// Design variable.
         r: f64,
     },
     /// The corrected point lies too far off the tangent (2.21), or on another branch (2.22).
-    #[error("the branch turns by {beta_1:.3} rad, its unknowns by {beta_2:.3} rad, at r = {r}")]
+    #[error("the branch turns by {beta_1:.3} rad, its unknowns by {beta_2:.3} rad")]
     Angle {
         /// Angle between tangent and chord.
         beta_1: f64,

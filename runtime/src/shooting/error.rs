@@ -62,7 +62,7 @@ pub enum OrbitError {
         stability: &'static str,
     },
     /// Newton failed.
-    #[error("shooting did not converge: {0}")]
+    #[error("shooting found no orbit: {0}")]
     Newton(Failure<FlowError>),
     /// The motion cannot be followed.
     #[error(transparent)]

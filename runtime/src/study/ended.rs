@@ -196,6 +196,6 @@ fn unexplained(change: &Unexplained, along: Along) -> String {
         [before, after] => format!("its {before} unstable multipliers become {after}"),
     };
     format!(
-        "between {from} and {to} {what} and no bifurcation was located there: {reason}; it may be at a smaller accuracy"
+        "between {from} and {to} {what} and no bifurcation was located there: {reason}; asking for more accuracy may tell it"
     )
 }

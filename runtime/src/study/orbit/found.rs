@@ -13,6 +13,9 @@ use crate::study::error::StudyError;
 use crate::study::question::Case;
 use crate::study::system::System;
 
+/// What an orbit may be off by over what its start moves by on a finer flow: elsewhere it may move farther.
+const DOUBT: f64 = 2.0;
+
 impl System {
     /// The periodic orbit that is reached from the start of the case.
     ///
@@ -172,9 +175,9 @@ impl Sought<'_> {
     }
 }
 
-/// How far the start of an orbit moves on a finer flow, relative to the extents of its states.
+/// By how much an orbit may be off, relative to the extents of its states, as its start moves on a finer flow.
 fn moved(found: &Harmonics, orbit: &Orbit) -> f64 {
     let sizes = orbit.magnitude();
     let moved = found.moved.iter().zip(sizes).map(|(by, size)| by / size);
-    moved.fold(0.0, f64::max)
+    DOUBT * moved.fold(0.0, f64::max)
 }
