@@ -7,8 +7,8 @@ use super::{Linearisation, ZeroProblem};
 
 /// Most iterations of one correction.
 const ITERATIONS: usize = 12;
-/// A stalled iteration this many times above the accuracy asked for still counts as converged:
-/// below that, what is left is the noise of the residual itself.
+/// A stalled iteration this many times above the accuracy asked for still counts as converged, on one smooth piece of the
+/// equations: below that, what is left is the noise of the residual itself.
 const NOISE: f64 = 30.0;
 
 /// A residual this many times above the accuracy is no solution, however small the correction: where
@@ -92,6 +92,7 @@ pub fn correct<P: ZeroProblem>(
     let n = scale.len();
     let mut corrections: Vec<f64> = Vec::new();
     let mut before = f64::INFINITY;
+    let mut previous: Option<Linearisation<P::Extra>> = None;
     for _ in 0..ITERATIONS {
         let linearisation = problem.evaluate(&z, r).map_err(Failure::Evaluation)?;
         let residual = linearisation.residual.norm();
@@ -120,7 +121,9 @@ pub fn correct<P: ZeroProblem>(
         z += correction.rows(0, n).component_mul(&scale);
         r += correction[n] * r_scale;
         corrections.push(size);
-        let stalled = last.is_some_and(|last| size > 0.3 * last) && size <= NOISE * accuracy;
+        let noise = last.is_some_and(|last| size > 0.3 * last) && size <= NOISE * accuracy;
+        let smooth = |one: &Linearisation<_>| P::same_piece(&one.extra, &linearisation.extra);
+        let stalled = noise && previous.as_ref().is_some_and(smooth);
         if (size <= accuracy || stalled) && residual <= CLOSED * accuracy {
             return Ok(Corrected {
                 z,
@@ -131,6 +134,7 @@ pub fn correct<P: ZeroProblem>(
             });
         }
         before = residual;
+        previous = Some(linearisation);
     }
     let correction = corrections.last().copied().unwrap_or(f64::NAN);
     Err(Failure::NoConvergence { correction, r })

@@ -73,6 +73,12 @@ pub trait ZeroProblem {
         r: f64,
     ) -> Result<Linearisation<Self::Extra>, Self::Error>;
 
+    /// Whether two evaluations are of one smooth piece of h. Between two pieces that both lead to the other one corrections
+    /// stall as they do in rounding errors, and there is no solution.
+    fn same_piece(_one: &Self::Extra, _other: &Self::Extra) -> bool {
+        true
+    }
+
     /// Usual magnitudes of the unknowns: angles, lengths and corrections are measured in these.
     fn scale(&self) -> DVector<f64>;
 

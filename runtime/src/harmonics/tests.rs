@@ -66,7 +66,9 @@ fn compared(model: Row, accuracy: f64) -> Vec<(Harmonic, [Complex<f64>; 2])> {
         period: TAU / model.omega,
         shift: &[],
     };
-    let found = harmonics(&family, 0.0, orbit, &[1, 3, 5], tolerance).unwrap().all;
+    let found = harmonics(&family, 0.0, orbit, &[1, 3, 5], tolerance)
+        .unwrap()
+        .all;
     found.into_iter().zip(expected).collect()
 }
 
@@ -144,7 +146,9 @@ fn an_orbit_without_a_drive_is_its_own_clock() {
         period: TAU,
         shift: &[],
     };
-    let found = harmonics(&family, 0.0, around, &[1, 2], tolerance).unwrap().all;
+    let found = harmonics(&family, 0.0, around, &[1, 2], tolerance)
+        .unwrap()
+        .all;
     assert!((found[0].amplitude[0] - 1.0).abs() < 1e-10 && found[0].phase[0].abs() < 1e-10);
     assert!((found[0].phase[1] - 0.5 * PI).abs() < 1e-10, "{found:?}");
     assert!(found[1].amplitude[0] < 1e-10, "{found:?}");

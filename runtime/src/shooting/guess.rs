@@ -26,6 +26,19 @@ impl Guess {
     pub(super) fn shares(&self, share: f64) -> Vec<f64> {
         self.magnitude.iter().map(|size| share * size).collect()
     }
+
+    /// This share of the way to the guess of a neighbour, where both begin alike.
+    pub(super) fn towards(mut self, other: &Self, share: f64) -> Self {
+        let whole = self.division.is_none() && self.pins.is_empty();
+        if whole && self.place.modes == other.place.modes {
+            let along = |from: f64, to: f64| from + share * (to - from);
+            for (state, to) in self.place.state.iter_mut().zip(&other.place.state) {
+                *state = along(*state, *to);
+            }
+            self.period = along(self.period, other.period);
+        }
+        self
+    }
 }
 
 /// Magnitudes as far as a start shows them: that of its largest component where one is zero or next to it.

@@ -6,6 +6,7 @@ mod beside;
 mod border;
 mod bound;
 mod branch;
+mod calmer;
 mod centre;
 mod certificate;
 mod conserved;

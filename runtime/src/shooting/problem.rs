@@ -11,12 +11,8 @@ use super::shrunk::Size;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Family, Modes, Place, Velocity};
+use crate::motion::{Family, Modes, Place};
 
-/// A start is left for a calmer one whose field turns this many times more slowly.
-const HASTE: f64 = 4.0;
-/// Share of the period by which a start keeps away from events.
-const MARGIN: f64 = 0.01;
 /// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
 const VANISHED: f64 = 1e-4;
 
@@ -183,6 +179,10 @@ impl ZeroProblem for OrbitProblem {
         self.held(flow.as_ref(), z, at)
     }
 
+    fn same_piece(one: &Shot, other: &Shot) -> bool {
+        one.passes_like(other)
+    }
+
     fn scale(&self) -> DVector<f64> {
         let states = self.modes.iter().flat_map(|_| &self.magnitude).copied();
         DVector::from_vec(states.chain([self.period]).collect())
@@ -268,33 +268,5 @@ impl OrbitProblem {
             });
         }
         Ok(())
-    }
-
-    /// A place on the orbit where Newton has it much easier than at the present start, if there is one.
-    ///
-    /// Shooting from a fast stretch makes the end bend strongly with the period; from just before
-    /// an event, the start would leave its mode as r changes.
-    fn calmer(&self, r: f64, shot: &Shot) -> Result<Option<Place>, FlowError> {
-        let [passage] = shot.passages.as_slice() else {
-            return Ok(None);
-        };
-        // What is held at the start may change along the orbit; where that runs on, it may be held anywhere.
-        if self.shift.is_none() && self.pins.iter().any(|pin| !pin.conserved()) {
-            return Ok(None);
-        }
-        let flow = self.family.at(r)?;
-        let mut place = passage.calm.place.clone();
-        place.state = flow.wrapped(place.state);
-        let haste = |velocity: &Velocity| {
-            let bend = &velocity.jacobian * &velocity.f;
-            let squares = |rates: &DVector<f64>| {
-                let scaled = rates.iter().zip(&self.magnitude).map(|(v, unit)| v / unit);
-                scaled.map(|v| v * v).sum::<f64>()
-            };
-            (squares(&bend) / squares(&velocity.f)).sqrt()
-        };
-        let there = flow.velocity(&place)?;
-        let hasty = haste(&shot.velocity) > HASTE * haste(&there).max(1.0 / shot.period);
-        Ok((hasty || shot.switches_near(0.0, MARGIN)).then_some(place))
     }
 }

@@ -91,6 +91,16 @@ impl Shot {
         turns(false).chain(turns(true)).collect()
     }
 
+    /// Whether it runs through the same modes by the same impacts.
+    pub(super) fn passes_like(&self, other: &Self) -> bool {
+        let stretches = |shot: &Self| {
+            let all = shot.passages.iter().flat_map(|passage| &passage.segments);
+            all.map(|one| (one.modes.clone(), one.impact))
+                .collect::<Vec<_>>()
+        };
+        stretches(self) == stretches(other)
+    }
+
     /// Smallest and largest value of each state along the motion.
     ///
     /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.

@@ -27,9 +27,13 @@ pub(super) fn walks_back(family: &Family, orbits: &[Orbit], orbit: &Orbit, accur
     if !certain(orbit) || !ends.iter().any(alike) || !orbit.is_between(ends, 0.0) {
         return false;
     }
-    let off = |end: &&Orbit| (end.r - orbit.r).abs();
-    let nearer = usize::from(off(&ends[1]) < off(&ends[0]));
-    let guess = ends[nearer].guess();
+    // From between them: from one of them Newton's method may come to an orbit of another regime that is as near.
+    let share = (orbit.r - ends[0].r) / (ends[1].r - ends[0].r);
+    let [first, second] = ends.map(Orbit::guess);
+    let guess = match share.is_finite() {
+        true => first.towards(&second, share),
+        false => first,
+    };
     let search = Search {
         start: guess.place.state.clone(),
         modes: guess.place.modes.clone(),

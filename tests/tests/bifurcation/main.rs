@@ -14,6 +14,7 @@ mod equilibria;
 mod equilibrium_curves;
 mod family;
 mod folds;
+mod grazing;
 mod margins;
 mod mirrored;
 mod onset;

@@ -205,7 +205,9 @@ fn a_stuck_blade_is_linear() {
             period: TAU / omega,
             shift: &[],
         };
-        let found = harmonics(&family, 0.0, around, &[1], tolerance).expect("harmonics").all;
+        let found = harmonics(&family, 0.0, around, &[1], tolerance)
+            .expect("harmonics")
+            .all;
         for (state, expected) in expected.iter().enumerate() {
             let what = format!("x{} at {omega}", state + 1);
             close(
