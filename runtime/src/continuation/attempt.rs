@@ -3,13 +3,15 @@
 use nalgebra::DVector;
 
 use super::ZeroProblem;
-use super::branch::{Branch, Refusal, TINY};
+use super::branch::{Branch, Refusal, SHORTENED, TINY};
 use super::corrector::{Corrected, Failure, correct};
 use super::link::Link;
 use super::point::{Base, Point, unit};
 use super::range::Stop;
 use super::step::{angles, growth};
 
+/// Share of a step that failed with which the next one is made.
+const SHORTER: f64 = 0.4;
 /// Failures at one point after which it is tried in other unknowns.
 const PATIENCE: usize = 3;
 /// Ever shorter steps in a row that turn too far, after which it is a corner.
@@ -103,7 +105,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     /// The next point, by ever shorter steps; `None` where none is short enough.
     pub(super) fn shorter_steps(&mut self) -> Option<Point<P::Extra>> {
         let mut base = self.point.clone()?;
-        let (step, mut failures, mut turns) = (self.step, 0, 0);
+        let (step, smallest) = (self.step, self.settings.smallest_step);
+        let (mut failures, mut turns, mut trial) = (0, 0, 0);
         loop {
             let (ends, stop) = match self.attempt(&base, false) {
                 Ok(point) => {
@@ -119,15 +122,16 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             failures += 1;
             let turned = matches!(stop, Stop::StepTooSmall(Failure::Angle { .. }));
             turns = if turned { turns + 1 } else { 0 };
-            if !ends
-                && failures % PATIENCE == 0
-                && let Some(moved) = self.elsewhere(&base, failures / PATIENCE - 1)
-            {
-                base = moved;
-                self.step = step;
+            let last = SHORTER * self.step < smallest;
+            if !ends && (failures % PATIENCE == 0 || last) {
+                if let Some(moved) = self.elsewhere(&base, trial) {
+                    base = moved;
+                    self.step = step.max(SHORTENED * smallest);
+                }
+                trial += 1;
             }
-            self.step *= 0.4;
-            if ends || self.step < self.settings.smallest_step {
+            self.step *= SHORTER;
+            if ends || self.step < smallest {
                 self.corner = (turns >= CORNER).then(|| (base, stop.clone()));
                 self.stop = Some(stop);
                 return None;
@@ -144,28 +148,6 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             None => self.stop = Some(stop),
         }
         found
-    }
-
-    /// The same point in other unknowns, if the problem knows any: from there a step may succeed.
-    pub(super) fn elsewhere(&mut self, base: &Base, trial: usize) -> Option<Base> {
-        let before = self.problem.clone();
-        let moved = self.other_unknowns(base, trial);
-        if moved.is_none() {
-            self.problem = before;
-        }
-        moved
-    }
-
-    fn other_unknowns(&mut self, base: &Base, trial: usize) -> Option<Base> {
-        let z = self.problem.elsewhere(base.r, trial)?;
-        let lasting = self.problem.lasting(&base.tangent).try_normalize(0.0)?;
-        let found = self.same(z, base.r).ok()??;
-        let tangent = self.tangent(&found, &lasting).ok()?;
-        Some(Base {
-            z: found.z,
-            r: found.r,
-            tangent,
-        })
     }
 
     fn guard(

@@ -103,7 +103,7 @@ pub fn correct<P: ZeroProblem>(
             after: residual,
             r,
         };
-        let rises = residual >= before && !settled;
+        let rises = residual >= before && !settled && residual > accuracy;
         if rises && !P::AMPLIFIES {
             return Err(rose);
         }

@@ -27,6 +27,7 @@ mod reading;
 mod root;
 mod step;
 mod switch;
+mod unknowns;
 mod walk;
 
 pub use branch::{Branch, Started};

@@ -7,6 +7,8 @@ const GROWN: f64 = 1e4;
 /// The same where the branch began so near to it, as a share of r, that they were large from the start.
 const GROWN_NEAR: f64 = 10.0;
 const NEAR: f64 = 1e-5;
+/// How many times further away than that the branch began may be, as far as its size tells.
+const LAW: f64 = 10.0;
 /// How many times smaller the orbits are that those at the end are compared with.
 const APART: f64 = 2.0;
 /// Share of the way to it to which two extrapolations of where it is agree.
@@ -40,7 +42,9 @@ pub(super) fn unbounded(orbits: &[Orbit], range: [f64; 2]) -> Option<f64> {
     let met = |power| {
         let [far, near] = [pole(power, b, a), pole(power, c, b)];
         let away = (near - c.0).abs();
-        let large = grown > GROWN || away <= NEAR * near.abs();
+        // Along a canard orbits grow as much next to one r; those that grow without bound do so all the way there.
+        let began = (first.r - near).abs() <= LAW * grown.powi(power) * away;
+        let large = grown > GROWN || away <= NEAR * near.abs() && began;
         let ahead = |end: &&f64| (**end - c.0) * (near - c.0) > 0.0;
         let end = range.iter().find(ahead);
         let end = end.map_or(0.0, |end| (end - c.0).abs());

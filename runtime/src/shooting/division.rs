@@ -11,7 +11,7 @@ const UNSTABLE: f64 = 1e5;
 /// until they grow no more than this along any segment.
 const GROWTH: f64 = 1e2;
 /// Parts in which it is told how errors grow on the way.
-const PARTS: usize = 16;
+const PARTS: usize = 64;
 /// How often a segment is halved at most, and how many there are at most.
 const HALVINGS: u32 = 7;
 const MOST: usize = 512;

@@ -11,7 +11,7 @@ use super::shrunk::Size;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Family, Modes, Place};
+use crate::motion::{Family, Flow, Modes, Place};
 
 /// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
 const VANISHED: f64 = 1e-4;
@@ -132,6 +132,26 @@ impl OrbitProblem {
         shot.division(z).unwrap_or_else(whole)
     }
 
+    /// The segments of the last accepted orbit, followed in one so far, if errors grow on its way: no step from it succeeds
+    /// then, though none need last.
+    fn growing(&self, flow: &dyn Flow) -> Option<Division> {
+        let Phase::Orthogonal { at, .. } = &self.phase else {
+            return None;
+        };
+        let measure = Measure {
+            flow,
+            period: self.period,
+            magnitude: &self.magnitude,
+        };
+        let start = Place {
+            state: at.clone(),
+            modes: self.modes.first()?.clone(),
+        };
+        let whole = self.shares.len() == 1 && self.pins.is_empty();
+        let division = whole.then(|| Division::on_the_way(&measure, start).ok())?;
+        division.flatten()
+    }
+
     /// The segments that an orbit needs which is divided like this, if it needs others. Where its branch crawls, how errors
     /// grow on the way is looked at, too.
     ///
@@ -230,8 +250,13 @@ impl ZeroProblem for OrbitProblem {
     }
 
     fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
-        let state = self.others.get(trial)?;
         let flow = self.family.at(r).ok()?;
+        if trial == 0
+            && let Some(division) = self.growing(flow.as_ref())
+        {
+            return Some(self.divide(&division));
+        }
+        let state = self.others.get(trial)?;
         let place = flow.place(state).ok()?;
         let velocity = flow.velocity(&place).ok()?.f;
         self.phase = Phase::floating(flow.phase(), state.clone(), &velocity, &self.magnitude);

@@ -59,7 +59,7 @@ fn grazing(branch: &BranchRecord) -> ([f64; 2], f64) {
     let rows = branch.points.iter();
     let stuck = rows.filter(|row| row.word.as_ref().is_some_and(sticks));
     let last = stuck.filter_map(|row| row.r).fold(f64::MIN, f64::max);
-    ([all[0].r, all[0].error], last)
+    ([all[0].r, all[0].error.expect("an error")], last)
 }
 
 /// Beyond, the mass misses the speed of the drum, and Newton's method swings between an orbit that would stick and one that
@@ -76,7 +76,11 @@ fn no_orbit_sticks_beyond_the_turn_at_which_it_grazes() {
         assert!(found.points.len() < 100, "{}", found.points.len());
         let ([r, error], last) = grazing(&found);
         assert!((r - known).abs() <= error, "{accuracy:e}: {r} {error:e}");
-        assert!(last <= known * (1.0 + accuracy), "{accuracy:e}: {last}");
+        // Each is known to the accuracy, and so is whether it sticks.
+        assert!(
+            last <= known * (1.0 + 3.0 * accuracy),
+            "{accuracy:e}: {last}"
+        );
     }
 }
 

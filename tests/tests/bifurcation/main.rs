@@ -5,6 +5,7 @@ mod atlas;
 mod bands;
 mod borders;
 mod branch;
+mod canard;
 mod carried;
 mod corner;
 mod curves;

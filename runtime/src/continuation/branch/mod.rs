@@ -39,10 +39,7 @@ const RETRACTED: f64 = 0.25;
 pub(super) const TINY: f64 = 1e-4;
 const CREEPING: usize = 300;
 /// A step that may be shortened often enough to tell a corner, over the smallest one.
-const SHORTENED: f64 = 1e3;
-
-/// Unknowns of one solution, begun at another place of it, are corrected by no more than this.
-const SAME: f64 = 1e-3;
+pub(super) const SHORTENED: f64 = 1e3;
 
 /// Why a step was not made.
 pub(super) enum Refusal<E> {
@@ -203,11 +200,12 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             None => rescaled(tangent, &before.component_div(&self.problem.scale()), 1.0),
         };
         if let Some(z) = moved {
-            match self.same(z, corrected.r)? {
+            let lasting = self.problem.lasting(&tangent);
+            match self.same(z, corrected.r, &lasting)? {
                 Some(found) => {
                     corrected = found;
                     newton += corrected.corrections.len();
-                    tangent = self.tangent(&corrected, &self.problem.lasting(&tangent))?;
+                    tangent = self.tangent(&corrected, &lasting)?;
                 }
                 None => self.problem = kept,
             }
@@ -238,25 +236,6 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             r_scale,
             newton: newton as u64,
         })
-    }
-
-    /// The solution at r near these unknowns, which are its own but for their errors; `None` if Newton leads to another.
-    pub(super) fn same(
-        &mut self,
-        z: DVector<f64>,
-        r: f64,
-    ) -> Result<Option<Corrected<P::Extra>>, Failure<P::Error>> {
-        let (normal, accuracy) = (unit(z.len()), self.settings.accuracy);
-        let found = correct(
-            &mut self.problem,
-            z.clone(),
-            r,
-            &normal,
-            self.r_scale,
-            accuracy,
-        )?;
-        let off = (&found.z - z).component_div(&self.problem.scale());
-        Ok((off.norm() <= SAME).then_some(found))
     }
 
     pub(super) fn tangent(

@@ -1,0 +1,46 @@
+//! Canards: orbits that change from small to large within the last digits of the design variable.
+
+use stickslip::model;
+use stickslip::study::BranchRecord;
+use stickslip_models::friction::Gaussian;
+
+use crate::borders::{branch, named};
+
+model! {
+    /// A hydraulic cylinder at a low flow: a piston whose friction falls with its speed, and the pressure that moves it.
+    struct Cylinder {
+        state p: Pa = 1e5;
+        state v: m/s = 0.0;
+        param flow: m^3/s = 1e-6;
+        friction F: N = Gaussian { static_level: 1200.0, kinetic_level: 700.0, speed: 0.005, viscous: 2000.0 } opposing v;
+        der(p) = 1.4e12 * (flow - 1e-3 * v - 1e-14 * p);
+        der(v) = (1e-3 * p + F) / 200.0;
+    }
+}
+
+/// It reaches its end, with nothing told on the way: an orbit of two states that sticks has the multiplier 0, and no fold.
+fn passes(found: &BranchRecord) {
+    assert_eq!(found.ended.word(), "reached-end", "{}", found.ended.reason);
+    assert!(found.special.is_empty(), "{:?}", named(found));
+    let within = found
+        .points
+        .iter()
+        .filter(|row| 1.0 < row.period && row.period < 2.4);
+    let steep: Vec<f64> = within.filter_map(|row| row.r).collect();
+    assert!(steep.len() > 10, "{}", steep.len());
+    for r in steep {
+        // Where integrations of the motion after break-away (DOP853 of SciPy, rtol 1e-12) part, by halving.
+        assert!((r / 2.275_665_182_501_66e-7 - 1.0).abs() < 1e-9, "{r}");
+    }
+}
+
+#[test]
+fn a_canard_is_passed_from_small_orbits_to_large_ones() {
+    passes(&branch(&[], Cylinder::flow, (2.2e-7, 2.3e-7), |_| {}));
+}
+
+#[test]
+#[ignore = "takes a quarter of a minute"]
+fn a_canard_is_passed_from_large_orbits_to_small_ones() {
+    passes(&branch(&[], Cylinder::flow, (2.3e-7, 2.2e-7), |_| {}));
+}
