@@ -20,6 +20,7 @@ mod margin;
 mod measure;
 mod monitor;
 mod path;
+mod plateau;
 mod point;
 mod predictor;
 mod range;

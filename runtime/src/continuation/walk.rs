@@ -113,6 +113,7 @@ impl<R: Reader> Walk<'_, R> {
             };
             let verdict = watch(&point);
             self.points.push(point);
+            self.note_plateau();
             let Reading { reader, branch, .. } = &*self.followed;
             ending = ending.or_else(|| reader.ends(branch, &self.points));
             if let Some(ending) = ending {

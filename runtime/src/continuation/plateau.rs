@@ -1,0 +1,81 @@
+//! Where a branch turns while its design variable stands still, as far as errors tell.
+
+use std::ops::Range;
+
+use super::kind::Kind;
+use super::located::Located;
+use super::path::Watched;
+use super::reading::Reader;
+use super::walk::Walk;
+
+/// Error of r where it turns on a plateau, over the accuracy: that of either end.
+const DOUBT: f64 = 2.0;
+
+impl<R: Reader> Walk<'_, R> {
+    /// Keeps the fold of a plateau that the branch has left the way it came, if nothing there is known to turn it.
+    pub(super) fn note_plateau(&mut self) {
+        let accuracy = self.followed.accuracy;
+        let plateau = turned(&self.points, accuracy).filter(|_| R::TURNS_AT_FOLDS);
+        let Some(plateau) = plateau else { return };
+        let there = |one: &Located<R::Point>| (plateau.start..=plateau.end).contains(&one.after);
+        let turns = |one: &Located<R::Point>| one.kind == Kind::Fold || one.abrupt;
+        if self.located.iter().any(|one| there(one) && turns(one)) {
+            return;
+        }
+        let way = (self.points[plateau.start].r() - self.points[plateau.start - 1].r()).signum();
+        let far = |i: &usize| way * self.points[*i].r();
+        let Some(at) = plateau.max_by(|i, j| far(i).total_cmp(&far(j))) else {
+            return;
+        };
+        let r = self.points[at].r();
+        let mut fold = Located::at(Kind::Fold, r, self.points[at].clone());
+        (fold.error, fold.after) = (DOUBT * accuracy * r.abs(), at);
+        let before = self.located.partition_point(|one| one.after <= at);
+        self.located.insert(before, fold);
+    }
+}
+
+/// The points among which r stands still, if with the last one a branch leaves them the way it came: of two that are so near to
+/// each other neither the sign of their step nor a multiplier tells that r turns, but those before and behind do.
+fn turned<P: Watched>(points: &[P], accuracy: f64) -> Option<Range<usize>> {
+    let step = |i: usize| points[i].r() - points[i - 1].r();
+    let certain = |i: &usize| step(*i).abs() > accuracy * points[*i].r().abs();
+    let left = points
+        .len()
+        .checked_sub(1)
+        .filter(|i| *i > 0 && certain(i))?;
+    let came = (1..left).rev().find(certain)?;
+    (left - came > 1 && step(came) * step(left) < 0.0).then_some(came..left)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Clone)]
+    struct At(f64);
+
+    impl Watched for At {
+        fn r(&self) -> f64 {
+            self.0
+        }
+
+        fn slope(&self) -> f64 {
+            1.0
+        }
+    }
+
+    #[test]
+    fn a_plateau_is_left_the_way_it_was_come_by() {
+        let plateau = |all: &[f64]| {
+            let points: Vec<At> = all.iter().copied().map(At).collect();
+            turned(&points, 1e-6)
+        };
+        let flat = 1.0 + 1e-7;
+        assert_eq!(plateau(&[0.8, 0.9, 1.0, flat, 1.0, 0.9]), Some(2..5));
+        // It goes on as it came, has not been left yet, or turns between two points that tell so themselves.
+        assert_eq!(plateau(&[0.8, 0.9, 1.0, flat, 1.0, 1.1]), None);
+        assert_eq!(plateau(&[0.8, 0.9, 1.0, flat, 1.0]), None);
+        assert_eq!(plateau(&[0.8, 0.9, 1.0, 0.9]), None);
+    }
+}
