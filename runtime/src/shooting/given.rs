@@ -2,10 +2,10 @@
 //!
 //! At its special points the equations of an orbit are singular by nature, so that a step from a solution leads anywhere.
 
+use super::anchor::problem;
 use super::flat::{at_rest, is_flat};
 use super::guess::Guess;
 use super::orbit::{Orbit, Solution};
-use super::problem::OrbitProblem;
 use crate::continuation::ZeroProblem;
 use crate::motion::Family;
 
@@ -22,9 +22,9 @@ pub(super) fn closed(
     if at_rest(flow.as_ref(), guess).ok()? {
         return None;
     }
-    let (mut problem, z) = super::problem(family.clone(), r, guess, segments).ok()?;
+    let (mut problem, z) = problem(family.clone(), r, guess, segments).ok()?;
     problem.want.factors = family.order() > 2;
-    let found = OrbitProblem::evaluate(&mut problem, &z, r).ok()?;
+    let found = problem.evaluate(&z, r).ok()?;
     let (residual, shot) = (found.residual.norm(), &found.extra);
     if residual > accuracy || is_flat(shot, &guess.magnitude) {
         return None;
