@@ -5,9 +5,11 @@ use nalgebra::DVector;
 use super::begin::begin;
 use super::border::{between, cross, name};
 use super::bound::unbounded;
-use super::halved::Halved;
+use super::given::closed;
+use super::guess::Guess;
+use super::halved::{Halved, Lost};
 use super::homoclinic::homoclinic;
-use super::orbit::{Orbit, Solution};
+use super::orbit::{Heading, Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::rest::{comes_to_rest, rests_beyond};
 use super::same::SAME_ORBIT;
@@ -82,6 +84,32 @@ impl OrbitBranch {
     }
 }
 
+impl Orbits {
+    /// The orbit that has the symmetry where it loses it, on the branch of one beside it.
+    fn symmetric(&self, family: &Family, beside: &Orbit, lost: &Lost) -> Option<Orbit> {
+        let guess = Guess {
+            place: lost.start.clone(),
+            period: lost.period,
+            division: None,
+            ..beside.guess()
+        };
+        let sharp = family
+            .with_tolerance(Tolerance::for_accuracy(SHARPER * self.accuracy))
+            .with_magnitude(&guess.magnitude);
+        let orbit = closed(&sharp, lost.r, &guess, (self.accuracy, 1))?;
+        let heading = Heading {
+            start: orbit.heading.start.clone(),
+            ..beside.heading.clone()
+        };
+        Some(Orbit {
+            heading,
+            work: beside.work,
+            error_estimate: beside.error_estimate,
+            ..orbit
+        })
+    }
+}
+
 impl Reader for Orbits {
     type Problem = OrbitProblem;
     type Point = Orbit;
@@ -148,10 +176,13 @@ impl Reader for Orbits {
         let [from, to] = found.sides.map(|(r, _)| r);
         let near = (found.r, found.r.abs().max((to - from).abs()));
         let lost = halved.and_then(|halved| halved.lost(family, near, self.accuracy));
-        if let Some([r, error]) = lost
-            && (r - from) * (r - to) <= 0.0
+        if let Some(lost) = lost
+            && (lost.r - from) * (lost.r - to) <= 0.0
         {
-            (found.r, found.error) = (r, error);
+            (found.r, found.error) = (lost.r, lost.error);
+            if let Some(orbit) = self.symmetric(family, &found.point, &lost) {
+                (found.point, found.lasting) = (orbit, lost.lasting);
+            }
         }
     }
 

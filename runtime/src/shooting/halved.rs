@@ -29,6 +29,19 @@ const FREE: f64 = 1e-9;
 /// Shares of the accuracy to which motions are followed: the second tells the error of the first.
 const SHARPER: [f64; 2] = [0.02, 0.002];
 
+/// Where an orbit loses its symmetry.
+#[derive(Debug, Clone)]
+pub(super) struct Lost {
+    pub(super) r: f64,
+    /// Its estimated error.
+    pub(super) error: f64,
+    /// Where the orbit begins there.
+    pub(super) start: Place,
+    pub(super) period: f64,
+    /// The estimated error of its period, by that of r.
+    pub(super) lasting: f64,
+}
+
 /// An orbit that is its own image after half its period.
 #[derive(Debug, Clone)]
 pub(super) struct Halved<'a> {
@@ -51,18 +64,18 @@ impl<'a> Halved<'a> {
         }
     }
 
-    /// Where it loses its symmetry, next to r, which is of this size, and the estimated error of that.
+    /// Where it loses its symmetry, next to r, which is of this size.
     pub(super) fn lost(
         mut self,
         family: &Family,
         (r, size): (f64, f64),
         accuracy: f64,
-    ) -> Option<[f64; 2]> {
+    ) -> Option<Lost> {
         let [usual, sharper] = SHARPER.map(|share| {
             let tolerance = Tolerance::for_accuracy(share * accuracy);
             family.with_tolerance(tolerance)
         });
-        let mut before = (r, self.multiplier(&usual, r)?);
+        let mut before = (r, self.multiplier(&usual, r)?, self.half);
         let mut r = r + STEP * size;
         for _ in 0..STEPS {
             let value = self.multiplier(&usual, r)?;
@@ -71,9 +84,21 @@ impl<'a> Halved<'a> {
             if off.abs() <= accuracy * size {
                 let again = self.multiplier(&sharper, r)?;
                 let error = DOUBT * ((again - value) / slope).abs() + SHARPER[0] * accuracy * size;
-                return (off.is_finite() && error.is_finite()).then_some([r - off, error]);
+                if !(off.is_finite() && error.is_finite()) {
+                    return None;
+                }
+                let longer = 2.0 * (self.half - before.2) / (r - before.0);
+                r -= off;
+                self.multiplier(&sharper, r)?;
+                return Some(Lost {
+                    r,
+                    error,
+                    start: self.start,
+                    period: 2.0 * self.half,
+                    lasting: longer.abs() * error,
+                });
             }
-            before = (r, value);
+            before = (r, value, self.half);
             r -= off;
         }
         None

@@ -20,6 +20,7 @@ mod echelon;
 mod equations;
 mod error;
 mod flat;
+mod given;
 mod grip;
 mod guess;
 mod halved;

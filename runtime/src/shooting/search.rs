@@ -1,9 +1,10 @@
 //! From a start to the periodic orbit that is reached from it.
 
 use super::anchor::anchored;
-use super::converge::{calmly, converge, from, missed};
+use super::converge::{TIGHTER, calmly, converge, from, missed};
 use super::damped::damped;
 use super::error::OrbitError;
+use super::given::closed;
 use super::guess::{Guess, magnitude_of};
 use super::least::{midway, parts};
 use super::neutral::neutral;
@@ -169,8 +170,24 @@ fn near(family: &Family, r: f64, guess: &Guess, search: &Search) -> Result<Orbit
     match sure.iter().find_map(orbit) {
         Some(orbit) => Ok(orbit),
         None => converge(family, r, guess, search)
+            .or_else(|error| special(family, r, guess, search).ok_or(error))
             .or_else(|error| others.iter().filter(passes).find_map(orbit).ok_or(error)),
     }
+}
+
+/// The orbit that is given, if it closes as it is, as one that was saved at a special point of its branch does.
+fn special(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
+    let asked = (search.accuracy, search.segments);
+    let sharp = family.with_tolerance(Tolerance::for_accuracy(search.accuracy).times(TIGHTER));
+    let known = sharp.with_magnitude(&guess.magnitude);
+    let orbit = closed(&known, r, guess, asked)?;
+    let magnitude = half_extents(&orbit.min, &orbit.max, &guess.magnitude);
+    let known = sharp.with_magnitude(&magnitude);
+    let guess = Guess {
+        magnitude,
+        ..guess.clone()
+    };
+    closed(&known, r, &guess, asked)
 }
 
 /// The orbit about which a motion swings to and fro that comes back after two turns.

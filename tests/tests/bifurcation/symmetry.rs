@@ -1,5 +1,7 @@
 //! Where orbits lose a symmetry, from whatever side.
 
+use std::f64::consts::TAU;
+
 use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, System};
@@ -44,6 +46,8 @@ fn a_symmetry_is_lost_at_one_place_from_either_side() {
         for branch in [there, back] {
             let off = (broken(&branch) - 0.6643218744).abs();
             assert!(off < accuracy.max(2e-10), "{off:e} {accuracy}");
+            let (r, period) = (branch.special[0].r, branch.special[0].period);
+            assert!((period * r / TAU - 1.0).abs() < 1e-14, "{period} at {r}");
         }
     }
 }
