@@ -157,7 +157,7 @@ impl Watch {
             false => bounds(&passage, &run, chunk),
         };
         let crossings = self.minima.len() - before;
-        self.quiet.take(&self.place.state, &low, &high);
+        self.quiet.take(chunk, &self.place.state, [&low, &high]);
         if self.minima.is_empty() && self.turned_away(flow, &passage, chunk) {
             self.place = passage.end;
             self.time += chunk;
