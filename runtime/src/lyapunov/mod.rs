@@ -27,6 +27,18 @@ pub struct Lyapunov {
     pub time: f64,
 }
 
+/// Standard errors by which an exponent must be below 0 to be so.
+const CERTAIN: f64 = 5.0;
+
+impl Lyapunov {
+    /// Whether motions beside it come to it, whatever its error is.
+    #[must_use]
+    pub fn attracts(&self) -> bool {
+        let below = |exponent: f64| exponent + CERTAIN * self.error < 0.0;
+        self.exponent.is_some_and(below)
+    }
+}
+
 /// The largest exponent across the motion from `place` over `laps` laps of the time `lap`, after some to
 /// warm up: the exponent 0 of the motion's own direction is left out, so that a periodic orbit has
 /// ln |largest multiplier| / period.

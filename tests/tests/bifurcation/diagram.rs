@@ -7,10 +7,29 @@ use stickslip::poincare::{Direction, Section, Surface};
 use stickslip::study::{
     Along, Case, Diagram, DiagramRecord, Dynamics, Item, List, Motion, Slice, Span, Sweep, System,
 };
+use stickslip_models::friction::Weakening;
 use stickslip_models::systems;
 use stickslip_tests::range::range;
 
 use crate::orbits::TwoCircles;
+
+model! {
+    /// A string that is bowed near its end, in two modes.
+    struct Bowed {
+        state p = 0.0;
+        state q = 0.0;
+        state vp = 0.0;
+        state vq = 0.0;
+        param bow = 0.75;
+        let s1 = sin(0.13 * 3.141592653589793);
+        let s2 = sin(0.26 * 3.141592653589793);
+        friction F = Weakening { limit: 1.0, decay: 5.0 } opposing s1 * vp + s2 * vq - bow;
+        der(p) = vp;
+        der(q) = vq;
+        der(vp) = s1 * F - p - 0.02 * vp;
+        der(vq) = s2 * F - 4.0 * q - 0.04 * vq;
+    }
+}
 
 const IN_PHASE: [f64; 4] = [-0.5976, 0.0, -0.4604, -0.1607];
 
@@ -303,4 +322,26 @@ fn what_settles_slowly_is_waited_for() {
         let off = (slice.max[0] / amplitude - 1.0).abs();
         assert!(off < 1e-3, "{off}");
     }
+}
+
+/// While it is drawn, the motion passes by where an orbit nearly was, and does not come back: but motions beside it come to it.
+#[test]
+fn what_attracts_and_has_not_come_back_is_settling() {
+    let model = System::of::<Bowed, _>();
+    let case = case(&model, Dynamics::Exact, range(&model, "bow", 0.76, 0.75));
+    let first = |settle| {
+        let diagram = Diagram {
+            settle,
+            points: 64,
+            sweep: Sweep::Down,
+            lyapunov: Some(300),
+            ..USUAL
+        };
+        slices(&draw(&model, &case, diagram), 0)[0].clone()
+    };
+    let passing = first(300);
+    let exponent = passing.lyapunov.expect("asked for").expect("a value");
+    assert!(exponent.attracts(), "{exponent:?}");
+    assert_eq!(passing.motion, Motion::Settling);
+    assert_eq!(first(2000).motion, Motion::Periodic(1));
 }

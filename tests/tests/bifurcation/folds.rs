@@ -1,9 +1,12 @@
 //! What is told of folds: their periods, and none where only rounding turns a branch.
 
+use std::f64::consts::TAU;
+
 use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
-use stickslip::study::OrbitRecord;
+use stickslip::study::{Case, Dynamics, OrbitRecord, Special, System};
 use stickslip_models::friction::{Coulomb, Tustin, Weakening};
+use stickslip_models::press::Hertz;
 
 use crate::borders::{branch, named};
 
@@ -54,6 +57,48 @@ model! {
         der(lip) = vl;
         der(vl) = (F - 800.0 * (lip - arm) - 0.05 * (vl - va)) / 0.01;
     }
+}
+
+model! {
+    /// A tip on a driven beam, clamped with some play, that taps a sample (after Hertz 1881).
+    struct Tapping {
+        state x = 0.0;
+        state v = 0.0;
+        param force = 0.06;
+        param omega = 0.9 where omega > 0.0;
+        drive phi at omega;
+        press N = Hertz { load: 2.0, depth: 0.1 } closing 1.0 - x;
+        friction F = Coulomb { level: 0.005 } opposing v;
+        der(x) = v;
+        der(v) = force * cos(phi) - x - 0.04 * v - N + F;
+    }
+}
+
+/// Its equations are singular there, and Newton's method would leave it.
+#[test]
+fn an_orbit_that_was_saved_at_a_fold_is_found_again() {
+    let system = System::of::<Tapping, _>();
+    let found = branch(&[], Tapping::omega, (0.7, 1.3), |_| {});
+    let folds = found.special.iter().filter(|one| one.kind == Kind::Fold);
+    let again = |fold: &Special| {
+        let case = Case {
+            start: Some(fold.state.clone()),
+            modes: fold.modes.clone(),
+            period: Some(fold.period),
+            ..Case::declared(system.info(), Dynamics::Exact).with(Tapping::omega, fold.r)
+        };
+        let orbit = system.orbit(&case).expect("an orbit");
+        assert!(
+            (orbit.period * fold.r - TAU).abs() < 1e-9,
+            "{}",
+            orbit.period
+        );
+        // It touches the sample, as the fold does, and another orbit there need not.
+        for (found, saved) in orbit.max_abs.iter().zip(&fold.max_abs).take(2) {
+            assert!((found - saved).abs() < 1e-5 * saved, "{found} {saved}");
+        }
+    };
+    assert!(folds.map(again).count() >= 2, "{:?}", named(&found));
 }
 
 /// r does not change at a fold, and the period does: its own error is told beside it.

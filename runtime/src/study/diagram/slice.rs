@@ -116,11 +116,16 @@ impl Cut<'_> {
             let mut others = others.iter().map(|other| flow.place(other));
             others.find_map(Result::ok).ok_or(error)
         })?;
-        let seen = Watched::from(&*flow, place, self.diagram, &usual)?;
+        let mut seen = Watched::from(&*flow, place, self.diagram, &usual)?;
         let exponent = match self.diagram.lyapunov {
             Some(laps) => self.exponent(&*flow, &seen, laps)?,
             None => None,
         };
+        let attracts = exponent.as_ref().and_then(|found| found.as_ref().ok());
+        if seen.motion == Motion::Aperiodic && attracts.is_some_and(Lyapunov::attracts) {
+            // What motions beside it come to and does not come back is on its way to something that does.
+            seen.motion = Motion::Settling;
+        }
         Ok((seen, exponent))
     }
 
