@@ -77,15 +77,12 @@ impl OrbitProblem {
 impl Shot {
     /// A motion that runs on as it is told: from this place on its section, held there as before, wherever shooting begins.
     ///
-    /// `None` where nothing runs on or may be shifted at will, where shooting begins there, and where it does not come back from
-    /// there, as where errors grow.
+    /// `None` where nothing may be shifted at will, where shooting begins there, and where it does not come back from there,
+    /// as where errors grow.
     pub(super) fn told(&self, family: &Family, r: f64, place: &Place) -> Option<Self> {
         let shift = self.shift.as_deref()?;
         let mut pins = self.pins.iter().filter(|pin| !pin.conserved()).peekable();
-        let runs = shift.iter().any(|gain| *gain != 0.0);
-        if !runs && pins.peek().is_none() {
-            return None;
-        }
+        pins.peek()?;
         if self.starts_on_section() && pins.all(|pin| pin.value == pin.told) {
             return None;
         }

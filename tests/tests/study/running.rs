@@ -386,33 +386,3 @@ fn extents_of_what_runs_on_do_not_depend_on_how_its_branch_was_followed() {
         }
     }
 }
-
-model! {
-    /// A tip that a spring pulls over a row of atoms (Prandtl 1928, Tomlinson 1929), and that rubs besides.
-    pub struct Tip {
-        state x = 0.0;
-        state v = 0.0;
-        state stretch = 0.0;
-        param pull = 0.1;
-        friction F = Coulomb { level: 0.2 } opposing v;
-        der(x) = v;
-        der(v) = 0.3 * stretch - sin(x) - 0.3 * v + F;
-        der(stretch) = pull - v;
-    }
-}
-
-/// Nothing may be shifted at will, only by an atom: from where a lap begins it goes by one, and all of it is in its extents.
-#[test]
-fn the_extents_of_a_lap_are_those_of_the_one_that_is_told() {
-    let system = System::of::<Tip, _>();
-    let branch = system.branch(&along(&system, Tip::pull.index, 0.2, 0.6));
-    let branch = branch.unwrap();
-    assert!(branch.points.len() > 10);
-    for lap in &branch.points {
-        let gain = lap.shift.as_ref().unwrap()[0];
-        close(gain, std::f64::consts::TAU, 1e-12);
-        let [begins, ends] = [lap.state[0], lap.state[0] + gain];
-        let spans = lap.min[0] <= begins + 1e-9 && lap.max[0] >= ends - 1e-9;
-        assert!(spans, "{:?}: {begins} {} {}", lap.r, lap.min[0], lap.max[0]);
-    }
-}
