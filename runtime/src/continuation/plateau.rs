@@ -17,6 +17,11 @@ impl<R: Reader> Walk<'_, R> {
         let accuracy = self.followed.accuracy;
         let plateau = turned(&self.points, accuracy).filter(|_| R::TURNS_AT_FOLDS);
         let Some(plateau) = plateau else { return };
+        // Along a canard r stands still as well, and comes and goes by the errors of points, but no multiplier is 1.
+        let marginal = |point: &R::Point| point.marginal().is_some_and(|count| count > 0);
+        if !self.points[plateau.clone()].iter().any(marginal) {
+            return;
+        }
         let there = |one: &Located<R::Point>| (plateau.start..=plateau.end).contains(&one.after);
         let turns = |one: &Located<R::Point>| one.kind == Kind::Fold || one.abrupt;
         if self.located.iter().any(|one| there(one) && turns(one)) {
