@@ -22,7 +22,7 @@ model! {
 fn a_canard_is_passed_from_small_orbits_to_large_ones() {
     let found = branch(&[], Cylinder::flow, (2.2e-7, 2.3e-7), |_| {});
     assert_eq!(found.ended.word(), "reached-end", "{}", found.ended.reason);
-    assert!(found.special.is_empty(), "{:?}", named(found));
+    assert!(found.special.is_empty(), "{:?}", named(&found));
     let within = found
         .points
         .iter()
