@@ -1,9 +1,9 @@
 //! Why a branch goes no further.
 
 use super::Kind;
+use super::monitors::stays_off;
 use super::periodic::PeriodicPoint;
-use super::test_function::fold;
-use crate::continuation::{Located, rests};
+use crate::continuation::Located;
 use crate::math::{at_zero, line};
 
 /// Points that are looked at.
@@ -86,7 +86,9 @@ fn turning<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> 
         (high - low) / high.abs().max(low.abs())
     };
     let (still, moving) = (spread(P::r), spread(P::period));
-    if still > 10.0 * accuracy || moving < UPRIGHT * still || stays_off(points) {
+    // Along a canard r stands still as well, and turns nowhere.
+    let turns = points.iter().any(|point| !stays_off([&points[0], point]));
+    if still > 10.0 * accuracy || moving < UPRIGHT * still || !turns {
         return None;
     }
     let mut values: Vec<f64> = points.iter().map(P::r).collect();
@@ -95,15 +97,4 @@ fn turning<P: PeriodicPoint>(points: &[P], accuracy: f64) -> Option<Located<P>> 
     let mut turns = Located::at(Kind::Fold, values[values.len() / 2], points.last()?.clone());
     turns.error = high - low + WEIGHT * accuracy * high.abs().max(low.abs());
     Some(turns)
-}
-
-/// Whether no multiplier is 1 at these points, or comes near it between them: r turns at none of them, and stands still as along
-/// a canard.
-fn stays_off<P: PeriodicPoint>(points: &[P]) -> bool {
-    let certain = |point: &P| !point.floquet().may_be_one();
-    let test = |point: &P| fold(&point.floquet().known());
-    let first = points.first().map_or(f64::NAN, test);
-    points
-        .iter()
-        .all(|point| certain(point) && rests([first, test(point)]))
 }

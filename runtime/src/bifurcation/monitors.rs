@@ -109,7 +109,7 @@ fn stand<P: PeriodicPoint>(ends: [&P; 2], accuracy: f64) -> bool {
 }
 
 /// Whether no multiplier is near 1 or comes near it between two points: where r turns, one is 1.
-fn stays_off<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
+pub(super) fn stays_off<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
     let certain = |end: &P| !end.floquet().may_be_one();
     ends.iter().all(|end| certain(end)) && rests(ends.map(closed))
 }

@@ -92,7 +92,7 @@ pub fn correct<P: ZeroProblem>(
     let n = scale.len();
     let mut corrections: Vec<f64> = Vec::new();
     let mut before = f64::INFINITY;
-    let mut previous: Option<Linearisation<P::Extra>> = None;
+    let mut previous: Option<P::Extra> = None;
     for _ in 0..ITERATIONS {
         let linearisation = problem.evaluate(&z, r).map_err(Failure::Evaluation)?;
         let residual = linearisation.residual.norm();
@@ -122,7 +122,7 @@ pub fn correct<P: ZeroProblem>(
         r += correction[n] * r_scale;
         corrections.push(size);
         let noise = last.is_some_and(|last| size > 0.3 * last) && size <= NOISE * accuracy;
-        let smooth = |one: &Linearisation<_>| P::same_piece(&one.extra, &linearisation.extra);
+        let smooth = |extra: &P::Extra| P::same_piece(extra, &linearisation.extra);
         let stalled = noise && previous.as_ref().is_some_and(smooth);
         if (size <= accuracy || stalled) && residual <= CLOSED * accuracy {
             return Ok(Corrected {
@@ -134,7 +134,7 @@ pub fn correct<P: ZeroProblem>(
             });
         }
         before = residual;
-        previous = Some(linearisation);
+        previous = Some(linearisation.extra);
     }
     let correction = corrections.last().copied().unwrap_or(f64::NAN);
     Err(Failure::NoConvergence { correction, r })

@@ -33,7 +33,7 @@ pub struct Harmonic {
 }
 
 /// Harmonics of an orbit, and what finding them has told of it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Harmonics {
     /// Those that were asked for, in their order.
     pub all: Vec<Harmonic>,

@@ -93,12 +93,11 @@ impl Shot {
 
     /// Whether it runs through the same modes by the same impacts.
     pub(super) fn passes_like(&self, other: &Self) -> bool {
-        let stretches = |shot: &Self| {
+        let [own, theirs] = [self, other].map(|shot| {
             let all = shot.passages.iter().flat_map(|passage| &passage.segments);
-            all.map(|one| (one.modes.clone(), one.impact))
-                .collect::<Vec<_>>()
-        };
-        stretches(self) == stretches(other)
+            all.map(|one| (&one.modes, one.impact))
+        });
+        own.eq(theirs)
     }
 
     /// Smallest and largest value of each state along the motion.

@@ -98,10 +98,7 @@ impl Sought<'_> {
     ) -> Result<Harmonics, FlowError> {
         let orders = &self.case.harmonics;
         if orders.is_empty() {
-            return Ok(Harmonics {
-                all: Vec::new(),
-                moved: Vec::new(),
-            });
+            return Ok(Harmonics::default());
         }
         let family = self.family.with_magnitude(&orbit.magnitude());
         let tolerance = Tolerance::for_accuracy(self.case.accuracy);
@@ -131,7 +128,7 @@ impl Sought<'_> {
             max: beside.max,
             min: beside.min,
             section: beside.section,
-            harmonics: harmonics.map_or_else(Vec::new, |found| found.all),
+            harmonics: harmonics.unwrap_or_default().all,
         };
         (Some(record), beside.work)
     }
