@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::ZeroProblem;
-use super::branch::{Branch, Refusal, SHORTENED, TINY};
+use super::branch::{Before, Branch, Refusal, SHORTENED, TINY};
 use super::corrector::{Corrected, Failure, correct};
 use super::link::Link;
 use super::point::{Base, Point, unit};
@@ -68,7 +68,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let tangents = [direction, arrives];
         self.link = Some(Link::new(problem, ends, tangents, r_scale, accuracy));
         self.before = Some(before);
-        self.tiny = if length < TINY { self.tiny + 1 } else { 0 };
+        self.tiny = match length < TINY {
+            true => self.tiny + 1,
+            false => self.tiny.saturating_sub((length / TINY) as usize),
+        };
         self.step = (self.step * factor).min(self.settings.largest_step);
         self.stop = stop;
         Ok(point)
@@ -110,7 +113,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         loop {
             let (ends, stop) = match self.attempt(&base, false) {
                 Ok(point) => {
-                    self.turned &= self.tiny > 0;
+                    let tiny = |before: &Before<P>| before.3 < TINY;
+                    self.turned &= self.before.as_ref().is_some_and(tiny);
                     return Some(point);
                 }
                 Err(Refusal::Refused(error)) => (P::ends(&error), Stop::Refused(error)),

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::point::unit;
 use super::{Linearisation, ZeroProblem};
+use crate::linear::solved;
 
 /// Most iterations of one correction.
 const ITERATIONS: usize = 12;
@@ -110,11 +111,8 @@ pub fn correct<P: ZeroProblem>(
         let bordered = bordered(&linearisation, &scale, r_scale, normal);
         let mut right = DVector::zeros(n + 1);
         right.rows_mut(0, n).copy_from(&(-&linearisation.residual));
-        let correction = bordered.lu().solve(&right).ok_or(Failure::Singular { r })?;
+        let correction = solved(&bordered, &right).ok_or(Failure::Singular { r })?;
         let size = correction.norm();
-        if !size.is_finite() {
-            return Err(Failure::Singular { r });
-        }
         if rises && last.is_none_or(|last| size > CONTRACTS * last) {
             return Err(rose);
         }

@@ -6,6 +6,7 @@ use super::corrector::{Failure, bordered, correct};
 use super::point::Point;
 use super::predictor::tangent;
 use super::{Corrected, Linearisation, ZeroProblem};
+use crate::linear::solved;
 
 /// Distance from the chord, relative to its length, beyond which a point lies on another branch.
 const OFF: f64 = 0.5;
@@ -122,7 +123,7 @@ impl<P: ZeroProblem> Link<P> {
     /// How far a point is from the branch, to first order, across the chord.
     fn off(&self, at: &Linearisation<P::Extra>) -> Option<f64> {
         let matrix = bordered(at, &self.problem.scale(), self.r_scale, &self.chord);
-        let correction = matrix.lu().solve(&(-&at.residual).push(0.0))?;
+        let correction = solved(&matrix, &(-&at.residual).push(0.0))?;
         Some(correction.norm())
     }
 

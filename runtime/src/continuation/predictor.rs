@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::Linearisation;
 use super::corrector::bordered;
+use crate::linear::solved;
 
 /// The unit tangent in scaled coordinates (r last) that forms an acute angle with `before`: (2.13) to (2.16).
 ///
@@ -18,9 +19,7 @@ pub(crate) fn tangent<Extra>(
     let n = scale.len();
     let mut right = DVector::zeros(n + 1);
     right[n] = 1.0;
-    let tangent = bordered(linearisation, scale, r_scale, before)
-        .lu()
-        .solve(&right)?;
+    let tangent = solved(&bordered(linearisation, scale, r_scale, before), &right)?;
     let length = tangent.norm();
     (length.is_finite() && length > 0.0).then(|| tangent / length)
 }

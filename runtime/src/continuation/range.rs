@@ -87,6 +87,10 @@ impl<E: fmt::Display> fmt::Display for Stop<E> {
                     "no step was longer than {length:e} of its extent for too long"
                 )
             }
+            Self::Upright(points) => write!(
+                f,
+                "it stands upright, as along a canard: {points} points in a row do not differ in the parameter"
+            ),
             Self::TooManyPoints => f.write_str("it has more points than are allowed"),
             Self::Refused(error) => error.fmt(f),
         }
@@ -104,6 +108,8 @@ pub enum Stop<E> {
     StepTooSmall(Failure<E>),
     /// No step was longer than this for so long that it leads nowhere.
     Creeping(f64),
+    /// r stood still to its last digits for so many points: what follows is no other value of r.
+    Upright(usize),
     /// The limit of points.
     TooManyPoints,
     /// The problem says that the branch ends here.

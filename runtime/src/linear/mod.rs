@@ -2,11 +2,13 @@
 
 mod balance;
 mod eigenvalue;
+mod elimination;
 mod schur;
 mod svd;
 
 pub(crate) use balance::balanced;
 pub(crate) use eigenvalue::{Eigenvalue, eigenvalues};
+pub(crate) use elimination::solved;
 pub(crate) use svd::svd;
 
 /// A field and its first derivatives at one state.

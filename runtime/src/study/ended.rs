@@ -37,9 +37,8 @@ impl Ended {
             Ending::Stopped(Stop::TooManyPoints) => "too-many-points",
             Ending::Stopped(Stop::Refused(FlowError::Vanished { .. })) => "equilibrium",
             Ending::Stopped(Stop::Refused(_)) => "refused",
-            Ending::Stopped(Stop::StepTooSmall(_) | Stop::Creeping(_)) | Ending::FallsBack(_) => {
-                "step-too-small"
-            }
+            Ending::Stopped(Stop::StepTooSmall(_) | Stop::Creeping(_) | Stop::Upright(_))
+            | Ending::FallsBack(_) => "step-too-small",
             Ending::At(kind, _) | Ending::Meets(kind, _) => kind.name(),
             Ending::Undecided(..) => "undecided",
             Ending::Closed(_) => "closed",
@@ -78,7 +77,10 @@ impl Ended {
                 Stop::Refused(error) => {
                     matches!(error, FlowError::Vanished { .. } | FlowError::LetsGo)
                 }
-                Stop::StepTooSmall(_) | Stop::Creeping(_) | Stop::TooManyPoints => false,
+                Stop::StepTooSmall(_)
+                | Stop::Creeping(_)
+                | Stop::Upright(_)
+                | Stop::TooManyPoints => false,
             },
             Ending::At(..)
             | Ending::Meets(..)

@@ -22,8 +22,10 @@ pub struct Branch<P: ZeroProblem> {
     pub(super) before: Option<Before<P>>,
     pub(super) step: f64,
     pub(super) count: usize,
-    /// Steps in a row that were tiny.
+    /// How many more tiny steps were made than longer ones have made up for.
     pub(super) tiny: usize,
+    /// Steps in a row on which r stood still.
+    still: usize,
     /// Where it turns however short the step is, and whether it has just done so.
     pub(super) corner: Option<(Base, Stop<P::Error>)>,
     pub(super) turned: bool,
@@ -35,9 +37,12 @@ pub(super) type Before<P> = (P, Base, f64, f64);
 
 /// Share of a step that was taken back with which the next one begins.
 const RETRACTED: f64 = 0.25;
-/// Steps shorter than this, in scaled coordinates, are tiny: so many in a row lead nowhere.
+/// Steps shorter than this, in scaled coordinates, are tiny: so many lead nowhere, unless longer ones go as far in between.
 pub(super) const TINY: f64 = 1e-4;
-const CREEPING: usize = 300;
+const CREEPING: usize = 600;
+/// Share of r by which it stands still: so many such steps are spent on orbits that r does not tell apart, as along a canard.
+const STILL: f64 = 1e-12;
+const STANDING: usize = 600;
 /// A step that may be shortened often enough to tell a corner, over the smallest one.
 pub(super) const SHORTENED: f64 = 1e3;
 
@@ -96,6 +101,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             link: None,
             before: None,
             tiny: 0,
+            still: 0,
             corner: None,
             turned: false,
             step: settings.first_step,
@@ -221,6 +227,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let same = DVector::from_element(z.len(), 1.0);
         tangent = rescaled(tangent, &same, self.r_scale / r_scale);
         self.r_scale = r_scale;
+        let stands = |before: &Base| (r - before.r).abs() <= STILL * r.abs();
+        self.still = match self.point.as_ref().is_some_and(stands) {
+            true => self.still + 1,
+            false => 0,
+        };
         self.point = Some(Base {
             z: z.clone(),
             r,
@@ -266,6 +277,10 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
         }
         if self.tiny > CREEPING {
             self.stop = Some(Stop::Creeping(TINY));
+            return None;
+        }
+        if self.still >= STANDING {
+            self.stop = Some(Stop::Upright(self.still));
             return None;
         }
         match self.corner.take() {
