@@ -13,27 +13,29 @@ pub(crate) fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVec
     let mut rows = matrix.transpose().insert_row(order, 0.0);
     rows.row_mut(order).copy_from(&right.transpose());
     for k in 0..order {
-        let size = |i: &usize| rows[(k, *i)].abs();
-        let pivot = (k..order).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        let largest = size(&pivot);
-        if !(largest > 0.0 && largest.is_finite()) {
+        let size = |i: usize| rows[(k, i)].abs();
+        let larger = |pivot: usize, i: usize| if size(i) > size(pivot) { i } else { pivot };
+        let pivot = (k..order).fold(k, larger);
+        if !(size(pivot) > 0.0 && size(pivot).is_finite()) {
             return None;
         }
         rows.swap_columns(k, pivot);
         let (upper, mut lower) = rows.columns_range_pair_mut(k, k + 1..);
+        let inverse = 1.0 / upper[k];
         for mut row in lower.column_iter_mut() {
-            let factor = row[k] / upper[k];
+            let factor = row[k] * inverse;
             if factor != 0.0 {
                 let mut rest = row.rows_range_mut(k + 1..);
                 rest.axpy(-factor, &upper.rows_range(k + 1..), 1.0);
             }
         }
     }
-    let mut solution = DVector::zeros(order);
+    let mut solution = rows.row(order).transpose();
     for k in (0..order).rev() {
-        let known = rows.view((k + 1, k), (order - k - 1, 1));
-        let sum = known.dot(&solution.rows_range(k + 1..));
-        solution[k] = (rows[(order, k)] - sum) / rows[(k, k)];
+        solution[k] /= rows[(k, k)];
+        for i in 0..k {
+            solution[i] -= rows[(k, i)] * solution[k];
+        }
     }
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }

@@ -1,6 +1,9 @@
 //! Canards: orbits that change from small to large within the last digits of the design variable.
 
+use stickslip::field::{Kernel, Smoothing};
 use stickslip::model;
+use stickslip::study::Dynamics;
+use stickslip_models::DrillString;
 use stickslip_models::friction::Gaussian;
 
 use crate::borders::{branch, named};
@@ -33,4 +36,20 @@ fn a_canard_is_passed_from_small_orbits_to_large_ones() {
         // Where integrations of the motion after break-away (DOP853 of SciPy, rtol 1e-12) part, by halving.
         assert!((r / 2.275_665_182_501_66e-7 - 1.0).abs() < 1e-9, "{r}");
     }
+}
+
+/// A copy of the drill string whose layer is as wide as the table is fast: orbits that r does not tell apart are no end in
+/// themselves.
+#[test]
+fn a_branch_that_stands_upright_ends() {
+    let found = branch(&[], DrillString::eta, (0.12, 0.02), |case| {
+        let (kernel, size) = (Kernel::Quartic, 0.1);
+        case.dynamics = Dynamics::Smoothed(Smoothing { kernel, size });
+    });
+    assert_eq!(found.ended.word(), "step-too-small");
+    let reason = &found.ended.reason;
+    assert!(reason.contains("600 points in a row"), "{reason}");
+    let upright = found.points.iter().rev().take(600);
+    let values: Vec<f64> = upright.filter_map(|row| row.r).collect();
+    assert!(values.iter().all(|r| (r / values[0] - 1.0).abs() < 1e-9));
 }
