@@ -37,15 +37,28 @@ impl Shot {
         start.into_iter().chain(inside)
     }
 
-    /// Time and state of each minimum of the section's state on the way, those where it ends included.
-    fn lows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> + '_ {
+    /// Time and state of each minimum of the section's state on the way, those where it ends included. Where it rests it is
+    /// least from where it came to rest, not where the lap or a passage begins: between two minima lies a maximum.
+    fn lows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> {
         let section = self.section();
         let passages = self.passages.iter().zip(&self.begins);
-        passages.flat_map(move |(passage, begin)| {
+        let turns = passages.flat_map(|(passage, begin)| {
             let all = passage.extrema.iter();
-            let minima = all.filter(move |e| e.index == section && !e.maximum);
-            minima.map(move |e| (begin + e.time, e.state.clone()))
-        })
+            let turns = all.filter(|extremum| extremum.index == section);
+            turns.map(move |extremum| (begin + extremum.time, extremum))
+        });
+        let turns: Vec<_> = turns.collect();
+        let before = |i: usize| turns[(i + turns.len() - 1) % turns.len()].1;
+        let rests = |i: usize| {
+            let [a, b] = [before(i), turns[i].1].map(|turn| turn.state[section]);
+            turns.len() > 1 && !before(i).maximum && (a - b).abs() <= INSTANT * a.abs()
+        };
+        let begins = |i: &usize| self.drive.is_some() || !rests(*i);
+        let lows = (0..turns.len()).filter(|i| !turns[*i].1.maximum && begins(i));
+        let lows: Vec<_> = lows
+            .map(|i| (turns[i].0, turns[i].1.state.clone()))
+            .collect();
+        lows.into_iter()
     }
 
     /// Whether the section's state is least at the start; with a drive, whether its phase begins there.

@@ -2,7 +2,7 @@
 
 use stickslip::model;
 use stickslip::study::{Case, Dynamics, System};
-use stickslip_models::friction::Coulomb;
+use stickslip_models::friction::{Coulomb, Gaussian};
 
 model! {
     /// A deck on two hangers that twists, and heaves by what rounding leaves of its weight.
@@ -66,4 +66,33 @@ fn what_swings_no_more_but_grows_has_not_settled() {
     let orbit = system.orbit(&Case::declared(system.info(), Dynamics::Exact));
     let said = orbit.unwrap_err().to_string();
     assert!(said.contains("grows without bound"), "{said}");
+}
+
+model! {
+    /// A servo that hunts: an integrating controller against friction on fixed ground.
+    struct Hunt {
+        state x = 0.1;
+        state v = 0.0;
+        state z = 0.0;
+        friction F = Gaussian { static_level: 1.0, kinetic_level: 0.6, speed: 0.05, viscous: 0.0 } opposing v;
+        der(x) = v;
+        der(v) = F - 4.0 * x - 3.0 * z - 2.0 * v;
+        der(z) = x;
+    }
+}
+
+/// Where it is least it sticks, while the controller winds up: one orbit was told from different places of that, and one of
+/// them counted beside the place at which it comes to rest.
+#[test]
+fn an_orbit_that_rests_where_it_is_least_begins_as_it_comes_to_rest() {
+    let system = System::of::<Hunt, _>();
+    for (x, z) in [(0.1, 0.0), (0.05, 0.2)] {
+        let mut case = Case::declared(system.info(), Dynamics::Exact);
+        case.start = Some(vec![x, 0.0, z]);
+        let orbit = system.orbit(&case).unwrap();
+        assert_eq!(orbit.period_count, 1);
+        // The spring of the controller is longest when the mass comes to rest, but for what it then still slid.
+        let from = orbit.state[2];
+        assert!((from - 0.261_021_2).abs() < 1e-6, "{x}: {from}");
+    }
 }
