@@ -91,7 +91,7 @@ fn an_orbit_that_rests_where_it_is_least_begins_as_it_comes_to_rest() {
         case.start = Some(vec![x, 0.0, z]);
         let orbit = system.orbit(&case).unwrap();
         assert_eq!(orbit.period_count, 1);
-        // The spring of the controller is longest when the mass comes to rest, but for what it then still slid.
+        // As it comes to rest: it then sticks for six seconds, in which this falls by 0.5.
         let from = orbit.state[2];
         assert!((from - 0.261_021_2).abs() < 1e-6, "{x}: {from}");
     }
