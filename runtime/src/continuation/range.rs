@@ -115,3 +115,14 @@ pub enum Stop<E> {
     /// The problem says that the branch ends here.
     Refused(E),
 }
+
+impl<E> Stop<E> {
+    /// Whether the branch goes on as far as is known, and no step leads anywhere.
+    #[must_use]
+    pub fn is_stuck(&self) -> bool {
+        matches!(
+            self,
+            Self::StepTooSmall(_) | Self::Creeping(_) | Self::Upright(_)
+        )
+    }
+}

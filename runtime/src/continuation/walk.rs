@@ -132,10 +132,7 @@ impl<R: Reader> Walk<'_, R> {
     /// The end of a branch on which there is no next step; `None` if it goes on beyond a point at which it is not smooth.
     fn stopped(&mut self) -> Option<Ending<ErrorOf<R>>> {
         let stop = self.followed.stop().cloned().unwrap_or(Stop::TooManyPoints);
-        if !matches!(
-            stop,
-            Stop::StepTooSmall(_) | Stop::Creeping(_) | Stop::Upright(_)
-        ) {
+        if !stop.is_stuck() {
             return match self.refused(&stop) {
                 Some(crossing) => self.pass(crossing),
                 None => Some(Ending::Stopped(stop)),

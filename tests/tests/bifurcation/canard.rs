@@ -38,8 +38,8 @@ fn a_canard_is_passed_from_small_orbits_to_large_ones() {
     }
 }
 
-/// A copy of the drill string whose layer is as wide as the table is fast: orbits that r does not tell apart are no end in
-/// themselves.
+/// A copy of the drill string whose layer is as wide as the table is fast: along its canard r does not tell orbits apart, and
+/// they are not followed for ever.
 #[test]
 fn a_branch_that_stands_upright_ends() {
     let found = branch(&[], DrillString::eta, (0.12, 0.02), |case| {
