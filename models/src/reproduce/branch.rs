@@ -19,8 +19,19 @@ pub(super) struct Branch {
     work: Work,
 }
 
+/// Why a branch ends that turns back, for which alone it is interrupted: also in a fold that is sharper than is told.
+const MEETS: &str = "meets an unstable cycle";
 /// Why a branch ends whose cycle becomes an equilibrium.
 const VANISHES: &str = "shrinks to the equilibrium";
+
+/// How many points there are up to the farthest.
+fn farthest(record: &BranchRecord) -> usize {
+    let way = (record.along.to - record.along.from).signum();
+    let far = |point: &OrbitRecord| way * at(point);
+    let all = record.points.iter().enumerate();
+    let farthest = all.max_by(|a, b| far(a.1).total_cmp(&far(b.1)));
+    farthest.map_or(0, |(place, _)| place + 1)
+}
 
 impl Branch {
     /// What is told of a branch, found in this time.
@@ -28,8 +39,12 @@ impl Branch {
         let fold = record.special.iter().find(|point| point.kind == Kind::Fold);
         let special = record.special.last().map_or(f64::NAN, |point| point.r);
         let last = record.points.last().map_or(f64::NAN, at);
+        let turned = (record.ended.word() == "interrupted").then(|| farthest(&record));
+        let tip = fold.map(|fold| fold.after).or(turned);
+        let tip = tip.unwrap_or(record.points.len());
         let (end, why) = match (fold, record.ended.word()) {
-            (Some(fold), _) => (fold.r, "meets an unstable cycle"),
+            (Some(fold), _) => (fold.r, MEETS),
+            (None, "interrupted") => (record.points[..tip].last().map_or(last, at), MEETS),
             (None, "reached-end") => (last, "end of the range"),
             (None, "equilibrium") => (last, VANISHES),
             (None, "hopf") => (special, VANISHES),
@@ -38,9 +53,8 @@ impl Branch {
             (None, other) => (last, other),
         };
         let work = work(&record.points);
-        let count = fold.map_or(record.points.len(), |fold| fold.after);
         let mut points = record.points;
-        points.truncate(count);
+        points.truncate(tip);
         Self {
             along: record.along,
             points,
