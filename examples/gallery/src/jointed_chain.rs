@@ -145,6 +145,23 @@ mod tests {
         }
     }
 
+    /// Where the joint between the masses sticks all along, it swings about the middle of its bounds; at 1.6259934 another of
+    /// its maxima becomes the largest, and the branch turns there at a corner, r coming back.
+    #[test]
+    fn the_branch_goes_around_where_another_maximum_is_the_largest() {
+        for (from, accuracy) in [(1.5, 1e-6), (1.55, 1e-7), (1.55, 1e-8)] {
+            let (system, case) = asked(from);
+            let case = Case { accuracy, ..case };
+            let branch = system.branch(&case.following(JointedChain::omega, from..1.65));
+            let branch = branch.unwrap();
+            let folds: Vec<f64> = branch.special.iter().map(|one| one.r).collect();
+            assert_eq!(folds.len(), 2, "{folds:?}");
+            close(folds[0], 1.627818507, 1e-6, "the resonance's fold");
+            close(folds[1], 1.626875714, 1e-6, "the fold beyond");
+            assert_eq!(branch.points.last().unwrap().r, Some(1.65));
+        }
+    }
+
     /// Where the balanced motion begins.
     fn start(motion: &Balance<3>, model: &JointedChain) -> Option<Vec<f64>> {
         let place = motion.motion()[0];

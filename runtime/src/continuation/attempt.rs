@@ -18,6 +18,8 @@ const PATIENCE: usize = 3;
 const CORNER: usize = 5;
 /// The step around it, over the smallest one: it hardly shows any more what lies before the corner.
 const AROUND: f64 = 100.0;
+/// The next one that is tried.
+const WIDER: f64 = 10.0;
 
 /// A solution, the step that led to it, and why there is none beyond.
 type Stepped<P> = (
@@ -124,6 +126,17 @@ impl<P: ZeroProblem + Clone> Branch<P> {
                 Err(Refusal::Retry(failure)) => (false, Stop::StepTooSmall(failure)),
             };
             failures += 1;
+            if std::env::var_os("DBG").is_some() {
+                eprintln!(
+                    "fail at {} step {:.2e}: {}",
+                    base.r,
+                    self.step,
+                    match &stop {
+                        Stop::StepTooSmall(f) => f.to_string(),
+                        _ => "refused".into(),
+                    }
+                );
+            }
             let turned = matches!(stop, Stop::StepTooSmall(Failure::Angle { .. }));
             turns = if turned { turns + 1 } else { 0 };
             let last = SHORTER * self.step < smallest;
@@ -146,12 +159,16 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     /// The point just beyond a corner, from which the branch goes on straight; `None` if there is none.
     pub(super) fn around(&mut self, base: &Base, stop: Stop<P::Error>) -> Option<Point<P::Extra>> {
         self.step = AROUND * self.settings.smallest_step;
-        let found = self.attempt(base, true).ok();
-        match found {
-            Some(_) => (self.turned, self.step) = (true, TINY),
-            None => self.stop = Some(stop),
+        // At a loose accuracy, the nearest ones do not tell where it goes.
+        while self.step <= TINY {
+            if let Ok(found) = self.attempt(base, true) {
+                (self.turned, self.step) = (true, TINY);
+                return Some(found);
+            }
+            self.step *= WIDER;
         }
-        found
+        self.stop = Some(stop);
+        None
     }
 
     fn guard(

@@ -3,6 +3,7 @@
 use super::crossing::{Beyond, Crossing};
 use super::detect::explains;
 use super::ending::Ending;
+use super::kind::Kind;
 use super::located::{Findings, Located};
 use super::path::Watched;
 use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
@@ -28,6 +29,18 @@ impl<R: Reader> Walk<'_, R> {
                 None
             }
         }
+    }
+
+    /// Ends the branch at a point that it does not pass.
+    pub(super) fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
+        let ending = if reason.last && reason.kind == Kind::Flip {
+            Ending::Meets(reason.kind, reason.r)
+        } else {
+            Ending::At(reason.kind, reason.r)
+        };
+        let after = self.points.len();
+        self.located.push(Located { after, ..reason });
+        ending
     }
 
     /// The point to which the branch comes, unless it has just come from it.

@@ -15,7 +15,7 @@ pub enum Ending<E> {
     Undecided(Kind, f64),
     /// It has become another branch there, at such a point of that, along which it would only run back.
     Meets(Kind, f64),
-    /// It cannot be told any more from the branch of a shorter orbit, however short the step.
+    /// It cannot be told any more from orbits that it has come by, or from a shorter one, however short the step.
     FallsBack(f64),
     /// It came round to where it began.
     Closed(f64),

@@ -179,7 +179,9 @@ impl<R: Reader> Walk<'_, R> {
             return Verdict::GoOn;
         };
         let findings = detect(&mut path, &self.followed.reader.monitors(), ends, accuracy);
-        let turns = R::TURNS_AT_FOLDS && findings.turns_unseen(ends);
+        // Around a corner it may come back along r, and no test function says so.
+        let corner = self.followed.branch.turned;
+        let turns = R::TURNS_AT_FOLDS && !corner && findings.turns_unseen(ends);
         let link = self.followed.branch.link();
         let short = link.is_some_and(|link| link.length() <= SHORT);
         let bends = !short && findings.bends(point);
@@ -285,16 +287,5 @@ impl<R: Reader> Walk<'_, R> {
             let ending = reason.map(|reason| self.end(reason));
             Verdict::End(ending.unwrap_or(Ending::FallsBack(point.r())))
         }
-    }
-
-    pub(super) fn end(&mut self, reason: Located<R::Point>) -> Ending<ErrorOf<R>> {
-        let ending = if reason.last && reason.kind == Kind::Flip {
-            Ending::Meets(reason.kind, reason.r)
-        } else {
-            Ending::At(reason.kind, reason.r)
-        };
-        let after = self.points.len();
-        self.located.push(Located { after, ..reason });
-        ending
     }
 }

@@ -76,6 +76,19 @@ impl Orbit {
         ends.fold(period, f64::max)
     }
 
+    /// Whether it lies between two others on a path that turns here by less than a right angle, by their extents.
+    pub(super) fn parts(&self, [from, to]: [&Self; 2]) -> bool {
+        let magnitude = self.magnitude();
+        let here = self.extents();
+        let [from, to] = [from, to].map(Self::extents);
+        let along = |end: usize| {
+            let ways = from[end].iter().zip(&here[end]).zip(&to[end]);
+            let scaled = ways.zip(&magnitude);
+            scaled.map(|(((from, here), to), unit)| (here - from) / unit * ((to - here) / unit))
+        };
+        along(0).chain(along(1)).sum::<f64>() > 0.0
+    }
+
     /// Least and largest values of the states; of one that runs on, what it gains once around.
     fn extents(&self) -> [Vec<f64>; 2] {
         let mut ends = [self.min.clone(), self.max.clone()];

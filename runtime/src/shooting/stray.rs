@@ -27,6 +27,10 @@ pub(super) fn walks_back(family: &Family, orbits: &[Orbit], orbit: &Orbit, accur
     if !certain(orbit) || !ends.iter().any(alike) || !orbit.is_between(ends, 0.0) {
         return false;
     }
+    // Next to a corner, Newton's method comes from those before it to those beyond.
+    if turn.parts([ends[0], orbit]) {
+        return false;
+    }
     // From between them: from one of them Newton's method may come to an orbit of another regime that is as near.
     let share = (orbit.r - ends[0].r) / (ends[1].r - ends[0].r);
     let [first, second] = ends.map(Orbit::guess);

@@ -147,7 +147,7 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             value(r)
         ),
         Ending::FallsBack(r) => format!(
-            "at {} it falls back on the branch of a shorter orbit, however short the step",
+            "at {} it falls back on orbits that it has come by, or on a shorter one, however short the step",
             value(r)
         ),
         Ending::Closed(r) => format!(
