@@ -126,17 +126,6 @@ impl<P: ZeroProblem + Clone> Branch<P> {
                 Err(Refusal::Retry(failure)) => (false, Stop::StepTooSmall(failure)),
             };
             failures += 1;
-            if std::env::var_os("DBG").is_some() {
-                eprintln!(
-                    "fail at {} step {:.2e}: {}",
-                    base.r,
-                    self.step,
-                    match &stop {
-                        Stop::StepTooSmall(f) => f.to_string(),
-                        _ => "refused".into(),
-                    }
-                );
-            }
             let turned = matches!(stop, Stop::StepTooSmall(Failure::Angle { .. }));
             turns = if turned { turns + 1 } else { 0 };
             let last = SHORTER * self.step < smallest;
