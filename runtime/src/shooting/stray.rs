@@ -12,9 +12,9 @@ use crate::motion::Family;
 /// sides of it.
 const NEAR: f64 = 0.01;
 
-/// Whether the branch that has come by these orbits, and has turned, would walk back with this one.
+/// Whether the branch that has come by these orbits, and has turned or would turn, would walk back with this one.
 pub(super) fn walks_back(family: &Family, orbits: &[Orbit], orbit: &Orbit, accuracy: f64) -> bool {
-    let Some((ends, turn)) = passed(orbits, orbit.r) else {
+    let Some((ends, turn)) = passed(orbits, orbit) else {
         return false;
     };
     let certain = |one: &Orbit| one.marginal() == Some(0);
@@ -50,12 +50,14 @@ pub(super) fn walks_back(family: &Family, orbits: &[Orbit], orbit: &Orbit, accur
     earlier.is_ok_and(|earlier| earlier.coincides(orbit, tolerance))
 }
 
-/// The neighbours that r passed this value between on the way to where it turned last, and the orbit there.
-fn passed(orbits: &[Orbit], r: f64) -> Option<([&Orbit; 2], &Orbit)> {
-    let turns = |i: &usize| changes(orbits[i - 1].slope(), orbits[*i].slope());
-    let turn = (1..orbits.len()).rev().find(turns)?;
+/// The neighbours that r passed this orbit's value between on the way to where it turned last, and the orbit there.
+fn passed<'a>(orbits: &'a [Orbit], orbit: &Orbit) -> Option<([&'a Orbit; 2], &'a Orbit)> {
+    let slope = |i: usize| orbits.get(i).unwrap_or(orbit).slope();
+    let turns = |i: &usize| changes(slope(i - 1), slope(*i));
+    let turn = (1..=orbits.len()).rev().find(turns)?;
     let begun = (1..turn).rev().find(turns).unwrap_or(0);
+    let r = orbit.r;
     let passes = |pair: &&[Orbit]| (pair[0].r - r) * (pair[1].r - r) <= 0.0;
     let pair = orbits[begun..turn].windows(2).rev().find(passes)?;
-    Some(([&pair[0], &pair[1]], &orbits[turn]))
+    Some(([&pair[0], &pair[1]], orbits.get(turn).or(orbits.last())?))
 }
