@@ -28,24 +28,25 @@ impl OrbitProblem {
         Ok(())
     }
 
-    /// Lets contacts that stick all along bear as much the one way as the other, if where they stick is free and if that
-    /// tells it.
+    /// Lets contacts that stick all along bear as much the one way as the other, as far as what is free tells that: of two
+    /// that hold one spring between them, one settles what the other bears.
     pub(super) fn balance(&mut self, segments: &[Segment], (z, r): (&DVector<f64>, f64)) {
-        let contacts = 0..segments.first().map_or(0, |first| first.modes.len());
-        let held: Vec<usize> = contacts.filter(|&i| sticks(segments, i)).collect();
-        let free: Vec<usize> = (0..self.pins.len())
-            .filter(|&k| self.pins[k].centred.is_none())
-            .collect();
-        if held.is_empty() || held.len() != free.len() || self.modes.len() > 1 {
+        if self.modes.len() > 1 {
             return;
         }
-        let plain = self.pins.clone();
-        for (k, contact) in free.into_iter().zip(held) {
-            self.pins[k].centred = Some(Swing::Force(contact));
-        }
-        let at = self.evaluate(z, r);
-        if !at.is_ok_and(|at| Null::of(&at, &self.scale()).is_none()) {
-            self.pins = plain;
+        let contacts = 0..segments.first().map_or(0, |first| first.modes.len());
+        for contact in contacts.filter(|&i| sticks(segments, i)) {
+            for k in 0..self.pins.len() {
+                if self.pins[k].centred.is_some() {
+                    continue;
+                }
+                self.pins[k].centred = Some(Swing::Force(contact));
+                let at = self.evaluate(z, r);
+                if at.is_ok_and(|at| Null::of(&at, &self.scale()).is_none()) {
+                    break;
+                }
+                self.pins[k].centred = None;
+            }
         }
     }
 

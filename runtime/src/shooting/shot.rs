@@ -73,6 +73,18 @@ pub(super) fn usual(
     half_extents(&below, &wide, fallback)
 }
 
+/// Of states that are shifted together, those that keep still beside others are measured as they are.
+fn level(sizes: &mut [f64], direction: &[f64]) {
+    let shifted = || direction.iter().map(|d| d.abs()).enumerate();
+    let moved = shifted().filter(|(_, d)| *d > 0.0);
+    let largest = moved.map(|(j, d)| sizes[j] / d).fold(0.0, f64::max);
+    for (j, d) in shifted() {
+        if is_still(sizes[j], largest * d) {
+            sizes[j] = largest * d;
+        }
+    }
+}
+
 /// Most places at which an orbit is begun anew.
 const OTHERS: usize = 4;
 
@@ -129,7 +141,11 @@ impl Shot {
     /// Half the extent of each state; `fallback` where it has none.
     pub(crate) fn magnitude(&self, fallback: &[f64]) -> Vec<f64> {
         let (low, high) = self.extent();
-        usual(&low, &high, self.shift.as_deref(), fallback)
+        let mut sizes = usual(&low, &high, self.shift.as_deref(), fallback);
+        for direction in self.pins.iter().filter_map(Pin::along) {
+            level(&mut sizes, direction);
+        }
+        sizes
     }
 
     /// The factors of Φ once around, if they were wanted.

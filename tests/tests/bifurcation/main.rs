@@ -6,6 +6,7 @@ mod bands;
 mod borders;
 mod branch;
 mod canard;
+mod carriage;
 mod carried;
 mod corner;
 mod curves;
