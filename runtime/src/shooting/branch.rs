@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::at_once::changes_at_once;
 use super::begin::begin;
 use super::border::{between, cross, name};
 use super::bound::unbounded;
@@ -191,7 +192,9 @@ impl Reader for Orbits {
         branch: &Branch<OrbitProblem>,
         orbits: &[Orbit],
     ) -> Option<Crossing<OrbitProblem, Orbit>> {
-        let crossing = cross(branch, orbits, self.accuracy)?;
+        let Some(crossing) = cross(branch, orbits, self.accuracy) else {
+            return changes_at_once(branch, orbits, self.accuracy);
+        };
         if !matches!(crossing.beyond, Beyond::Undecided) {
             return Some(crossing);
         }

@@ -1,6 +1,7 @@
 //! Periodic orbits by shooting: thesis section 2.2.
 
 mod anchor;
+mod at_once;
 mod begin;
 mod beside;
 mod border;

@@ -19,7 +19,7 @@ use crate::continuation::{Branch, Crossing, Started, correct_at};
 use crate::field::exact::Mode;
 use crate::flow::Want;
 use crate::math::at_zero;
-use crate::motion::{Family, Flow, Node, Place, apart};
+use crate::motion::{Family, Flow, Node, Passage, Place, apart};
 
 /// Steps that become shorter than this share of the one before are looked at, where their urge to slide falls below this
 /// share within two of them.
@@ -221,7 +221,11 @@ fn held(
         (held && reaches(&found, period)).then_some(found)
     };
     let clings = clings(family, r, orbits, contact).map(at);
-    let settles = || settles(flow.as_ref(), &at(guess.place.clone()), contact).map(at);
+    let sticks = |lap: &Passage| {
+        let mut own = lap.events.iter().filter(|event| event.contact == contact);
+        !own.any(|event| event.switches())
+    };
+    let settles = || settles(flow.as_ref(), &at(guess.place.clone()), sticks).map(at);
     clings.and_then(holds).or_else(|| settles().and_then(holds))
 }
 
@@ -249,16 +253,19 @@ fn clings(family: &Family, r: f64, orbits: [&Orbit; 2], contact: usize) -> Optio
     Some(place)
 }
 
-/// Where the motion from a guess repeats, the contact sticking all along.
-fn settles(flow: &dyn Flow, guess: &Guess, contact: usize) -> Option<Place> {
+/// Where the motion from a guess repeats, as long as each of the laps that are looked at may be one.
+pub(super) fn settles(
+    flow: &dyn Flow,
+    guess: &Guess,
+    may: impl Fn(&Passage) -> bool,
+) -> Option<Place> {
     let mut place = flow.place(&guess.place.state).ok()?;
     for _ in 0..LOOKS {
         let settled = flow.advance(&place, SETTLES * guess.period, Want::default());
         place = settled.ok()?.end;
         place.state = flow.wrapped(place.state);
         let again = flow.advance(&place, guess.period, Want::EXTREMA).ok()?;
-        let mut own = again.events.iter().filter(|event| event.contact == contact);
-        if own.any(|event| event.switches()) {
+        if !may(&again) {
             return None;
         }
         let mut end = again.end.state;

@@ -1,5 +1,6 @@
 //! Contacts that press and let go.
 
+mod annulus;
 mod audit;
 mod bilinear;
 mod buffer;

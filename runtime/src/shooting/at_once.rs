@@ -1,0 +1,74 @@
+//! Motions that change their mode all along at once, as a rotor does whose circle grows to the gap about it: no event on the
+//! way tells such a point, and beyond it none of the orbit is as before.
+
+use super::begin::begin;
+use super::converge::converge;
+use super::grip::{near, once, passes};
+use super::guess::Guess;
+use super::orbit::Orbit;
+use super::problem::OrbitProblem;
+use super::rest::settles;
+use crate::bifurcation::Kind;
+use crate::continuation::{Branch, Crossing};
+use crate::motion::{Family, Modes};
+
+/// How far beyond an orbit of another mode is sought, over r.
+const BEYOND: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+/// How far it may be from the last one, by their extents, over that.
+const FAR: f64 = 100.0;
+
+/// The point after the last of these orbits, each of one mode all along, at which that becomes another one, and the orbits
+/// beyond; `None` if it becomes none.
+pub(super) fn changes_at_once(
+    branch: &Branch<OrbitProblem>,
+    orbits: &[Orbit],
+    accuracy: f64,
+) -> Option<Crossing<OrbitProblem, Orbit>> {
+    let [.., before, last] = orbits else {
+        return None;
+    };
+    mode(before)?;
+    let modes = mode(last)?;
+    let (family, settings) = (&branch.problem.family, branch.settings());
+    let search = near(last, accuracy);
+    let way = (last.r - before.r).signum();
+    let inside = |r: f64| (r - settings.from) * (r - settings.to) < 0.0;
+    let (r, found) = BEYOND.into_iter().find_map(|far| {
+        let r = last.r + far * way * last.r.abs();
+        let guess = inside(r).then(|| guess(family, [before, last], r))??;
+        let found = converge(family, r, &guess, &search).ok()?;
+        let new = mode(&found).is_some_and(|found| found != modes);
+        (new && last.apart(&found) <= FAR * far).then_some((r, found))
+    })?;
+    let started = begin(family, &found, &search, settings, (r, way > 0.0)).ok()?;
+    let changed = modes.iter().zip(&found.place.modes).filter(|(a, b)| a != b);
+    let presses = changed.map(|(a, _)| a.is_of_press()).any(|press| press);
+    let apart = (last.r - before.r).abs();
+    let mut crossing = passes(last, (last.r, apart), started, accuracy);
+    crossing.located.kind = match presses {
+        true => Kind::Grazing,
+        false => Kind::GrazingSliding,
+    };
+    Some(crossing)
+}
+
+/// The modes of the contacts, if they are the same all along.
+fn mode(orbit: &Orbit) -> Option<&Modes> {
+    let modes = &orbit.place.modes;
+    let mut segments = orbit.segments.iter();
+    segments.all(|one| one.modes == *modes).then_some(modes)
+}
+
+/// Where the motion settles at r to which these two lead: it may bounce before.
+fn guess(family: &Family, [before, last]: [&Orbit; 2], r: f64) -> Option<Guess> {
+    let mut guess = last.guess();
+    let ahead = (r - last.r) / (last.r - before.r);
+    let states = guess.place.state.iter_mut().zip(&before.place.state);
+    states.for_each(|(x, old)| *x += ahead * (*x - old));
+    let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
+    guess.place = flow.place(&guess.place.state).ok()?;
+    guess.period = once(flow.as_ref(), &guess.place, guess.period)?;
+    guess.division = None;
+    let place = settles(flow.as_ref(), &guess, |_| true)?;
+    Some(Guess { place, ..guess })
+}
