@@ -7,7 +7,7 @@ use crate::model::{ContactId, brief, listed};
 pub enum SensitivityUndefined {
     /// The event surface is touched, not crossed.
     #[error(
-        "no derivative: contact {contact} grazes at t = {}, where its guard falls at the rate {rate:e} only",
+        "no derivative: contact {contact} grazes at t = {}, where its guard falls at the rate {rate:.2e} only",
         brief(*.time)
     )]
     Grazing {

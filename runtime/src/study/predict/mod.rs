@@ -53,7 +53,7 @@ pub enum PredictError {
     },
     /// The exact orbit touches a surface, so that it has no derivative.
     #[error(
-        "contact {contact} grazes at t = {} (rate {rate:e}): the orbit has no derivative there",
+        "contact {contact} grazes at t = {} (rate {rate:.2e}): the orbit has no derivative there",
         brief(*.time)
     )]
     Grazing {
