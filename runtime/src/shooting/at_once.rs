@@ -9,11 +9,12 @@ use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::rest::settles;
 use crate::bifurcation::Kind;
-use crate::continuation::{Branch, Crossing};
+use crate::continuation::{Branch, Crossing, Failure, Stop};
+use crate::flow::FlowError;
 use crate::motion::{Family, Modes};
 
 /// How far beyond an orbit of another mode is sought, over r.
-const BEYOND: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+const BEYOND: [f64; 3] = [1e-6, 1e-5, 1e-4];
 /// How far it may be from the last one, by their extents, over that.
 const FAR: f64 = 100.0;
 
@@ -27,6 +28,9 @@ pub(super) fn changes_at_once(
     let [.., before, last] = orbits else {
         return None;
     };
+    if !comes_back_otherwise(branch) {
+        return None;
+    }
     mode(before)?;
     let modes = mode(last)?;
     let (family, settings) = (&branch.problem.family, branch.settings());
@@ -50,6 +54,19 @@ pub(super) fn changes_at_once(
         false => Kind::GrazingSliding,
     };
     Some(crossing)
+}
+
+/// Whether it is for their mode that motions beyond are no orbits, however short the step.
+fn comes_back_otherwise(branch: &Branch<OrbitProblem>) -> bool {
+    match branch.stop() {
+        Some(Stop::Refused(why) | Stop::StepTooSmall(Failure::Evaluation(why))) => {
+            matches!(
+                why,
+                FlowError::OtherMode { .. } | FlowError::InconsistentMode { .. }
+            )
+        }
+        _ => false,
+    }
 }
 
 /// The modes of the contacts, if they are the same all along.
