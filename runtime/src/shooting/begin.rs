@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::anchor::problem;
+use super::branch::SHARPER;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
@@ -22,10 +23,33 @@ pub(super) fn begin(
     settings: Settings,
     (r, upwards): (f64, bool),
 ) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
+    let tolerance = |share: f64| Tolerance::for_accuracy(share * search.accuracy);
+    let at = |share: f64| {
+        set_out(
+            &family.with_tolerance(tolerance(share)),
+            orbit,
+            search,
+            settings,
+            (r, upwards),
+        )
+    };
+    match at(1.0) {
+        // Errors of the integration may be what keeps Newton's method from the orbit that it has found before.
+        Err(Failure::ResidualRose { .. } | Failure::NoConvergence { .. }) => at(SHARPER),
+        started => started,
+    }
+}
+
+/// The same with the tolerance of this family.
+fn set_out(
+    family: &Family,
+    orbit: &Orbit,
+    search: &Search,
+    settings: Settings,
+    (r, upwards): (f64, bool),
+) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
     let guess = orbit.guess();
-    let family = family
-        .with_tolerance(Tolerance::for_accuracy(search.accuracy))
-        .with_magnitude(&guess.magnitude);
+    let family = family.with_magnitude(&guess.magnitude);
     let (mut problem, z) =
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
     problem.may_run();

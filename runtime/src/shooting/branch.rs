@@ -31,7 +31,7 @@ use crate::integrate::Tolerance;
 use crate::motion::Family;
 
 /// Share of the accuracy to which orbits between two others are integrated.
-const SHARPER: f64 = 0.02;
+pub(super) const SHARPER: f64 = 0.02;
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
 

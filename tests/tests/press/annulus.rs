@@ -67,12 +67,8 @@ fn a_rotor_touches_its_housing_all_around_at_once() {
             panic!("{:?}", branch.special)
         };
         assert_eq!(point.kind, Kind::Grazing);
-        let off = (point.r - touches).abs();
-        assert!(
-            off <= point.error && point.error < 1e-5,
-            "{off} {}",
-            point.error
-        );
+        let (off, error) = ((point.r - touches).abs(), point.error.unwrap());
+        assert!(off <= error && error < 1e-5, "{off} {error}");
         for row in &branch.points {
             let omega = row.r.unwrap();
             let radius = root(|radius| excess(&rotor, omega, radius), 0.1, 1.5);

@@ -3,6 +3,7 @@
 mod driven;
 mod flow;
 mod followed;
+mod hunting;
 mod layers;
 mod memory_laws;
 mod metamorphic;
