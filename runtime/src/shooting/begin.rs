@@ -25,13 +25,8 @@ pub(super) fn begin(
 ) -> Result<Started<OrbitProblem>, Failure<FlowError>> {
     let tolerance = |share: f64| Tolerance::for_accuracy(share * search.accuracy);
     let at = |share: f64| {
-        set_out(
-            &family.with_tolerance(tolerance(share)),
-            orbit,
-            search,
-            settings,
-            (r, upwards),
-        )
+        let family = family.with_tolerance(tolerance(share));
+        through(&family, orbit, search, settings, (r, upwards))
     };
     match at(1.0) {
         // Errors of the integration may be what keeps Newton's method from the orbit that it has found before.
@@ -41,7 +36,7 @@ pub(super) fn begin(
 }
 
 /// The same with the tolerance of this family.
-fn set_out(
+fn through(
     family: &Family,
     orbit: &Orbit,
     search: &Search,
