@@ -3,7 +3,6 @@
 use nalgebra::DVector;
 
 use super::anchor::problem;
-use super::branch::SHARPER;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
@@ -11,6 +10,9 @@ use crate::continuation::{Branch, Failure, Settings, Started};
 use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::Family;
+
+/// Share of the accuracy to which orbits are integrated where more digits count: between two others, and where errors grow.
+pub(super) const SHARPER: f64 = 0.02;
 
 /// The branch through an orbit found at r, anywhere in the range of the settings, that goes up from there or down.
 ///

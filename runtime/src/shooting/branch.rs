@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::at_once::changes_at_once;
-use super::begin::begin;
+use super::begin::{SHARPER, begin};
 use super::border::{between, cross, name};
 use super::bound::unbounded;
 use super::given::closed;
@@ -30,8 +30,6 @@ use crate::flow::FlowError;
 use crate::integrate::Tolerance;
 use crate::motion::Family;
 
-/// Share of the accuracy to which orbits between two others are integrated.
-pub(super) const SHARPER: f64 = 0.02;
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
 
