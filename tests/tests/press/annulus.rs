@@ -71,7 +71,7 @@ fn a_rotor_touches_its_housing_all_around_at_once() {
         assert!(off <= error && error < 1e-5, "{off} {error}");
         for row in &branch.points {
             let omega = row.r.unwrap();
-            // Beyond resonance there is a second circle nearer to the ring, on which the spring of the ring pulls less.
+            // Beyond resonance a free circle solves it as well, and one that hardly presses.
             let softest = rotor.k * rotor.gap / (rotor.k + 1.0 - omega * omega);
             let [low, high] = match row.max_abs[0] < rotor.gap {
                 true => [0.1, rotor.gap],
