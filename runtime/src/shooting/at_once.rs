@@ -45,8 +45,8 @@ pub(super) fn changes_at_once(
         (new && last.apart(&found) <= FAR * far).then_some((r, found))
     })?;
     let started = begin(family, &found, &search, settings, (r, way > 0.0)).ok()?;
-    let changed = modes.iter().zip(&found.place.modes).filter(|(a, b)| a != b);
-    let presses = changed.map(|(a, _)| a.is_of_press()).any(|press| press);
+    let mut changed = modes.iter().zip(&found.place.modes).filter(|(a, b)| a != b);
+    let presses = changed.any(|(mode, _)| mode.is_of_press());
     let apart = (last.r - before.r).abs();
     let mut crossing = passes(last, (last.r, apart), started, accuracy);
     crossing.located.kind = match presses {
