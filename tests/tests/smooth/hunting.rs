@@ -35,10 +35,7 @@ fn the_branch_of_an_orbit_whose_errors_grow_is_begun_more_sharply() {
         branch.ended.reason
     );
     let last = branch.points.last().unwrap();
-    let there = Servo {
-        ki: 1.0,
-        ..Servo::default()
-    };
+    let there = Servo { ki: 1.0 };
     let alone = system.orbit(&Case::of(&there)).unwrap();
     let off = (last.period / alone.period - 1.0).abs();
     assert!(off < 1e-7, "{} and {}", last.period, alone.period);
