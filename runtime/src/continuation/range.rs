@@ -46,6 +46,11 @@ impl Settings {
 }
 
 impl Settings {
+    /// Whether r lies between both ends of the range, and at neither.
+    pub(crate) fn contains(&self, r: f64) -> bool {
+        (r - self.from) * (r - self.to) < 0.0
+    }
+
     /// The end of the range that lies between r = `base` and `r`, or at `r`; `None` if `r` is inside. From outside, it is the
     /// end by which the range was left.
     pub(super) fn passed<E>(&self, base: f64, r: f64) -> Option<(f64, Stop<E>)> {

@@ -36,10 +36,11 @@ pub(super) fn changes_at_once(
     let (family, settings) = (&branch.problem.family, branch.settings());
     let search = near(last, accuracy);
     let way = (last.r - before.r).signum();
-    let inside = |r: f64| (r - settings.from) * (r - settings.to) < 0.0;
     let (r, found) = BEYOND.into_iter().find_map(|far| {
         let r = last.r + far * way * last.r.abs();
-        let guess = inside(r).then(|| guess(family, [before, last], r))??;
+        let guess = settings
+            .contains(r)
+            .then(|| guess(family, [before, last], r))??;
         let found = converge(family, r, &guess, &search).ok()?;
         let new = mode(&found).is_some_and(|found| found != modes);
         (new && last.apart(&found) <= FAR * far).then_some((r, found))
@@ -48,12 +49,11 @@ pub(super) fn changes_at_once(
     let mut changed = modes.iter().zip(&found.place.modes).filter(|(a, b)| a != b);
     let presses = changed.any(|(mode, _)| mode.is_of_press());
     let apart = (last.r - before.r).abs();
-    let mut crossing = passes(last, (last.r, apart), started, accuracy);
-    crossing.located.kind = match presses {
+    let kind = match presses {
         true => Kind::Grazing,
         false => Kind::GrazingSliding,
     };
-    Some(crossing)
+    Some(passes(last, (kind, last.r, apart), started, accuracy))
 }
 
 /// Whether it is for their mode that motions beyond are no orbits, however short the step.

@@ -102,14 +102,14 @@ pub(super) fn near(orbit: &Orbit, accuracy: f64) -> Search {
     }
 }
 
-/// The branch passes from what slides to what is held, or back, at r, known with this error.
+/// The branch passes to orbits that follow other equations at a point of this kind at r, known with this error.
 pub(super) fn passes(
     last: &Orbit,
-    (r, error): (f64, f64),
+    (kind, r, error): (Kind, f64, f64),
     beyond: Started<OrbitProblem>,
     accuracy: f64,
 ) -> Crossing<OrbitProblem, Orbit> {
-    let mut located = Located::at(Kind::VanishingSegment, r, last.clone());
+    let mut located = Located::at(kind, r, last.clone());
     (located.point.r, located.error) = (r, error + NOISE * accuracy * r.abs());
     let there = beyond.0.problem.family.at(r).ok();
     let period = there.and_then(|flow| once(flow.as_ref(), &last.place, last.period));

@@ -15,7 +15,7 @@ use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
 use super::swing::spare_force;
-use crate::continuation::{Branch, Crossing, Started, correct_at};
+use crate::continuation::{Branch, Crossing, Kind, Settings, Started, correct_at};
 use crate::field::exact::Mode;
 use crate::flow::Want;
 use crate::math::at_zero;
@@ -135,9 +135,8 @@ impl Rest {
         let (last, settings) = (orbits[1], branch.settings());
         let search = near(last, accuracy);
         let family = &branch.problem.family;
-        let range = [settings.from, settings.to];
         let (r, held) = BEYOND.into_iter().find_map(|far| {
-            let r = beyond(self.r, far * way, range)?;
+            let r = beyond(self.r, far * way, &settings)?;
             Some((r, held(family, r, (orbits, self.contact), &search)?))
         })?;
         let started = begin(family, &held, &search, settings, (r, way > 0.0)).ok()?;
@@ -151,7 +150,8 @@ impl Rest {
         for share in CLOSER {
             rest = closer(rest, share).unwrap_or(rest);
         }
-        Some(passes(last, (rest.r, rest.error), started, accuracy))
+        let kind = Kind::VanishingSegment;
+        Some(passes(last, (kind, rest.r, rest.error), started, accuracy))
     }
 
     /// The same from the other side, where it is known better: how near orbits that are held are to letting go.
@@ -186,16 +186,16 @@ impl Rest {
 }
 
 /// The place so far beyond r, or nearer if that is out of the range; `None` if r is.
-fn beyond(r: f64, way: f64, [from, to]: [f64; 2]) -> Option<f64> {
-    let inside = |r: f64| (r - from) * (r - to) < 0.0;
+fn beyond(r: f64, way: f64, settings: &Settings) -> Option<f64> {
+    let (from, to) = (settings.from, settings.to);
     let end = if (to - from) * way > 0.0 { to } else { from };
     let far = r + way;
-    let within = if inside(far) {
+    let within = if settings.contains(far) {
         far
     } else {
         f64::midpoint(r, end)
     };
-    inside(r).then_some(within)
+    settings.contains(r).then_some(within)
 }
 
 /// The orbit at r to which these two lead, if friction holds the contact there all along.

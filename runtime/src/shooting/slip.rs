@@ -11,7 +11,7 @@ use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
 use super::swing::{peaks, spare_force};
-use crate::continuation::{Branch, Crossing};
+use crate::continuation::{Branch, Crossing, Kind};
 use crate::flow::Want;
 use crate::math::at_zero;
 use crate::motion::Family;
@@ -44,13 +44,13 @@ pub(super) fn lets_go(
     let slip = slips.min_by(|a, b| (a.r - last.r).abs().total_cmp(&(b.r - last.r).abs()))?;
     let search = near(last, accuracy);
     let settings = branch.settings();
-    let inside = |r: &f64| (r - settings.from) * (r - settings.to) < 0.0;
     let places = BEYOND.iter().map(|share| slip.r + share * slip.way);
-    let started = places.filter(inside).find_map(|r| {
+    let started = places.filter(|r| settings.contains(*r)).find_map(|r| {
         let sliding = sliding(family, r, (last, slip.contact), &search)?;
         begin(family, &sliding, &search, settings, (r, slip.way > 0.0)).ok()
     })?;
-    Some(passes(last, (slip.r, slip.error), started, accuracy))
+    let kind = Kind::VanishingSegment;
+    Some(passes(last, (kind, slip.r, slip.error), started, accuracy))
 }
 
 /// The last of these orbits, and two before that are not too near to it for slopes: a branch comes to its end in ever smaller
