@@ -1,5 +1,6 @@
 //! The same questions asked of every reference system.
 
+pub mod bisected;
 pub mod chain;
 pub mod exact;
 pub mod hand_written;

@@ -2,6 +2,7 @@
 
 use stickslip::continuation::Kind;
 use stickslip::model;
+use stickslip::study::BranchRecord;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
 
@@ -61,16 +62,16 @@ fn motion_begins_where_the_push_is_what_friction_bears() {
     }
     let part = branch(&[], Creeper::push, (0.21, 1.0), |_| {});
     assert_eq!(part.ended.word(), "reached-end", "{}", part.ended.reason);
-    let beyond = |found: &stickslip::study::BranchRecord| -> Vec<f64> {
+    let beyond = |found: &BranchRecord| -> Vec<f64> {
         let values = found.special.iter().map(|one| one.r);
         let mut values: Vec<f64> = values.filter(|r| *r > 0.21).collect();
         values.sort_by(f64::total_cmp);
         values
     };
     for found in [&down, &part] {
-        let pairs = beyond(&up).into_iter().zip(beyond(found));
+        let mut pairs = beyond(&up).into_iter().zip(beyond(found));
         assert_eq!(beyond(&up).len(), beyond(found).len());
-        assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-7));
+        assert!(pairs.all(|(a, b)| (a - b).abs() < 1e-7));
     }
 }
 

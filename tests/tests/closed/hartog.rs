@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use stickslip::model;
 use stickslip::study::{Case, OrbitRecord, System};
 use stickslip_models::friction::Coulomb;
+use stickslip_tests::bisected::bisected;
 
 model! {
     /// A mass on rough ground under a harmonic force: Den Hartog 1931, in units of the force and the static deflection.
@@ -76,19 +77,6 @@ impl Slide {
         let time = bisected(until - step, until, |time| self.at(time)[1]);
         (time, self.at(time)[0])
     }
-}
-
-/// Where a function that rises from below zero passes it.
-pub(crate) fn bisected(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if of(middle) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }
 
 /// The place of the stops is where half a turn leads to the opposite one; what is left of an error of it after a turn is the

@@ -6,8 +6,9 @@ use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, Stability, System};
 use stickslip_models::friction::Coulomb;
+use stickslip_tests::bisected::bisected;
 
-use crate::hartog::{Hartog, bisected};
+use crate::hartog::Hartog;
 
 model! {
     /// A damped mass that is shaken, and by a spring pulls another one on rough ground.

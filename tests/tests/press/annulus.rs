@@ -4,6 +4,7 @@ use stickslip::model;
 use stickslip::study::{Case, Kind, System};
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
+use stickslip_tests::bisected::bisected;
 
 model! {
     /// Jeffcott's rotor in a ring, driven by its unbalance; in units of the rotor without the ring.
@@ -30,16 +31,6 @@ model! {
     }
 }
 
-/// The root in a bracket, by halving.
-fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    for _ in 0..100 {
-        let middle = f64::midpoint(low, high);
-        let half = if f(middle) < 0.0 { &mut low } else { &mut high };
-        *half = middle;
-    }
-    low
-}
-
 /// How far the force of a circle of this radius exceeds that of the unbalance:
 /// |(1 − ω² + 2iζω) ρ + (1 + iμ) k (ρ − gap)₊| − e ω².
 fn excess(rotor: &Rotor, omega: f64, radius: f64) -> f64 {
@@ -52,7 +43,7 @@ fn excess(rotor: &Rotor, omega: f64, radius: f64) -> f64 {
 #[test]
 fn a_rotor_touches_its_housing_all_around_at_once() {
     let rotor = Rotor::default();
-    let touches = root(|omega| -excess(&rotor, omega, rotor.gap), 0.6, 1.0);
+    let touches = bisected(0.6, 1.0, |omega| -excess(&rotor, omega, rotor.gap));
     let system = System::of::<Rotor, _>();
     for [from, to] in [[0.6, 1.3], [1.3, 0.6]] {
         let case = Case::of(&rotor).following(Rotor::omega, from..to);
@@ -77,7 +68,7 @@ fn a_rotor_touches_its_housing_all_around_at_once() {
                 true => [0.1, rotor.gap],
                 false => [softest.max(rotor.gap), 1.5],
             };
-            let radius = root(|radius| excess(&rotor, omega, radius), low, high);
+            let radius = bisected(low, high, |radius| excess(&rotor, omega, radius));
             let off = (row.max_abs[0] / radius - 1.0).abs();
             // Both the circle within the ring and the one in it.
             assert!(off < 1e-7, "{omega}: {} for {radius}", row.max_abs[0]);
