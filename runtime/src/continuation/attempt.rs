@@ -2,19 +2,21 @@
 
 use nalgebra::DVector;
 
-use super::ZeroProblem;
 use super::branch::{Before, Branch, Refusal, SHORTENED, TINY};
-use super::corrector::{Corrected, Failure, correct};
+use super::corrector::{Corrected, Failure, bordered, correct};
 use super::link::Link;
 use super::point::{Base, Point, unit};
+use super::predictor::tangent;
 use super::range::Stop;
 use super::step::{angles, growth};
+use super::{Linearisation, ZeroProblem};
+use crate::linear::orientation;
 
 /// Share of a step that failed with which the next one is made.
 const SHORTER: f64 = 0.4;
 /// Failures at one point after which it is tried in other unknowns.
 const PATIENCE: usize = 3;
-/// Ever shorter steps in a row that turn too far, after which it is a corner.
+/// Ever shorter steps in a row that turn too far or do not settle, after which it is a corner.
 const CORNER: usize = 5;
 /// The step around it, over the smallest one: it hardly shows any more what lies before the corner.
 const AROUND: f64 = 100.0;
@@ -32,7 +34,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     /// One prediction and correction with the present step; at a `corner` the branch may turn at once.
     pub(super) fn attempt(
         &mut self,
-        base: &Base,
+        base: &Base<P::Extra>,
         corner: bool,
     ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let (accuracy, scale) = (self.settings.accuracy, self.problem.scale());
@@ -57,6 +59,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let arrives = self.tangent(&corrected, &direction)?;
+        let pieces = [&base.linearisation, &corrected.linearisation].map(|at| &at.extra);
+        let arrives = match corner || P::same_piece(pieces[0], pieces[1]) {
+            true => arrives,
+            false => arrives * self.kept(base, &corrected.linearisation).unwrap_or(1.0),
+        };
         let back = base.r == self.settings.from && length > AROUND * self.settings.smallest_step;
         if stop.is_some() {
             first_there(base, corrected.r, &arrives)?;
@@ -80,7 +87,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     }
 
     /// The solution a step along the tangent, or at the end of the range if that is nearer; the step, and what it ends.
-    fn step_from(&mut self, base: &Base) -> Result<Stepped<P>, Failure<P::Error>> {
+    fn step_from(&mut self, base: &Base<P::Extra>) -> Result<Stepped<P>, Failure<P::Error>> {
         let accuracy = self.settings.accuracy;
         let (n, scale) = (base.z.len(), self.problem.scale());
         let mut length = self.step;
@@ -126,8 +133,9 @@ impl<P: ZeroProblem + Clone> Branch<P> {
                 Err(Refusal::Retry(failure)) => (false, Stop::StepTooSmall(failure)),
             };
             failures += 1;
-            let turned = matches!(stop, Stop::StepTooSmall(Failure::Angle { .. }));
-            turns = if turned { turns + 1 } else { 0 };
+            // Where it is smooth, the shorter a step the straighter it is, and Newton's method settles.
+            let kinked = matches!(&stop, Stop::StepTooSmall(failure) if failure.misses());
+            turns = if kinked { turns + 1 } else { 0 };
             let last = SHORTER * self.step < smallest;
             if !ends && (failures % PATIENCE == 0 || last) {
                 if let Some(moved) = self.elsewhere(&base, trial) {
@@ -146,23 +154,69 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     }
 
     /// The point just beyond a corner, from which the branch goes on straight; `None` if there is none.
-    pub(super) fn around(&mut self, base: &Base, stop: Stop<P::Error>) -> Option<Point<P::Extra>> {
+    pub(super) fn around(
+        &mut self,
+        base: &Base<P::Extra>,
+        stop: Stop<P::Error>,
+    ) -> Option<Point<P::Extra>> {
+        // Where it turns by more than a right angle, nothing lies straight ahead.
+        let straight = |_: &mut Self| Some(base.clone());
+        let found = self.wider(straight);
+        let found = found.or_else(|| self.wider(|branch| branch.bent(base)));
+        if found.is_none() {
+            self.stop = Some(stop);
+        }
+        found
+    }
+
+    /// The point to which a step leads from where `base` says, not too far for one around a corner.
+    fn wider(
+        &mut self,
+        base: impl Fn(&mut Self) -> Option<Base<P::Extra>>,
+    ) -> Option<Point<P::Extra>> {
         self.step = AROUND * self.settings.smallest_step;
         // At a loose accuracy, the nearest ones do not tell where it goes.
         while self.step <= TINY {
-            if let Ok(found) = self.attempt(base, true) {
+            if let Some(base) = base(self)
+                && let Ok(found) = self.attempt(&base, true)
+            {
                 (self.turned, self.step) = (true, TINY);
                 return Some(found);
             }
             self.step *= WIDER;
         }
-        self.stop = Some(stop);
         None
+    }
+
+    /// Where the branch goes beyond a corner that is nearer than the step.
+    fn bent(&mut self, base: &Base<P::Extra>) -> Option<Base<P::Extra>> {
+        let (n, scale, r_scale) = (base.z.len(), self.problem.scale(), self.r_scale);
+        let way = self.step * &base.tangent;
+        let z = &base.z + way.rows(0, n).component_mul(&scale);
+        let beyond = self.problem.evaluate(&z, base.r + way[n] * r_scale).ok()?;
+        let turned = tangent(&beyond, &scale, r_scale, &base.tangent)?;
+        Some(Base {
+            tangent: turned * self.kept(base, &beyond)?,
+            ..base.clone()
+        })
+    }
+
+    /// Whether a branch on which other equations take over after `base` goes on to the side of its tangent there, or to the
+    /// other one: 1 or -1. Those that are continuous keep their orientation (E. L. Allgower, K. Georg, Introduction to
+    /// Numerical Continuation Methods, SIAM 2003, chapter 12).
+    fn kept(&self, base: &Base<P::Extra>, beyond: &Linearisation<P::Extra>) -> Option<f64> {
+        let before = &base.linearisation;
+        if !P::continuous(&before.extra, &beyond.extra) {
+            return None;
+        }
+        let (scale, r_scale) = (self.problem.scale(), self.r_scale);
+        let side = |piece| orientation(&bordered(piece, &scale, r_scale, &base.tangent));
+        Some(side(before)? * side(beyond)?)
     }
 
     fn guard(
         &self,
-        base: &Base,
+        base: &Base<P::Extra>,
         tangent: &DVector<f64>,
         corrected: &Corrected<P::Extra>,
         scale: &DVector<f64>,
@@ -188,7 +242,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
 
 /// Whether a step to an end of the range comes to where the branch reaches it first: there it goes on outwards, and where it
 /// does not it has been outside.
-fn first_there<E>(base: &Base, r: f64, arrives: &DVector<f64>) -> Result<(), Failure<E>> {
+fn first_there<X: Clone, E>(
+    base: &Base<X>,
+    r: f64,
+    arrives: &DVector<f64>,
+) -> Result<(), Failure<E>> {
     let outwards = arrives[base.z.len()] * (r - base.r);
     if outwards >= 0.0 {
         return Ok(());
@@ -197,7 +255,7 @@ fn first_there<E>(base: &Base, r: f64, arrives: &DVector<f64>) -> Result<(), Fai
 }
 
 /// The branch turns too far on a step to r.
-fn turns<E>(base: &Base, r: f64, arrives: &DVector<f64>) -> Failure<E> {
+fn turns<X, E>(base: &Base<X>, r: f64, arrives: &DVector<f64>) -> Failure<E> {
     let (beta_1, beta_2) = angles(&base.tangent, arrives);
     Failure::Angle { beta_1, beta_2, r }
 }

@@ -61,6 +61,13 @@ pub enum Failure<E> {
     Evaluation(E),
 }
 
+impl<E> Failure<E> {
+    /// Whether the equations are regular, and no solution was met that the branch leads to.
+    pub(super) fn misses(&self) -> bool {
+        !matches!(self, Self::Singular { .. } | Self::Evaluation(_))
+    }
+}
+
 /// A converged point.
 #[derive(Debug, Clone)]
 pub struct Corrected<Extra> {
@@ -122,7 +129,8 @@ pub fn correct<P: ZeroProblem>(
         let noise = last.is_some_and(|last| size > 0.3 * last) && size <= NOISE * accuracy;
         let smooth = |extra: &P::Extra| P::same_piece(extra, &linearisation.extra);
         let stalled = noise && previous.as_ref().is_some_and(smooth);
-        if (size <= accuracy || stalled) && residual <= CLOSED * accuracy {
+        let settles = size <= accuracy && residual <= CLOSED * accuracy;
+        if settles || stalled && residual <= NOISE * accuracy {
             return Ok(Corrected {
                 z,
                 r,

@@ -26,6 +26,7 @@ mod predictor;
 mod range;
 mod reading;
 mod root;
+mod round;
 mod step;
 mod switch;
 mod unknowns;
@@ -78,6 +79,11 @@ pub trait ZeroProblem {
     /// Whether two evaluations are of one smooth piece of h. Between two pieces that both lead to the other one corrections
     /// stall as they do in rounding errors, and there is no solution.
     fn same_piece(_one: &Self::Extra, _other: &Self::Extra) -> bool {
+        true
+    }
+
+    /// Whether both are of one h that is continuous: what singles out solutions may have become another condition.
+    fn continuous(_one: &Self::Extra, _other: &Self::Extra) -> bool {
         true
     }
 

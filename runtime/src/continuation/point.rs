@@ -1,6 +1,10 @@
 //! Points of a branch in terms of its unknowns.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
+
+use super::Linearisation;
 
 /// An accepted point of a branch.
 #[derive(Debug, Clone)]
@@ -31,13 +35,15 @@ impl<Extra> Point<Extra> {
 
 /// The point from which the next step is made, in unscaled coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct Base {
+pub(super) struct Base<Extra> {
     pub(super) z: DVector<f64>,
     pub(super) r: f64,
     pub(super) tangent: DVector<f64>,
+    /// The equations there.
+    pub(super) linearisation: Arc<Linearisation<Extra>>,
 }
 
-impl Base {
+impl<Extra: Clone> Base<Extra> {
     /// Whether r first goes away from this value.
     pub(super) fn leads_from(&self, r: f64) -> bool {
         self.tangent[self.z.len()] * (r - self.r) < 0.0

@@ -67,6 +67,17 @@ pub trait Reader: Clone {
     /// Looks at a special point once more.
     fn refine(&self, _problem: &Self::Problem, _found: &mut Located<Self::Point>) {}
 
+    /// Whether the step from the first of these points to the second has gone, at this special point, from the branch of the
+    /// first to one that crosses it there.
+    fn leaves(
+        &self,
+        _problem: &Self::Problem,
+        _found: &Located<Self::Point>,
+        _ends: [&Self::Point; 2],
+    ) -> bool {
+        false
+    }
+
     /// The special point that these points lead to, where no step succeeds any more.
     fn explain(&self, _points: &[Self::Point]) -> Option<Located<Self::Point>> {
         None

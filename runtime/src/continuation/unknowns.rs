@@ -1,5 +1,7 @@
 //! One solution of a branch in other unknowns: begun at another place of it, or divided otherwise.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
 
 use super::ZeroProblem;
@@ -38,7 +40,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     }
 
     /// The same point in other unknowns, if the problem knows any: from there a step may succeed.
-    pub(super) fn elsewhere(&mut self, base: &Base, trial: usize) -> Option<Base> {
+    pub(super) fn elsewhere(
+        &mut self,
+        base: &Base<P::Extra>,
+        trial: usize,
+    ) -> Option<Base<P::Extra>> {
         let before = self.problem.clone();
         let moved = self.other_unknowns(base, trial);
         if moved.is_none() {
@@ -47,7 +53,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         moved
     }
 
-    fn other_unknowns(&mut self, base: &Base, trial: usize) -> Option<Base> {
+    fn other_unknowns(&mut self, base: &Base<P::Extra>, trial: usize) -> Option<Base<P::Extra>> {
         let z = self.problem.elsewhere(base.r, trial)?;
         let lasting = self.problem.lasting(&base.tangent).try_normalize(0.0)?;
         let found = self.same(z, base.r, &lasting).ok()??;
@@ -56,6 +62,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             z: found.z,
             r: found.r,
             tangent,
+            linearisation: Arc::new(found.linearisation),
         })
     }
 }

@@ -11,11 +11,8 @@ use super::located::{Findings, Located, Unexplained, drop_pairs};
 use super::path::Watched;
 use super::range::{Settings, Stop};
 use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
-use super::root::reach;
 use crate::field::Work;
 
-/// Points after which a branch may have come round.
-const ROUND: usize = 3;
 /// A step so short, in scaled coordinates, that what it passes is looked for at once.
 const SHORT: f64 = 1e-2;
 
@@ -211,39 +208,33 @@ impl<R: Reader> Walk<'_, R> {
             *work += path.work();
             *work += std::mem::take(&mut self.wasted);
         }
-        self.note(findings, round)
+        self.note(findings, round, point)
     }
 
-    /// The end of a branch that has come back between these points to where it began; one that comes the other way round has
-    /// turned somewhere unseen.
-    fn round(&self, path: &mut Between<R>, ends: [&R::Point; 2]) -> Option<Ending<ErrorOf<R>>> {
-        let first = self
-            .points
-            .first()
-            .filter(|_| R::CLOSES && self.points.len() > ROUND)?;
-        let back = reach(path, ends, first.r(), self.followed.accuracy).ok()??;
-        if !self.followed.reader.closes(first, &back) {
-            return None;
-        }
-        Some(if first.slope() * back.slope() < 0.0 {
-            let reason = "it comes back the other way round to where it began";
-            Ending::Unexplained(Unexplained::between(ends, reason))
-        } else {
-            Ending::Closed(first.r())
-        })
-    }
-
-    /// Keeps what was found on a step that is not taken back.
+    /// Keeps what was found on a step to this point, unless that has left the branch there.
     fn note(
         &mut self,
         mut findings: Findings<R::Point>,
         round: Option<Ending<ErrorOf<R>>>,
+        point: &mut R::Point,
     ) -> Verdict<R::Point, ErrorOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
-        for found in &mut findings.located {
-            found.after = self.points.len();
+        let (after, before) = (self.points.len(), self.points.last());
+        let left = |found: &mut Located<R::Point>| {
+            found.after = after;
             reader.refine(&branch.problem, found);
+            before.is_some_and(|before| reader.leaves(&branch.problem, found, [before, &*point]))
+        };
+        let left = findings
+            .located
+            .iter_mut()
+            .map(left)
+            .fold(false, |any, one| any | one);
+        if left && self.followed.branch.retract() {
+            self.wasted += point.work().copied().unwrap_or_default();
+            return Verdict::Again;
         }
+        let reader = &self.followed.reader;
         if let Some(last) = findings.located.last_mut().filter(|event| event.last)
             && let Some(met) = reader.explain(&self.points)
             && met.kind == last.kind

@@ -12,15 +12,38 @@ pub(crate) fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVec
     // Row i is column i here, so that it lies in one piece; its right side is its last element.
     let mut rows = matrix.transpose().insert_row(order, 0.0);
     rows.row_mut(order).copy_from(&right.transpose());
-    for k in 0..order {
+    eliminate(&mut rows)?;
+    let mut solution = rows.row(order).transpose();
+    for k in (0..order).rev() {
+        solution[k] /= rows[(k, k)];
+        for i in 0..k {
+            solution[i] -= rows[(k, i)] * solution[k];
+        }
+    }
+    solution.iter().all(|x| x.is_finite()).then_some(solution)
+}
+
+/// The sign of the determinant of a square matrix, ±1; `None` if it is singular, or anything is not finite.
+pub(crate) fn orientation(matrix: &DMatrix<f64>) -> Option<f64> {
+    eliminate(&mut matrix.transpose())
+}
+
+/// Makes rows, which are columns here, triangular; the sign of the determinant.
+fn eliminate(rows: &mut DMatrix<f64>) -> Option<f64> {
+    let mut sign = 1.0;
+    for k in 0..rows.ncols() {
         let size = |i: usize| rows[(k, i)].abs();
         let larger = |pivot: usize, i: usize| if size(i) > size(pivot) { i } else { pivot };
-        let pivot = (k..order).fold(k, larger);
+        let pivot = (k..rows.ncols()).fold(k, larger);
         if !(size(pivot) > 0.0 && size(pivot).is_finite()) {
             return None;
         }
-        rows.swap_columns(k, pivot);
+        if pivot != k {
+            rows.swap_columns(k, pivot);
+            sign = -sign;
+        }
         let (upper, mut lower) = rows.columns_range_pair_mut(k, k + 1..);
+        sign *= upper[k].signum();
         let inverse = 1.0 / upper[k];
         for mut row in lower.column_iter_mut() {
             let factor = row[k] * inverse;
@@ -30,14 +53,7 @@ pub(crate) fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVec
             }
         }
     }
-    let mut solution = rows.row(order).transpose();
-    for k in (0..order).rev() {
-        solution[k] /= rows[(k, k)];
-        for i in 0..k {
-            solution[i] -= rows[(k, i)] * solution[k];
-        }
-    }
-    solution.iter().all(|x| x.is_finite()).then_some(solution)
+    Some(sign)
 }
 
 #[cfg(test)]
@@ -50,6 +66,14 @@ mod tests {
         let solution = DVector::from_vec(vec![1.0, 2.0, 3.0]);
         let found = solved(&matrix, &(&matrix * &solution)).expect("it is regular");
         assert!((found - solution).amax() < 1e-14);
+    }
+
+    #[test]
+    fn orientation_is_the_sign_of_the_determinant() {
+        let matrix = DMatrix::from_row_slice(3, 3, &[0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 4.0, 0.0, 3.0]);
+        assert_eq!(orientation(&matrix), Some(-1.0));
+        assert_eq!(orientation(&-matrix), Some(1.0));
+        assert_eq!(orientation(&DMatrix::zeros(2, 2)), None);
     }
 
     #[test]

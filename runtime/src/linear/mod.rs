@@ -8,7 +8,7 @@ mod svd;
 
 pub(crate) use balance::balanced;
 pub(crate) use eigenvalue::{Eigenvalue, eigenvalues};
-pub(crate) use elimination::solved;
+pub(crate) use elimination::{orientation, solved};
 pub(crate) use svd::svd;
 
 /// A field and its first derivatives at one state.

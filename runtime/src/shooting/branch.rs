@@ -159,6 +159,19 @@ impl Reader for Orbits {
         orbit.repeats(SAME_ORBIT) || back()
     }
 
+    /// Orbits without the symmetry that those before have, beyond where others lose it.
+    fn leaves(&self, problem: &OrbitProblem, found: &Located<Orbit>, ends: [&Orbit; 2]) -> bool {
+        let family = &problem.family;
+        let lost = match found.kind {
+            Kind::SymmetryBreaking => found.point.lost_symmetry(family).ok().flatten(),
+            _ => None,
+        };
+        lost.is_some_and(|lost| {
+            let [before, beyond] = ends.map(|orbit| orbit.keeps(family, &lost));
+            before == Some(true) && beyond == Some(false)
+        })
+    }
+
     /// Tells a branch point from one at which a symmetry is lost, which orbits that have it tell better where it is.
     fn refine(&self, problem: &OrbitProblem, found: &mut Located<Orbit>) {
         let family = &problem.family;

@@ -203,6 +203,10 @@ impl ZeroProblem for OrbitProblem {
         one.passes_like(other)
     }
 
+    fn continuous(one: &Shot, other: &Shot) -> bool {
+        one.pins.is_empty() && other.pins.is_empty()
+    }
+
     fn scale(&self) -> DVector<f64> {
         let states = self.modes.iter().flat_map(|_| &self.magnitude).copied();
         DVector::from_vec(states.chain([self.period]).collect())

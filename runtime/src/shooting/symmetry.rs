@@ -175,6 +175,19 @@ impl Orbit {
         self.symmetries(flow, candidates).into_iter().next()
     }
 
+    /// Whether this symmetry leaves it as it is, at once or after half its period; `None` if it cannot be gone around.
+    pub(super) fn keeps(
+        &self,
+        family: &Family,
+        (symmetry, halfway): &(Symmetry, bool),
+    ) -> Option<bool> {
+        let flow = family.at(self.r).ok()?;
+        let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
+        let time = if *halfway { 0.5 * self.period } else { 0.0 };
+        let met = flow.advance(begin, time, Want::default()).ok()?.end.state;
+        Some(self.are_one(&symmetry.of(&begin.state), &met, flow.phase(), SURE))
+    }
+
     /// Those of the candidates that are symmetries of the field.
     fn symmetries(&self, flow: &dyn Flow, mut candidates: Vec<Symmetry>) -> Vec<Symmetry> {
         for state in self.around() {

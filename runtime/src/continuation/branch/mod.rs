@@ -1,5 +1,7 @@
 //! A branch of zeros, followed point by point.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
 
 use super::ZeroProblem;
@@ -17,7 +19,7 @@ pub struct Branch<P: ZeroProblem> {
     pub problem: P,
     pub(super) settings: Settings,
     pub(super) r_scale: f64,
-    pub(super) point: Option<Base>,
+    pub(super) point: Option<Base<P::Extra>>,
     pub(super) link: Option<Link<P>>,
     pub(super) before: Option<Before<P>>,
     pub(super) step: f64,
@@ -27,13 +29,13 @@ pub struct Branch<P: ZeroProblem> {
     /// Steps in a row on which r stood still.
     still: usize,
     /// Where it turns however short the step is, and whether it has just done so.
-    pub(super) corner: Option<(Base, Stop<P::Error>)>,
+    pub(super) corner: Option<(Base<P::Extra>, Stop<P::Error>)>,
     pub(super) turned: bool,
     pub(super) stop: Option<Stop<P::Error>>,
 }
 
 /// Problem, point, magnitude of r and step before the last step.
-pub(super) type Before<P> = (P, Base, f64, f64);
+pub(super) type Before<P> = (P, Base<<P as ZeroProblem>::Extra>, f64, f64);
 
 /// Share of a step that was taken back with which the next one begins.
 const RETRACTED: f64 = 0.25;
@@ -227,7 +229,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let same = DVector::from_element(z.len(), 1.0);
         tangent = rescaled(tangent, &same, self.r_scale / r_scale);
         self.r_scale = r_scale;
-        let stands = |before: &Base| (r - before.r).abs() <= STILL * r.abs();
+        let stands = |before: &Base<P::Extra>| (r - before.r).abs() <= STILL * r.abs();
         self.still = match self.point.as_ref().is_some_and(stands) {
             true => self.still + 1,
             false => 0,
@@ -236,6 +238,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             z: z.clone(),
             r,
             tangent: tangent.clone(),
+            linearisation: Arc::new(linearisation.clone()),
         });
         self.count += 1;
         Ok(Point {
