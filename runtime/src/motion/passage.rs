@@ -118,6 +118,18 @@ impl Place {
 }
 
 impl Passage {
+    /// The minima of a state, or the beginnings of the phase of a drive; a rest with which the passage begins or ends is one, too.
+    pub(crate) fn lows(&self, state: usize) -> impl Iterator<Item = &Extremum> {
+        let all = self.extrema.iter();
+        all.filter(move |one| one.index == state && !one.maximum)
+    }
+
+    /// The same as parts of a longer motion: a rest with which the passage begins has been told before, or the motion goes on
+    /// after it as it came.
+    pub(crate) fn minima(&self, state: usize) -> impl Iterator<Item = &Extremum> {
+        self.lows(state).filter(|one| one.time > 0.0)
+    }
+
     /// The modes at a time inside a stretch of constant mode: of what rests, a state with rounding errors does not tell them.
     /// `None` where they change.
     pub(crate) fn modes_within(&self, time: f64) -> Option<&Modes> {

@@ -10,14 +10,14 @@ use super::echelon::{Echelon, Free};
 use super::guess::Guess;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
-use super::shift::slides;
+use super::shift::{Shifts, slides};
 use super::shot::Shot;
 use crate::bifurcation::floquet;
 use crate::continuation::{Linearisation, ZeroProblem, correct_at};
 use crate::flow::Want;
 use crate::integrate::Tolerance;
 use crate::linear::svd;
-use crate::motion::Family;
+use crate::motion::{Family, Flow};
 
 /// Tolerance with which it is told whether a direction is neutral.
 const SHARP: f64 = 1e-12;
@@ -150,8 +150,9 @@ pub(super) fn pins(family: &Family, r: f64, guess: &Guess) -> Vec<Pin> {
 fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let (problem, z, at) = sharply(family, r, guess)?;
     let flow = problem.family.at(r).ok()?;
-    let Null { left, right } = Null::of(&at, &problem.scale())?;
     let (order, magnitude) = (guess.magnitude.len(), &guess.magnitude);
+    let at = held_beside_shifts(flow.as_ref(), at, &problem.scale(), magnitude);
+    let Null { left, right } = Null::of(&at, &problem.scale())?;
     let constant = Echelon::of(&left, order, &[]).conditions(magnitude);
     let right_by = Echelon::of(&right, order, &[]);
     let directions = right_by.directions(magnitude);
@@ -191,6 +192,37 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     (0..pins.len())
         .all(|i| has_neighbour(&problem, &z, r, &pins, i))
         .then_some(pins)
+}
+
+/// The same equations, the phase held by what no shift moves: where a shift moves along the orbit as well, what is neutral is part
+/// shift and part motion, and would be told as neither.
+fn held_beside_shifts(
+    flow: &dyn Flow,
+    mut at: Linearisation<Shot>,
+    scale: &DVector<f64>,
+    magnitude: &[f64],
+) -> Linearisation<Shot> {
+    let phase = at.jacobian.nrows() - 1;
+    let mut held = at.jacobian.row(phase).transpose().component_mul(scale);
+    let whole = held.norm();
+    let mut known: Vec<DVector<f64>> = Vec::new();
+    for direction in Shifts::of(flow, magnitude).directions() {
+        let mut shift = DVector::from_column_slice(direction)
+            .push(0.0)
+            .component_div(scale);
+        for other in &known {
+            shift.axpy(-other.dot(&shift), other, 1.0);
+        }
+        if let Some(shift) = shift.try_normalize(0.0) {
+            held.axpy(-shift.dot(&held), &shift, 1.0);
+            known.push(shift);
+        }
+    }
+    if held.norm() > NEUTRAL * whole {
+        at.jacobian
+            .set_row(phase, &held.component_div(scale).transpose());
+    }
+    at
 }
 
 /// What h_z takes to zero, and the sums of equations that it leaves empty, in units of the unknowns.

@@ -253,16 +253,13 @@ impl Failed {
         };
         self.count += 1;
         self.magnitude = Some(guess.magnitude.clone());
+        // What runs on always has neighbours: they are shifted.
+        let runs = guess.shift.is_some();
         if self.count == 1
-            && let Some(one) = neutral(family, r, guess)
+            && !runs
+            && let Some(error) = of_a_family(family, r, guess, search)
         {
-            let flow = family.at(r).ok()?;
-            return Some(Err(OrbitError::NotIsolated {
-                state: flow
-                    .values(&one.place.state)
-                    .within(guess.shares(search.accuracy)),
-                period: one.period,
-            }));
+            return Some(Err(error));
         }
         let newton = matches!(error, OrbitError::Newton(_));
         // An orbit on which the motion does not stay says more than one that was not reached.
@@ -278,6 +275,21 @@ impl Failed {
         let drawn = |orbit: &_| stays(family, r, guess, (orbit, &search.start)).unwrap_or(false);
         let other = || swung_about(family, r, guess, search).filter(drawn);
         let damped = || damped(family, r, guess, search).and_then(taken);
-        calm.and_then(taken).or_else(damped).or_else(other).map(Ok)
+        let found = calm.and_then(taken).or_else(damped).or_else(other).map(Ok);
+        let one_of_many =
+            || (runs && self.count == 1).then(|| of_a_family(family, r, guess, search));
+        found.or_else(|| one_of_many().flatten().map(Err))
     }
+}
+
+/// That orbits beside this return are as good.
+fn of_a_family(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<OrbitError> {
+    let one = neutral(family, r, guess)?;
+    let flow = family.at(r).ok()?;
+    Some(OrbitError::NotIsolated {
+        state: flow
+            .values(&one.place.state)
+            .within(guess.shares(search.accuracy)),
+        period: one.period,
+    })
 }

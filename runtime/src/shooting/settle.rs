@@ -144,13 +144,16 @@ impl Watch {
         let passage = passage.map_err(|error| error.later(self.time))?;
         self.steps += passage.work.steps + passage.work.rejected;
         let before = self.minima.len();
-        let minima = passage.extrema.iter();
-        let minima = minima.filter(|one| one.index == self.section && !one.maximum);
-        self.minima.extend(minima.map(|one| Minimum {
-            time: self.time + one.time,
-            state: one.state.clone(),
-            modes: passage.modes_within(one.time).cloned(),
-        }));
+        // One that may run on goes on after a rest with which a passage begins as it came.
+        let mut minima = passage.lows(self.section).peekable();
+        let rests = minima.next_if(|first| first.time == 0.0);
+        let rests = rests.filter(|_| !Shifts::of(flow, &self.magnitude()).may_run(self.section));
+        self.minima
+            .extend(rests.into_iter().chain(minima).map(|one| Minimum {
+                time: self.time + one.time,
+                state: one.state.clone(),
+                modes: passage.modes_within(one.time).cloned(),
+            }));
         let run = self.run(&passage.end.state);
         let (mut low, mut high) = match driven {
             true => (passage.calm.low.clone(), passage.calm.high.clone()),

@@ -77,6 +77,13 @@ impl Shifts {
         }
     }
 
+    /// Directions of shifts of any length.
+    pub(super) fn directions(&self) -> impl Iterator<Item = &[f64]> {
+        self.directions
+            .iter()
+            .map(|(_, direction)| direction.as_slice())
+    }
+
     /// Whether there are none.
     pub(crate) fn is_empty(&self) -> bool {
         self.directions.is_empty() && self.angles.is_empty()

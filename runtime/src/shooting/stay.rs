@@ -7,7 +7,7 @@ use super::orbit::Orbit;
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};
-use crate::poincare::{Crossings, Horizon, Section, once_around};
+use crate::poincare::{Crossings, Horizon, Section, Surface, once_around};
 
 /// Distances are in half extents. A motion this close to an orbit is on it.
 const ON: f64 = 1e-5;
@@ -40,7 +40,7 @@ fn begins(flow: &dyn Flow, start: &[f64], guess: &Guess, orbit: &Orbit) -> Resul
     if orbit.far(&end.state, start, guess, flow.phase()) > ON {
         return Ok(false);
     }
-    let section = Section::usual(flow.phase());
+    let section = orbit.usual_section(flow.phase());
     let met = once_around(flow, place, section, orbit.period)?;
     let near = |state: &[f64]| to_orbit(state, orbit, guess, flow.phase()) <= ON;
     Ok(met.points.iter().any(|crossing| near(&crossing.state)))
@@ -49,7 +49,15 @@ fn begins(flow: &dyn Flow, start: &[f64], guess: &Guess, orbit: &Orbit) -> Resul
 /// Whether the distance to a stable orbit falls as its multipliers say.
 fn approaches(flow: &dyn Flow, guess: &Guess, orbit: &Orbit) -> Result<bool, FlowError> {
     let apart = |state: &[f64]| to_orbit(state, orbit, guess, flow.phase());
-    let before = apart(&guess.place.state);
+    let section = orbit.usual_section(flow.phase());
+    let mut crossings = Crossings::new(flow, guess.place.clone(), section, Horizon::Recurrence)?;
+    // A motion that runs on may have been seen to come back where another state is least.
+    let first = match orbit.shift {
+        Some(_) => crossings.next().transpose()?,
+        None => None,
+    };
+    let first = first.map_or_else(|| guess.place.state.clone(), |crossing| crossing.state);
+    let before = apart(&first);
     let undecided = orbit.floquet.stability == Stability::Undecided;
     if before > NEAR || before <= ON && !undecided {
         return Ok(before <= ON);
@@ -62,8 +70,6 @@ fn approaches(flow: &dyn Flow, guess: &Guess, orbit: &Orbit) -> Result<bool, Flo
         laps if laps >= 1.0 => laps.min(LAPS),
         _ => LAPS,
     };
-    let section = Section::usual(flow.phase());
-    let mut crossings = Crossings::new(flow, guess.place.clone(), section, Horizon::Recurrence)?;
     let count = laps as usize * orbit.section.len().max(1);
     match crossings.nth(count - 1) {
         Some(crossing) if undecided => Ok(apart(&crossing?.state) <= (2.0 * before).max(ON)),
@@ -80,12 +86,27 @@ fn to_orbit(state: &[f64], orbit: &Orbit, guess: &Guess, phase: Option<usize>) -
 }
 
 impl Orbit {
-    /// The distance of a state from a point, but for the phase of a drive, and for whole shifts where it runs on.
+    /// The section on which its points lie.
+    fn usual_section(&self, phase: Option<usize>) -> Section {
+        let section = Section::usual(phase);
+        match phase {
+            Some(_) => section,
+            None => Section {
+                surface: Surface::Rate(self.crossed(None)),
+                ..section
+            },
+        }
+    }
+
+    /// The distance of a state from a point, but for the phase of a drive, and for shifts that change nothing where it runs on.
     fn far(&self, state: &[f64], point: &[f64], guess: &Guess, phase: Option<usize>) -> f64 {
-        let moved = self
-            .shift
-            .as_ref()
-            .map(|shift| unshifted(state, point, shift));
+        let moved = self.shift.as_ref().map(|shift| {
+            let mut moved = unshifted(state, point, shift);
+            self.pins
+                .iter()
+                .for_each(|pin| pin.slide(&mut moved, pin.of(point)));
+            moved
+        });
         let state = moved.as_deref().unwrap_or(state);
         let states = (0..state.len()).filter(|j| phase != Some(*j));
         let share = |j: usize| (state[j] - point[j]).abs() / guess.magnitude[j];

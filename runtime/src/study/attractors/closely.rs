@@ -1,7 +1,7 @@
 //! A start looked at closely: what it settles on, polished as far as it can be.
 
 use super::ground::Ground;
-use super::pursuit::{Pursuit, minima};
+use super::pursuit::Pursuit;
 use super::record::{Attractor, Class};
 use super::returns::returns;
 use super::running::{Crossing, running, steady};
@@ -198,7 +198,7 @@ impl Ground<'_> {
                 return Ok(Look::Running(Box::new(found)));
             }
             for (j, crossings) in crossings.iter_mut().enumerate() {
-                let found = minima(&passage, j);
+                let found = passage.minima(j);
                 crossings.extend(found.map(|one| (begun + one.time, one.state.clone())));
             }
             let section = self
@@ -231,7 +231,7 @@ impl Ground<'_> {
     pub(super) fn rests(&self, passage: &Passage, time: f64) -> Result<bool, FlowError> {
         let drive = self.flow.phase();
         if let Some(phase) = drive
-            && (minima(passage, phase).count() < 2 || sticking(&passage.end.modes) == 0)
+            && (passage.minima(phase).count() < 2 || sticking(&passage.end.modes) == 0)
         {
             return Ok(false);
         }

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::cloud::Kept;
-use super::pursuit::{Pursuit, minima};
+use super::pursuit::Pursuit;
 use super::returns::{SETTLED, returns};
 use super::scouted::Scouted;
 use super::track::Track;
@@ -37,7 +37,7 @@ impl Scouted<'_> {
             let new = track.note(&passage, modes, &self.shifts);
             let mut crossed = false;
             let mut roams = None;
-            for minimum in minima(&passage, section) {
+            for minimum in passage.minima(section) {
                 crossed = true;
                 latest.push_front(minimum.state.clone());
                 latest.truncate(BACK);
@@ -80,7 +80,7 @@ impl Scouted<'_> {
     /// The orbit that holds the motion for good after this passage, if one does.
     fn held(&self, passage: &Passage, holds: &mut [Option<Hold>]) -> Option<usize> {
         for (trap, hold) in self.traps.iter().zip(holds) {
-            for minimum in minima(passage, trap.section()) {
+            for minimum in passage.minima(trap.section()) {
                 match trap.watch(*hold, &minimum.state, &self.shifts) {
                     Ok(next) => *hold = next,
                     Err(of) => return Some(of),

@@ -1,7 +1,7 @@
 //! A motion, followed passage by passage.
 
 use crate::flow::{FlowError, Want};
-use crate::motion::{Extremum, Flow, Passage, Place};
+use crate::motion::{Flow, Passage, Place};
 use crate::poincare::{longest, radian};
 
 /// Minima in a passage that suffice: it need not be longer.
@@ -43,16 +43,10 @@ impl<'f> Pursuit<'f> {
         self.time += self.chunk;
         self.place.clone_from(&passage.end);
         self.place.state = self.flow.wrapped(std::mem::take(&mut self.place.state));
-        let most = (0..self.place.state.len()).map(|j| minima(&passage, j).count());
+        let most = (0..self.place.state.len()).map(|j| passage.minima(j).count());
         if most.max().unwrap_or(0) < ENOUGH && work.steps < STEPS {
             self.chunk = (2.0 * self.chunk).min(self.longest);
         }
         Ok(passage)
     }
-}
-
-/// The minima of a state in a passage, or the beginnings of the phase of a drive.
-pub(super) fn minima(passage: &Passage, state: usize) -> impl Iterator<Item = &Extremum> {
-    let all = passage.extrema.iter();
-    all.filter(move |extremum| extremum.index == state && !extremum.maximum)
 }

@@ -1,7 +1,7 @@
 //! What tells a motion with several periods from a chaotic one: how fast its averages converge.
 
 use super::ground::Ground;
-use super::pursuit::{Pursuit, minima};
+use super::pursuit::Pursuit;
 use super::record::{Attractor, Class};
 use super::returns::{SETTLED, returns};
 use crate::flow::FlowError;
@@ -92,7 +92,7 @@ impl<'g> Watched<'g> {
             let begun = self.pursuit.time;
             let passage = self.pursuit.on()?;
             self.passages += 1;
-            for minimum in minima(&passage, section) {
+            for minimum in passage.minima(section) {
                 self.times.push(begun + minimum.time);
                 self.points.push(minimum.state.clone());
             }

@@ -1,6 +1,6 @@
 //! Regions of states whose future is known: around orbits.
 
-use super::pursuit::{Pursuit, minima};
+use super::pursuit::Pursuit;
 use super::record::Attractor;
 use crate::bifurcation::Stability;
 use crate::motion::{Flow, Place};
@@ -146,7 +146,7 @@ impl Trap {
             let Ok(passage) = pursuit.on() else {
                 return false;
             };
-            for minimum in minima(&passage, self.section()) {
+            for minimum in passage.minima(self.section()) {
                 left -= 1;
                 if left == 0 {
                     return self.distance(&minimum.state, shifts) <= FALL * self.size;
