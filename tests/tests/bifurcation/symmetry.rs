@@ -51,3 +51,24 @@ fn a_symmetry_is_lost_at_one_place_from_either_side() {
         }
     }
 }
+
+/// What was saved where the symmetry is lost begins a branch as well: next to there, as its equations are singular.
+#[test]
+fn a_branch_begins_where_the_symmetry_is_lost() {
+    let case = Case::of(&Pendulum::default()).following(Pendulum::omega, 0.9..0.6);
+    let lost = followed(&case).special[0].clone();
+    for to in [0.6, 0.9] {
+        let mut case = case.clone().following(Pendulum::omega, lost.r..to);
+        case.parameters[Pendulum::omega.index] = lost.r;
+        (case.start, case.period) = (Some(lost.state.clone()), Some(lost.period));
+        let branch = followed(&case);
+        assert_eq!(branch.ended.word(), "reached-end");
+        let r = |k: usize| branch.points[k].r.unwrap_or(f64::NAN);
+        let aside = (r(0) - lost.r) / (to - lost.r);
+        assert!(0.0 < aside && aside <= 1e-3, "{aside}");
+        for (k, point) in branch.points.iter().enumerate() {
+            let lean = (point.max[0] + point.min[0]) / point.max[0];
+            assert!(lean.abs() < 1e-6, "{lean:e} at {}", r(k));
+        }
+    }
+}
