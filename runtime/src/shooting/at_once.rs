@@ -19,7 +19,7 @@ const BEYOND: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const FAR: f64 = 100.0;
 
 /// The point after the last of these orbits, each of one mode all along, at which that becomes another one, and the orbits
-/// beyond; `None` if it becomes none.
+/// beyond, if any are found: what is thrown back may not come to any. `None` if it becomes none.
 pub(super) fn changes_at_once(
     branch: &Branch<OrbitProblem>,
     orbits: &[Orbit],
@@ -36,7 +36,7 @@ pub(super) fn changes_at_once(
     let (family, settings) = (&branch.problem.family, branch.settings());
     let search = near(last, accuracy);
     let way = (last.r - before.r).signum();
-    let (r, found) = BEYOND.into_iter().find_map(|far| {
+    let found = BEYOND.into_iter().find_map(|far| {
         let r = last.r + far * way * last.r.abs();
         let guess = settings
             .contains(r)
@@ -44,15 +44,21 @@ pub(super) fn changes_at_once(
         let found = converge(family, r, &guess, &search).ok()?;
         let new = mode(&found).is_some_and(|found| found != modes);
         (new && last.apart(&found) <= FAR * far).then_some((r, found))
-    })?;
-    let started = begin(family, &found, &search, settings, (r, way > 0.0)).ok()?;
-    let mut changed = modes.iter().zip(&found.place.modes).filter(|(a, b)| a != b);
-    let presses = changed.any(|(mode, _)| mode.is_of_press());
-    let apart = (last.r - before.r).abs();
-    let kind = match presses {
+    });
+    let started = found
+        .as_ref()
+        .and_then(|(r, found)| begin(family, found, &search, settings, (*r, way > 0.0)).ok());
+    let changes = |k: &usize| {
+        found
+            .as_ref()
+            .is_none_or(|(_, new)| new.place.modes[*k] != modes[*k])
+    };
+    let mut changed = (0..modes.len()).filter(changes);
+    let kind = match changed.any(|k| modes[k].is_of_press()) {
         true => Kind::Grazing,
         false => Kind::GrazingSliding,
     };
+    let apart = (last.r - before.r).abs();
     Some(passes(last, (kind, last.r, apart), started, accuracy))
 }
 

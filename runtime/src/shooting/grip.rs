@@ -102,20 +102,24 @@ pub(super) fn near(orbit: &Orbit, accuracy: f64) -> Search {
     }
 }
 
-/// The branch passes to orbits that follow other equations at a point of this kind at r, known with this error.
+/// The branch passes to orbits that follow other equations, if they were found, at a point of this kind at r, known with this
+/// error.
 pub(super) fn passes(
     last: &Orbit,
     (kind, r, error): (Kind, f64, f64),
-    beyond: Started<OrbitProblem>,
+    beyond: Option<Started<OrbitProblem>>,
     accuracy: f64,
 ) -> Crossing<OrbitProblem, Orbit> {
     let mut located = Located::at(kind, r, last.clone());
     (located.point.r, located.error) = (r, error + NOISE * accuracy * r.abs());
-    let there = beyond.0.problem.family.at(r).ok();
+    let there = beyond
+        .as_ref()
+        .and_then(|started| started.0.problem.family.at(r).ok());
     let period = there.and_then(|flow| once(flow.as_ref(), &last.place, last.period));
     located.point.period = period.unwrap_or(last.period);
+    let onwards = |started| Beyond::Onwards(Box::new(started));
     Crossing {
         located,
-        beyond: Beyond::Onwards(Box::new(beyond)),
+        beyond: beyond.map_or(Beyond::Undecided, onwards),
     }
 }

@@ -151,7 +151,12 @@ impl Rest {
             rest = closer(rest, share).unwrap_or(rest);
         }
         let kind = Kind::VanishingSegment;
-        Some(passes(last, (kind, rest.r, rest.error), started, accuracy))
+        Some(passes(
+            last,
+            (kind, rest.r, rest.error),
+            Some(started),
+            accuracy,
+        ))
     }
 
     /// The same from the other side, where it is known better: how near orbits that are held are to letting go.

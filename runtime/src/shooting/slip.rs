@@ -50,7 +50,12 @@ pub(super) fn lets_go(
         begin(family, &sliding, &search, settings, (r, slip.way > 0.0)).ok()
     })?;
     let kind = Kind::VanishingSegment;
-    Some(passes(last, (kind, slip.r, slip.error), started, accuracy))
+    Some(passes(
+        last,
+        (kind, slip.r, slip.error),
+        Some(started),
+        accuracy,
+    ))
 }
 
 /// The last of these orbits, and two before that are not too near to it for slopes: a branch comes to its end in ever smaller
