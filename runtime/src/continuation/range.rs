@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::corrector::Failure;
+use super::point::Base;
 
 /// How a branch is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,6 +121,9 @@ pub enum Stop<E> {
     /// The problem says that the branch ends here.
     Refused(E),
 }
+
+/// The point before a corner, and why no step from there was short enough.
+pub(super) type Corner<Extra, E> = (Base<Extra>, Stop<E>);
 
 impl<E> Stop<E> {
     /// Whether the branch goes on as far as is known, and no step leads anywhere.

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Flow, Passage, Place};
+use crate::motion::{Event, Flow, Modes, Passage, Place};
 
 /// An orbit is divided if errors grow this many times once around,
 const UNSTABLE: f64 = 1e5;
@@ -39,6 +39,14 @@ pub(super) struct Measure<'a> {
 }
 
 impl Division {
+    /// The modes in which its segments begin.
+    pub(super) fn modes(&self) -> Vec<Modes> {
+        self.starts
+            .iter()
+            .map(|place| place.modes.clone())
+            .collect()
+    }
+
     /// One segment.
     #[must_use]
     pub fn whole(start: Place) -> Self {

@@ -70,11 +70,7 @@ impl OrbitProblem {
             shift: None,
             centred: Vec::new(),
             work: Work::default(),
-            modes: division
-                .starts
-                .iter()
-                .map(|place| place.modes.clone())
-                .collect(),
+            modes: division.modes(),
             shares: division.shares.clone(),
             others: Vec::new(),
             crawl: Crawl::default(),
@@ -116,11 +112,7 @@ impl OrbitProblem {
 
     /// Divides the orbit like this from now on; the unknowns for it.
     pub(super) fn divide(&mut self, division: &Division) -> DVector<f64> {
-        self.modes = division
-            .starts
-            .iter()
-            .map(|place| place.modes.clone())
-            .collect();
+        self.modes = division.modes();
         self.shares.clone_from(&division.shares);
         self.pins.retain(|pin| !pin.holds_state());
         Self::unknowns(&division.starts, self.period)

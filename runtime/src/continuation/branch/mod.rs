@@ -10,7 +10,7 @@ use super::link::Link;
 use super::measure;
 use super::point::{Base, Point, rescaled, unit};
 use super::predictor::tangent;
-use super::range::{Settings, Stop};
+use super::range::{Corner, Settings, Stop};
 
 /// A branch under way; an iterator over its points.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ pub struct Branch<P: ZeroProblem> {
     /// Steps in a row on which r stood still.
     still: usize,
     /// Where it turns however short the step is, and whether it has just done so.
-    pub(super) corner: Option<(Base<P::Extra>, Stop<P::Error>)>,
+    pub(super) corner: Option<Corner<P::Extra, P::Error>>,
     pub(super) turned: bool,
     pub(super) stop: Option<Stop<P::Error>>,
 }
