@@ -40,14 +40,20 @@ words! {
 impl Default for Section {
     /// der(first state) = 0, upwards: the thesis's X₁' = 0.
     fn default() -> Self {
-        Self {
-            surface: Surface::Rate(0),
-            direction: Direction::Up,
-        }
+        Self::least(0)
     }
 }
 
 impl Section {
+    /// Where this state is least: its rate vanishes, upwards.
+    #[must_use]
+    pub const fn least(state: usize) -> Self {
+        Self {
+            surface: Surface::Rate(state),
+            direction: Direction::Up,
+        }
+    }
+
     /// Where the phase of the drive begins anew, if a state is one; else der(first state) = 0, upwards.
     #[must_use]
     pub fn usual(phase: Option<usize>) -> Self {

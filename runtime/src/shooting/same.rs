@@ -114,10 +114,15 @@ impl Orbit {
 
     /// How far apart two points are, but for where the motion runs on.
     fn distance(&self, p: &[f64], q: &[f64]) -> f64 {
-        let mut q = q.to_vec();
-        for pin in self.pins.iter().filter(|_| self.shift.is_some()) {
-            pin.slide(&mut q, pin.of(p));
-        }
+        let q = self.slid(q.to_vec(), p);
         apart(p, &q, &self.magnitude())
+    }
+
+    /// A state shifted to where it is beside a point, along what runs on at will.
+    pub(super) fn slid(&self, mut state: Vec<f64>, point: &[f64]) -> Vec<f64> {
+        for pin in self.pins.iter().filter(|_| self.shift.is_some()) {
+            pin.slide(&mut state, pin.of(point));
+        }
+        state
     }
 }

@@ -7,7 +7,7 @@ use super::orbit::Orbit;
 use crate::bifurcation::Stability;
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};
-use crate::poincare::{Crossings, Horizon, Section, Surface, once_around};
+use crate::poincare::{Crossings, Horizon, Section, once_around};
 
 /// Distances are in half extents. A motion this close to an orbit is on it.
 const ON: f64 = 1e-5;
@@ -88,25 +88,16 @@ fn to_orbit(state: &[f64], orbit: &Orbit, guess: &Guess, phase: Option<usize>) -
 impl Orbit {
     /// The section on which its points lie.
     fn usual_section(&self, phase: Option<usize>) -> Section {
-        let section = Section::usual(phase);
         match phase {
-            Some(_) => section,
-            None => Section {
-                surface: Surface::Rate(self.crossed(None)),
-                ..section
-            },
+            Some(_) => Section::usual(phase),
+            None => Section::least(self.crossed(None)),
         }
     }
 
     /// The distance of a state from a point, but for the phase of a drive, and for shifts that change nothing where it runs on.
     fn far(&self, state: &[f64], point: &[f64], guess: &Guess, phase: Option<usize>) -> f64 {
-        let moved = self.shift.as_ref().map(|shift| {
-            let mut moved = unshifted(state, point, shift);
-            self.pins
-                .iter()
-                .for_each(|pin| pin.slide(&mut moved, pin.of(point)));
-            moved
-        });
+        let moved = self.shift.as_ref();
+        let moved = moved.map(|shift| self.slid(unshifted(state, point, shift), point));
         let state = moved.as_deref().unwrap_or(state);
         let states = (0..state.len()).filter(|j| phase != Some(*j));
         let share = |j: usize| (state[j] - point[j]).abs() / guess.magnitude[j];

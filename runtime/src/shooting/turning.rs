@@ -16,8 +16,7 @@ pub(crate) fn turning(flow: &dyn Flow, passage: &Passage, time: f64) -> Option<(
         events.any(|event| event.switches() && (event.time - one.time).abs() <= INSTANT * time)
     };
     let often = |j: &usize| {
-        let minima = passage.extrema.iter();
-        let minima = minima.filter(|one| one.index == *j && !one.maximum);
+        let minima = passage.lows(*j);
         minima.filter(|one| !switches(one)).count() >= OFTEN
     };
     let calm = &passage.calm;

@@ -1,7 +1,7 @@
 //! The section of a diagram for which none is asked.
 
 use crate::flow::{FlowError, Want};
-use crate::poincare::{Section, Surface, radian};
+use crate::poincare::{Section, radian};
 use crate::shooting::turning;
 use crate::study::error::StudyError;
 use crate::study::question::Case;
@@ -25,10 +25,7 @@ impl System {
         }
         // Why a motion cannot be followed is told where it is asked for.
         let other = self.instead(case).unwrap_or(None);
-        Ok(other.map_or(usual, |state| Section {
-            surface: Surface::Rate(state),
-            ..usual
-        }))
+        Ok(other.map_or(usual, Section::least))
     }
 
     /// The state that turns where the first one only runs on, if it does.
@@ -38,9 +35,7 @@ impl System {
         let mut time = radian(flow.as_ref(), &place)?;
         for _ in 0..LOOKS {
             let passage = flow.advance(&place, time, Want::EXTREMA)?;
-            let first = passage.extrema.iter();
-            let minima = first.filter(|one| one.index == 0 && !one.maximum);
-            if minima.count() >= TURNS {
+            if passage.lows(0).count() >= TURNS {
                 return Ok(None);
             }
             if let Some((other, shifts)) = turning(flow.as_ref(), &passage, time) {
