@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::branch::{Before, Branch, Refusal, SHORTENED, TINY};
 use super::corrector::{Corrected, Failure, bordered, correct};
-use super::link::Link;
+use super::link::{Corner, Link};
 use super::point::{Base, Point, unit};
 use super::predictor::tangent;
 use super::range::Stop;
@@ -22,6 +22,10 @@ const CORNER: usize = 5;
 const AROUND: f64 = 100.0;
 /// The next one that is tried.
 const WIDER: f64 = 10.0;
+/// Cosine of an angle by which other equations hardly turn the branch.
+const PARALLEL: f64 = 0.97;
+/// By how much both legs of a corner may pass each other, over the step around it, for nothing else to lie there.
+const STRAIGHT: f64 = 5e-3;
 
 /// A solution, the step that led to it, and why there is none beyond.
 type Stepped<P> = (
@@ -31,11 +35,12 @@ type Stepped<P> = (
 );
 
 impl<P: ZeroProblem + Clone> Branch<P> {
-    /// One prediction and correction with the present step; at a `corner` the branch may turn at once.
+    /// One prediction and correction with the present step; around a `corner`, to which the branch comes with this tangent, it may
+    /// turn at once.
     pub(super) fn attempt(
         &mut self,
         base: &Base<P::Extra>,
-        corner: bool,
+        corner: Option<&DVector<f64>>,
     ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let (accuracy, scale) = (self.settings.accuracy, self.problem.scale());
         let inwards;
@@ -48,7 +53,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         };
         let (corrected, length, stop) = self.step_from(base)?;
         let direction = base.tangent.clone();
-        let straight = match corner {
+        let straight = match corner.is_some() {
             true => self.tangent(&corrected, &direction)?,
             false => direction.clone(),
         };
@@ -58,12 +63,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let r_scale = self.r_scale;
         let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
-        let arrives = self.tangent(&corrected, &direction)?;
-        let pieces = [&base.linearisation, &corrected.linearisation].map(|at| &at.extra);
-        let arrives = match corner || P::same_piece(pieces[0], pieces[1]) {
-            true => arrives,
-            false => arrives * self.kept(base, &corrected.linearisation).unwrap_or(1.0),
-        };
+        let mut arrives = self.tangent(&corrected, &direction)?;
+        if corner.is_none() && self.is_other(base, &corrected, &arrives) {
+            arrives *= self.kept(base, &corrected.linearisation).unwrap_or(1.0);
+        }
         let back = base.r == self.settings.from && length > AROUND * self.settings.smallest_step;
         if stop.is_some() {
             first_there(base, corrected.r, &arrives)?;
@@ -71,11 +74,16 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             // From the beginning of its range it has turned, and left the range, within this step.
             return Err(turns(base, corrected.r, &arrives).into());
         }
-        let accepted = self.accept(corrected, arrives.clone());
+        let tangents = [direction, arrives.clone()];
+        let mut link = Link::new(problem.clone(), ends, tangents, r_scale, accuracy).around(corner);
+        let crooked = |corner: Corner| corner.missed > STRAIGHT;
+        if link.corner([0.0, 1.0]).is_some_and(crooked) {
+            return Err(turns(base, corrected.r, &arrives).into());
+        }
+        let accepted = self.accept(corrected, arrives);
         // What the problem fixed for the new point does not fit the old one.
         let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
-        let tangents = [direction, arrives];
-        self.link = Some(Link::new(problem, ends, tangents, r_scale, accuracy));
+        self.link = Some(link);
         self.before = Some(before);
         self.tiny = match length < TINY {
             true => self.tiny + 1,
@@ -120,7 +128,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let (step, smallest) = (self.step, self.settings.smallest_step);
         let (mut failures, mut turns, mut trial) = (0, 0, 0);
         loop {
-            let (ends, stop) = match self.attempt(&base, false) {
+            let (ends, stop) = match self.attempt(&base, None) {
                 Ok(point) => {
                     let tiny = |before: &Before<P>| before.3 < TINY;
                     self.turned &= self.before.as_ref().is_some_and(tiny);
@@ -161,8 +169,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     ) -> Option<Point<P::Extra>> {
         // Where it turns by more than a right angle, nothing lies straight ahead.
         let straight = |_: &mut Self| Some(base.clone());
-        let found = self.wider(straight);
-        let found = found.or_else(|| self.wider(|branch| branch.bent(base)));
+        let found = self.wider(base, straight);
+        let found = found.or_else(|| self.wider(base, |branch| branch.bent(base)));
         if found.is_none() {
             self.stop = Some(stop);
         }
@@ -172,13 +180,14 @@ impl<P: ZeroProblem + Clone> Branch<P> {
     /// The point to which a step leads from where `base` says, not too far for one around a corner.
     fn wider(
         &mut self,
-        base: impl Fn(&mut Self) -> Option<Base<P::Extra>>,
+        base: &Base<P::Extra>,
+        onwards: impl Fn(&mut Self) -> Option<Base<P::Extra>>,
     ) -> Option<Point<P::Extra>> {
         self.step = AROUND * self.settings.smallest_step;
         // At a loose accuracy, the nearest ones do not tell where it goes.
         while self.step <= TINY {
-            if let Some(base) = base(self)
-                && let Ok(found) = self.attempt(&base, true)
+            if let Some(onwards) = onwards(self)
+                && let Ok(found) = self.attempt(&onwards, Some(&base.tangent))
             {
                 (self.turned, self.step) = (true, TINY);
                 return Some(found);
@@ -199,6 +208,23 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             tangent: turned * self.kept(base, &beyond)?,
             ..base.clone()
         })
+    }
+
+    /// Whether a point has been found by other equations than those of `base`. These were told one correction before it: where the
+    /// others hardly turn the branch it may be of their side itself, and is asked for once more.
+    fn is_other(
+        &mut self,
+        base: &Base<P::Extra>,
+        found: &Corrected<P::Extra>,
+        arrives: &DVector<f64>,
+    ) -> bool {
+        let told = &base.linearisation.extra;
+        if P::same_piece(told, &found.linearisation.extra) {
+            return false;
+        }
+        let turns = arrives.dot(&base.tangent) < PARALLEL;
+        let once_more = self.problem.evaluate(&base.z, base.r);
+        turns || once_more.is_ok_and(|there| P::same_piece(told, &there.extra))
     }
 
     /// Whether a branch on which other equations take over after `base` goes on to the side of its tangent there, or to the

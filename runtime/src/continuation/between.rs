@@ -76,6 +76,11 @@ impl<R: Reader> Path for Between<R> {
         self.reader.border(&mut self.link.problem, ends, r_scale)
     }
 
+    fn corner(&mut self, shares: [f64; 2]) -> Option<(f64, f64)> {
+        let corner = self.link.corner(shares)?;
+        Some((corner.r, corner.error))
+    }
+
     fn name(&mut self, ends: [&R::Point; 2]) -> Kind {
         self.reader.name(&self.link.problem, ends)
     }

@@ -26,10 +26,25 @@ pub struct Link<P> {
     length: f64,
     /// Unit tangents at both ends.
     tangents: [DVector<f64>; 2],
+    /// The tangent with which the branch came, where it turned at once behind the first end.
+    comes: Option<DVector<f64>>,
     r_scale: f64,
     accuracy: f64,
     /// Share of the accuracy to which points between are found.
     share: f64,
+}
+
+/// A point, and the tangent of the branch there.
+type Leg = ((DVector<f64>, f64), DVector<f64>);
+
+/// Where a branch turns at once between two of its points.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) r: f64,
+    /// Error of r for how far its legs pass each other.
+    pub(super) error: f64,
+    /// How far they do, over the distance of the points.
+    pub(super) missed: f64,
 }
 
 impl<P: ZeroProblem> Link<P> {
@@ -49,10 +64,17 @@ impl<P: ZeroProblem> Link<P> {
             length,
             ends,
             tangents,
+            comes: None,
             r_scale,
             accuracy,
             share: 1.0,
         }
+    }
+
+    /// The step around a corner to which the branch came with this tangent.
+    pub(super) fn around(self, comes: Option<&DVector<f64>>) -> Self {
+        let comes = comes.cloned();
+        Self { comes, ..self }
     }
 
     /// Finds points between its ends to this share of its accuracy.
@@ -137,6 +159,43 @@ impl<P: ZeroProblem> Link<P> {
         let mut normal = DVector::zeros(from.0.len() + 1);
         normal[from.0.len()] = (to.1 - from.1).signum();
         self.across(self.on_chord(share), &normal)
+    }
+
+    /// Where legs meet that go straight on from the points at these shares of a step around a corner.
+    pub(super) fn corner(&mut self, shares: [f64; 2]) -> Option<Corner> {
+        self.comes.as_ref()?;
+        let [first, second] = shares.map(|share| self.leg(share));
+        let [(from, comes), (to, leaves)] = [first?, second?];
+        let way = scaled(
+            &self.problem.scale(),
+            self.r_scale,
+            &(&to.0 - &from.0),
+            to.1 - from.1,
+        );
+        let even = comes.dot(&leaves);
+        let apart = 1.0 - even * even;
+        let [first, second] = [way.dot(&comes), way.dot(&leaves)];
+        let [on, back] = [first - even * second, second - even * first].map(|leg| leg / apart);
+        let missed = (&way - &comes * on - leaves * back).norm();
+        let corner = Corner {
+            r: from.1 + on * comes[comes.len() - 1] * self.r_scale,
+            error: missed / apart.sqrt() * self.r_scale,
+            missed: missed / way.norm(),
+        };
+        (corner.r.is_finite() && corner.error.is_finite()).then_some(corner)
+    }
+
+    /// The point at this share of the way, the ends with it, and the tangent of the branch on its side.
+    fn leg(&mut self, share: f64) -> Option<Leg> {
+        if share <= 0.0 {
+            let comes = self.comes.as_ref().unwrap_or(&self.tangents[0]);
+            return Some((self.ends[0].clone(), comes.clone()));
+        }
+        if share >= 1.0 {
+            return Some((self.ends[1].clone(), self.tangents[1].clone()));
+        }
+        let Point { z, r, tangent, .. } = self.between(share).ok()?;
+        Some(((z, r), tangent))
     }
 
     /// The point of the chord at this share of it.

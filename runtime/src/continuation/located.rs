@@ -95,16 +95,26 @@ impl<P> Located<P> {
     }
 }
 
-/// Drops pairs of folds, found within two steps, that are nearer to each other than their errors: rounding turns r there, and
-/// turns it back.
+/// Drops what was found within two steps and is nearer to each other than its errors: of two folds both, as rounding turns r
+/// there, and turns it back; beside one, a branch point, as it is one multiplier that passes 1 at both.
 pub(super) fn drop_pairs<P>(located: &mut Vec<Located<P>>) {
-    let pair = |two: &[Located<P>]| {
-        let folds = two.iter().all(|found| found.kind == Kind::Fold);
+    let near = |two: &[Located<P>]| {
         let near = (two[1].r - two[0].r).abs() <= two[0].error.max(two[1].error);
-        folds && near && two[1].after - two[0].after <= 1
+        near && two[1].after - two[0].after <= 1
     };
-    while let Some(first) = located.windows(2).position(pair) {
+    let folds = |two: &[Located<P>]| two.iter().all(|found| found.kind == Kind::Fold);
+    while let Some(first) = located.windows(2).position(|two| near(two) && folds(two)) {
         located.drain(first..first + 2);
+    }
+    let kinds = |two: &[Located<P>]| match [two[0].kind, two[1].kind] {
+        [Kind::Fold, Kind::BranchPoint] => Some(1),
+        [Kind::BranchPoint, Kind::Fold] => Some(0),
+        _ => None,
+    };
+    let beside = |two: &[Located<P>]| kinds(two).filter(|_| near(two));
+    let point = |(first, two): (usize, &[Located<P>])| Some(first + beside(two)?);
+    while let Some(point) = located.windows(2).enumerate().find_map(point) {
+        located.remove(point);
     }
 }
 
@@ -178,4 +188,36 @@ pub struct Findings<P> {
     pub unexplained: Vec<Unexplained>,
     /// Where the branch leaves what was asked for.
     pub bound: Option<P>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(kind: Kind, r: f64, after: usize) -> Located<()> {
+        Located {
+            error: 1e-9,
+            after,
+            ..Located::at(kind, r, ())
+        }
+    }
+
+    fn left(mut located: Vec<Located<()>>) -> Vec<Kind> {
+        drop_pairs(&mut located);
+        located.iter().map(|one| one.kind).collect()
+    }
+
+    #[test]
+    fn what_no_error_parts_is_one_fold_or_none() {
+        use Kind::{BranchPoint, Flip, Fold};
+        let near = |kinds: [Kind; 2]| kinds.map(|kind| found(kind, 1.0, 3)).to_vec();
+        assert_eq!(left(near([Fold, Fold])), []);
+        assert_eq!(left(near([Fold, BranchPoint])), [Fold]);
+        assert_eq!(left(near([BranchPoint, Fold])), [Fold]);
+        assert_eq!(left(near([Flip, Fold])), [Flip, Fold]);
+        for (r, after) in [(1.0 + 1e-8, 3), (1.0, 5)] {
+            let two = vec![found(Fold, 1.0, 3), found(BranchPoint, r, after)];
+            assert_eq!(left(two), [Fold, BranchPoint]);
+        }
+    }
 }

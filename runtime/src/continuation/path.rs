@@ -115,6 +115,12 @@ pub trait Path {
         None
     }
 
+    /// r of the point at which the branch turns at once between the points at these shares of the way, and its error; `None` where
+    /// that cannot be told.
+    fn corner(&mut self, _shares: [f64; 2]) -> Option<(f64, f64)> {
+        None
+    }
+
     /// What the change between two points is called that are as near to it as they can be found, if it could not be found
     /// as a point of its own: two events exchange their order, or a stretch begins between them.
     fn name(&mut self, _ends: [&Self::Point; 2]) -> Kind {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, Stability, System};
-use stickslip_models::friction::Coulomb;
+use stickslip_models::friction::{Coulomb, Weakening};
 use stickslip_models::press::{Compliant, Rigid};
 
 model! {
@@ -131,5 +131,87 @@ fn a_branch_keeps_its_symmetry_beside_one_that_has_lost_it() {
             unstable,
             "at {r}"
         );
+    }
+}
+
+model! {
+    /// Three masses in a row between walls, each rubbing on one belt: nondimensional.
+    struct Row {
+        state x[3] = 0.1;
+        state v[3] = 0.0;
+        param k = 1.146_694_827_260_293_3 where k > 0.0;
+        param belt = 0.083_970_762_645_534_55;
+        param limit = 0.948_037_569_634_431_6 where limit >= 0.0;
+        param decay = 0.972_140_851_939_593_3 where decay >= 0.0;
+        param second = 0.62 where second > 0.0;
+        param third = 0.715_123_918_221_198_1 where third > 0.0;
+        friction F[0] = Weakening { limit, decay } opposing v[0] - belt;
+        friction F[1] = Weakening { limit: limit * second, decay } opposing v[1] - belt;
+        friction F[2] = Weakening { limit: limit * third, decay } opposing v[2] - belt;
+        for i in 0..3 {
+            der(x[i]) = v[i];
+        }
+        der(v[0]) = F[0] - k * (2 * x[0] - x[1]);
+        der(v[1]) = F[1] - k * (2 * x[1] - x[0] - x[2]);
+        der(v[2]) = F[2] - k * (2 * x[2] - x[1]);
+    }
+}
+
+/// While all three ride on the belt, what holds the middle one does not change. Where it has come to its limit just as the first
+/// one comes to rest, it lets go before that or long after: r turns there at once, and no orbit is found at the border itself.
+/// It lies where both legs meet, as far as the error says, from whichever of them it is come to.
+#[test]
+fn a_corner_lies_where_both_legs_meet() {
+    let late = (
+        0.621_745_722_944_648_7,
+        12.422_708_204_738_987,
+        [
+            0.592_022_981_120_347,
+            0.735_914_618_936_845,
+            0.619_357_409_637_891_4,
+            0.0,
+            -0.197_102_737_348_308_2,
+            -0.250_300_665_264_905_63,
+        ],
+    );
+    let early = (
+        0.621_772_082_401_938_5,
+        12.422_569_820_356_228,
+        [
+            0.592_087_278_725_914_6,
+            0.735_967_568_402_315_3,
+            0.619_268_774_483_833_1,
+            0.0,
+            -0.196_940_249_126_571_96,
+            -0.250_476_498_140_612_57,
+        ],
+    );
+    for accuracy in [1e-8, 1e-9, 1e-10, 1e-11] {
+        for (second, period, start) in [late, early] {
+            let row = Row {
+                second,
+                ..Row::default()
+            };
+            let case = Case {
+                start: Some(start.to_vec()),
+                period: Some(period),
+                accuracy,
+                ..Case::of(&row)
+            };
+            let branch = System::of::<Row, _>()
+                .branch(&case.following(Row::second, second..0.63))
+                .unwrap();
+            let reason = &branch.ended.reason;
+            assert_eq!(branch.ended.word(), "reached-start", "{reason}");
+            let [corner] = &branch.special[..] else {
+                panic!("{:?}", branch.special)
+            };
+            assert_eq!(corner.kind, Kind::VanishingSegment);
+            // Both legs at 1e-11, and at 1e-12.
+            let off = (corner.r - 0.621_960_558_53).abs();
+            let error = corner.error.unwrap();
+            assert!(off <= error, "{off:e} beyond {error:e} at {accuracy:e}");
+            assert!(error <= 1e-9 + accuracy, "{error:e} at {accuracy:e}");
+        }
     }
 }

@@ -12,7 +12,7 @@ use super::located::{Findings, Located, Unexplained};
 use super::margin;
 use super::monitor::{Monitor, Verdict, changes, rests};
 use super::path::{Path, Spot, Watched};
-use super::root::zero;
+use super::root::{DOUBT, zero};
 
 /// Where a step is divided; the second where more directions are marginal at the first than at the ends.
 const MIDDLES: [f64; 2] = [0.5, 0.4];
@@ -198,7 +198,10 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 Some((at, error)) => (Kind::VanishingSegment, at, (at.point.r(), *error)),
                 None => {
                     let kind = self.path.name([&before.point, &after.point]);
-                    (kind, before, found.within(accuracy))
+                    // Where the branch turns at once, neither end need be near it.
+                    let corner = self.path.corner([before.share, after.share]);
+                    let at = corner.map(|(r, error)| (r, DOUBT * error + accuracy * r.abs()));
+                    (kind, before, at.unwrap_or_else(|| found.within(accuracy)))
                 }
             };
             self.located.push(Located {
