@@ -75,14 +75,14 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             return Err(turns(base, corrected.r, &arrives).into());
         }
         let tangents = [direction, arrives.clone()];
-        let mut link = Link::new(problem.clone(), ends, tangents, r_scale, accuracy).around(corner);
+        let mut link = Link::new(problem, ends, tangents, r_scale, accuracy).around(corner);
         let crooked = |corner: Corner| corner.missed > STRAIGHT;
         if link.corner([0.0, 1.0]).is_some_and(crooked) {
             return Err(turns(base, corrected.r, &arrives).into());
         }
         let accepted = self.accept(corrected, arrives);
         // What the problem fixed for the new point does not fit the old one.
-        let point = accepted.inspect_err(|_| self.problem.clone_from(&problem))?;
+        let point = accepted.inspect_err(|_| self.problem.clone_from(&link.problem))?;
         self.link = Some(link);
         self.before = Some(before);
         self.tiny = match length < TINY {
@@ -222,9 +222,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         if P::same_piece(told, &found.linearisation.extra) {
             return false;
         }
-        let turns = arrives.dot(&base.tangent) < PARALLEL;
+        if arrives.dot(&base.tangent) < PARALLEL {
+            return true;
+        }
         let once_more = self.problem.evaluate(&base.z, base.r);
-        turns || once_more.is_ok_and(|there| P::same_piece(told, &there.extra))
+        once_more.is_ok_and(|there| P::same_piece(told, &there.extra))
     }
 
     /// Whether a branch on which other equations take over after `base` goes on to the side of its tangent there, or to the

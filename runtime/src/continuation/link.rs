@@ -188,8 +188,7 @@ impl<P: ZeroProblem> Link<P> {
     /// The point at this share of the way, the ends with it, and the tangent of the branch on its side.
     fn leg(&mut self, share: f64) -> Option<Leg> {
         if share <= 0.0 {
-            let comes = self.comes.as_ref().unwrap_or(&self.tangents[0]);
-            return Some((self.ends[0].clone(), comes.clone()));
+            return Some((self.ends[0].clone(), self.comes.clone()?));
         }
         if share >= 1.0 {
             return Some((self.ends[1].clone(), self.tangents[1].clone()));
