@@ -22,8 +22,6 @@ const CORNER: usize = 5;
 const AROUND: f64 = 100.0;
 /// The next one that is tried.
 const WIDER: f64 = 10.0;
-/// Cosine of an angle by which other equations hardly turn the branch.
-const PARALLEL: f64 = 0.97;
 /// By how much both legs of a corner may pass each other, over the step around it, for nothing else to lie there.
 const STRAIGHT: f64 = 5e-3;
 
@@ -35,12 +33,12 @@ type Stepped<P> = (
 );
 
 impl<P: ZeroProblem + Clone> Branch<P> {
-    /// One prediction and correction with the present step; around a `corner`, to which the branch comes with this tangent, it may
-    /// turn at once.
+    /// One prediction and correction with the present step; around a `corner`, to which the branch has come like this, it may turn
+    /// at once.
     pub(super) fn attempt(
         &mut self,
         base: &Base<P::Extra>,
-        corner: Option<&DVector<f64>>,
+        corner: Option<&Base<P::Extra>>,
     ) -> Result<Point<P::Extra>, Refusal<P::Error>> {
         let (accuracy, scale) = (self.settings.accuracy, self.problem.scale());
         let inwards;
@@ -53,20 +51,22 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         };
         let (corrected, length, stop) = self.step_from(base)?;
         let direction = base.tangent.clone();
+        let arrives = self.tangent(&corrected, &direction)?;
         let straight = match corner.is_some() {
-            true => self.tangent(&corrected, &direction)?,
-            false => direction.clone(),
+            true => &arrives,
+            false => &direction,
         };
-        let bend = self.guard(base, &straight, &corrected, &scale)?;
+        let bend = self.guard(base, straight, &corrected, &scale)?;
         let factor = growth(&corrected.corrections, bend);
+        let comes = corner.unwrap_or(base);
+        if self.kept(comes, &corrected.linearisation, &arrives) == Some(-1.0) {
+            // It turns round at corners only: between them, another leg is near.
+            return Err(turns(comes, corrected.r, &arrives).into());
+        }
         let problem = self.problem.clone();
         let r_scale = self.r_scale;
         let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
-        let mut arrives = self.tangent(&corrected, &direction)?;
-        if corner.is_none() && self.is_other(base, &corrected, &arrives) {
-            arrives *= self.kept(base, &corrected.linearisation).unwrap_or(1.0);
-        }
         let back = base.r == self.settings.from && length > AROUND * self.settings.smallest_step;
         if stop.is_some() {
             first_there(base, corrected.r, &arrives)?;
@@ -75,7 +75,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             return Err(turns(base, corrected.r, &arrives).into());
         }
         let tangents = [direction, arrives.clone()];
-        let mut link = Link::new(problem, ends, tangents, r_scale, accuracy).around(corner);
+        let comes = corner.map(|comes| &comes.tangent);
+        let mut link = Link::new(problem, ends, tangents, r_scale, accuracy).around(comes);
         let crooked = |corner: Corner| corner.missed > STRAIGHT;
         if link.corner([0.0, 1.0]).is_some_and(crooked) {
             return Err(turns(base, corrected.r, &arrives).into());
@@ -187,7 +188,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         // At a loose accuracy, the nearest ones do not tell where it goes.
         while self.step <= TINY {
             if let Some(onwards) = onwards(self)
-                && let Ok(found) = self.attempt(&onwards, Some(&base.tangent))
+                && let Ok(found) = self.attempt(&onwards, Some(base))
             {
                 (self.turned, self.step) = (true, TINY);
                 return Some(found);
@@ -205,41 +206,28 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let beyond = self.problem.evaluate(&z, base.r + way[n] * r_scale).ok()?;
         let turned = tangent(&beyond, &scale, r_scale, &base.tangent)?;
         Some(Base {
-            tangent: turned * self.kept(base, &beyond)?,
+            tangent: turned * self.kept(base, &beyond, &base.tangent)?,
             ..base.clone()
         })
     }
 
-    /// Whether a point has been found by other equations than those of `base`. These were told one correction before it: where the
-    /// others hardly turn the branch it may be of their side itself, and is asked for once more.
-    fn is_other(
-        &mut self,
+    /// Whether a branch on which other equations take over after `base` goes on to this side there, or to the other one: 1 or -1.
+    /// Those that are continuous keep their orientation (E. L. Allgower, K. Georg, Introduction to Numerical Continuation Methods,
+    /// SIAM 2003, chapter 12).
+    fn kept(
+        &self,
         base: &Base<P::Extra>,
-        found: &Corrected<P::Extra>,
-        arrives: &DVector<f64>,
-    ) -> bool {
-        let told = &base.linearisation.extra;
-        if P::same_piece(told, &found.linearisation.extra) {
-            return false;
-        }
-        if arrives.dot(&base.tangent) < PARALLEL {
-            return true;
-        }
-        let once_more = self.problem.evaluate(&base.z, base.r);
-        once_more.is_ok_and(|there| P::same_piece(told, &there.extra))
-    }
-
-    /// Whether a branch on which other equations take over after `base` goes on to the side of its tangent there, or to the
-    /// other one: 1 or -1. Those that are continuous keep their orientation (E. L. Allgower, K. Georg, Introduction to
-    /// Numerical Continuation Methods, SIAM 2003, chapter 12).
-    fn kept(&self, base: &Base<P::Extra>, beyond: &Linearisation<P::Extra>) -> Option<f64> {
+        beyond: &Linearisation<P::Extra>,
+        along: &DVector<f64>,
+    ) -> Option<f64> {
         let before = &base.linearisation;
-        if !P::continuous(&before.extra, &beyond.extra) {
+        let (told, other) = (&before.extra, &beyond.extra);
+        if P::same_piece(told, other) || !P::continuous(told, other) {
             return None;
         }
         let (scale, r_scale) = (self.problem.scale(), self.r_scale);
-        let side = |piece| orientation(&bordered(piece, &scale, r_scale, &base.tangent));
-        Some(side(before)? * side(beyond)?)
+        let side = |piece, along| orientation(&bordered(piece, &scale, r_scale, along));
+        Some(side(before, &base.tangent)? * side(beyond, along)?)
     }
 
     fn guard(
