@@ -82,6 +82,11 @@ pub trait ZeroProblem {
         true
     }
 
+    /// Whether they may be of one solution, in other unknowns.
+    fn as_eventful(_one: &Self::Extra, _other: &Self::Extra) -> bool {
+        true
+    }
+
     /// Whether both are of one h that is continuous: what singles out solutions may have become another condition.
     fn continuous(_one: &Self::Extra, _other: &Self::Extra) -> bool {
         true

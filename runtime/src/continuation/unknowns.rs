@@ -57,6 +57,10 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let z = self.problem.elsewhere(base.r, trial)?;
         let lasting = self.problem.lasting(&base.tangent).try_normalize(0.0)?;
         let found = self.same(z, base.r, &lasting).ok()??;
+        // Next to a corner, the other leg lies as near.
+        if !P::as_eventful(&base.linearisation.extra, &found.linearisation.extra) {
+            return None;
+        }
         let tangent = self.tangent(&found, &lasting).ok()?;
         Some(Base {
             z: found.z,

@@ -195,6 +195,10 @@ impl ZeroProblem for OrbitProblem {
         one.passes_like(other)
     }
 
+    fn as_eventful(one: &Shot, other: &Shot) -> bool {
+        one.changes() == other.changes()
+    }
+
     fn continuous(one: &Shot, other: &Shot) -> bool {
         one.pins.is_empty() && other.pins.is_empty()
     }

@@ -112,6 +112,12 @@ impl Shot {
         own.eq(theirs)
     }
 
+    /// How often its modes change or it is hit, wherever it begins.
+    pub(super) fn changes(&self) -> usize {
+        let within = |passage: &Passage| passage.segments.len().saturating_sub(1);
+        self.passages.iter().map(within).sum()
+    }
+
     /// Smallest and largest value of each state along the motion.
     ///
     /// The ends of steps count too: in a layer so stiff that a rate is all rounding error, no extremum shows.
