@@ -9,6 +9,8 @@ use crate::study::orbit::Sought;
 const STEP: f64 = 1e-6;
 /// Secants until it must be found.
 const SECANTS: usize = 8;
+/// Distance at which what is zero at a flip grows with it, over the accuracy.
+const WAY: f64 = 1e3;
 /// Distance, relative to r, beyond which a flip is another one.
 const NEAR: f64 = 1e-3;
 /// Share of the accuracy at which it is found once more, and what is reported over what both differ by.
@@ -87,7 +89,15 @@ fn flips(sought: &Sought<'_>, r: f64, orbit: &Orbit) -> Option<Flip> {
             let sharper = at(r, &orbit, AGAIN)?;
             let off = (test(&sharper) / slope).abs();
             let error = DOUBT * off + SETTLED * accuracy * r.abs();
-            return Some(Flip { r, error, orbit });
+            // Where a multiplier jumps past −1, secants settle as well.
+            let beside = |way: f64| Some(test(&at(r + way, &orbit, 1.0)?));
+            let grows = |way: f64| {
+                let [half, whole] = [beside(0.5 * way)?, beside(way)?];
+                Some((whole - 2.0 * half).abs() <= 0.5 * whole.abs())
+            };
+            let way = (WAY * accuracy).clamp(STEP, NEAR) * r.abs();
+            let passes = [way, -way].map(grows).contains(&Some(true));
+            return passes.then_some(Flip { r, error, orbit });
         }
         (last, next) = ((next, value), r);
     }
