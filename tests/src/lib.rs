@@ -8,6 +8,7 @@ pub mod lanes;
 pub mod random;
 pub mod range;
 pub mod rotating;
+pub mod row;
 pub mod subject;
 pub mod transformed;
 

@@ -4,40 +4,16 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use stickslip::field::Design;
-use stickslip::model;
 use stickslip::study::{Along, Beginning, Case, Dynamics, Switch, System};
-use stickslip_models::friction::Weakening;
 use stickslip_models::systems;
 use stickslip_tests::random::Random;
+use stickslip_tests::row::Row;
 
 use crate::answer::Answer;
 
 /// Points after which a branch is left.
 const MOST: usize = 400;
 const ACCURACY: f64 = 1e-9;
-
-model! {
-    /// Three masses between walls, each rubbing on a belt: nondimensional.
-    pub struct Chain3 {
-        state x[3] = 0.1;
-        state v[3] = 0.0;
-        param k = 1.3 where k > 0.0;
-        param v_dr = 0.2;
-        param limit = 0.4 where limit >= 0.0;
-        param decay = 2.0 where decay >= 0.0;
-        param second = 1.1 where second > 0.0;
-        param third = 1.3 where third > 0.0;
-        friction F[0] = Weakening { limit, decay } opposing v[0] - v_dr;
-        friction F[1] = Weakening { limit: limit * second, decay } opposing v[1] - v_dr;
-        friction F[2] = Weakening { limit: limit * third, decay } opposing v[2] - v_dr;
-        for i in 0..3 {
-            der(x[i]) = v[i];
-        }
-        der(v[0]) = F[0] - k * (2 * x[0] - x[1]);
-        der(v[1]) = F[1] - k * (2 * x[1] - x[0] - x[2]);
-        der(v[2]) = F[2] - k * (2 * x[2] - x[1]);
-    }
-}
 
 /// A branch that is asked for.
 #[derive(Debug, Clone)]
@@ -58,8 +34,8 @@ impl Question {
             systems::drill_string,
             systems::forced_belt,
             systems::forced_belt,
-            System::of::<Chain3, _>,
-            System::of::<Chain3, _>,
+            System::of::<Row, _>,
+            System::of::<Row, _>,
         ];
         let system = systems[(dice.unit() * systems.len() as f64) as usize]();
         let dynamics = if system.info().contacts.is_empty() {

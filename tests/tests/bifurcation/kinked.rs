@@ -5,8 +5,12 @@ use std::f64::consts::TAU;
 use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, Stability, System};
-use stickslip_models::friction::{Coulomb, Weakening};
+use stickslip_models::ForcedBelt;
+use stickslip_models::friction::Coulomb;
 use stickslip_models::press::{Compliant, Rigid};
+use stickslip_tests::row::Row;
+
+use crate::borders::branch;
 
 model! {
     /// A hammer on a slider that gives way: after E. Pavlovskaia, M. Wiercigroch, C. Grebogi, Phys. Rev. E 64 (2001) 056224.
@@ -40,7 +44,7 @@ fn a_branch_turns_where_a_damped_contact_grazes() {
         omega: 1.01,
         ..Drill::default()
     };
-    for accuracy in [1e-5, 1e-8, 1e-9, 1e-11] {
+    for accuracy in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-11] {
         let case = Case {
             start: Some(vec![0.1560571808, 0.3808364199, 0.0, 0.0]),
             period: Some(TAU / beside.omega),
@@ -134,29 +138,6 @@ fn a_branch_keeps_its_symmetry_beside_one_that_has_lost_it() {
     }
 }
 
-model! {
-    /// Three masses in a row between walls, each rubbing on one belt: nondimensional.
-    struct Row {
-        state x[3] = 0.1;
-        state v[3] = 0.0;
-        param k = 1.146_694_827_260_293_3 where k > 0.0;
-        param belt = 0.083_970_762_645_534_55;
-        param limit = 0.948_037_569_634_431_6 where limit >= 0.0;
-        param decay = 0.972_140_851_939_593_3 where decay >= 0.0;
-        param second = 0.62 where second > 0.0;
-        param third = 0.715_123_918_221_198_1 where third > 0.0;
-        friction F[0] = Weakening { limit, decay } opposing v[0] - belt;
-        friction F[1] = Weakening { limit: limit * second, decay } opposing v[1] - belt;
-        friction F[2] = Weakening { limit: limit * third, decay } opposing v[2] - belt;
-        for i in 0..3 {
-            der(x[i]) = v[i];
-        }
-        der(v[0]) = F[0] - k * (2 * x[0] - x[1]);
-        der(v[1]) = F[1] - k * (2 * x[1] - x[0] - x[2]);
-        der(v[2]) = F[2] - k * (2 * x[2] - x[1]);
-    }
-}
-
 /// While all three ride on the belt, what holds the middle one does not change. Where it has come to its limit just as the first
 /// one comes to rest, it lets go before that or long after: r turns there at once, and no orbit is found at the border itself.
 /// It lies where both legs meet, as far as the error says, from whichever of them it is come to.
@@ -189,7 +170,12 @@ fn a_corner_lies_where_both_legs_meet() {
     for accuracy in [1e-8, 1e-9, 1e-10, 1e-11] {
         for (second, period, start) in [late, early] {
             let row = Row {
+                k: 1.146_694_827_260_293_3,
+                v_dr: 0.083_970_762_645_534_55,
+                limit: 0.948_037_569_634_431_6,
+                decay: 0.972_140_851_939_593_3,
                 second,
+                third: 0.715_123_918_221_198_1,
                 ..Row::default()
             };
             let case = Case {
@@ -213,5 +199,32 @@ fn a_corner_lies_where_both_legs_meet() {
             assert!(off <= error, "{off:e} beyond {error:e} at {accuracy:e}");
             assert!(error <= 1e-9 + accuracy, "{error:e} at {accuracy:e}");
         }
+    }
+}
+
+/// A multiplier jumps past −1 where an orbit begins to stick: one that goes around twice meets it there, and in no flip beside.
+#[test]
+fn both_halves_become_one_where_a_multiplier_jumps() {
+    let given = [
+        (ForcedBelt::k, 1.636_137_950_292_862_6),
+        (ForcedBelt::v_dr, 0.937_972_756_322_390_7),
+        (ForcedBelt::load, 1.215_043_432_988_217),
+        (ForcedBelt::omega, 0.581_260_349_222_660_1),
+        (ForcedBelt::F_s, 1.285_352_412_723_217),
+        (ForcedBelt::delta, 0.546_558_548_825_322_5),
+    ];
+    let range = (1.627_933_861_771_606_1, 2.833_476_485_124_183_6);
+    for accuracy in [1e-8, 4e-9, 2.182_131_376_280_945_2e-9, 1e-9] {
+        let found = branch(&given, ForcedBelt::m, range, |case| {
+            case.accuracy = accuracy
+        });
+        let last = found.special.last().expect("where they meet");
+        assert_eq!(last.kind, Kind::GrazingSliding, "{accuracy:e}");
+        // At 1e-10 and 1e-11.
+        let off = (last.r - 1.628_796_665_579_2).abs();
+        assert!(
+            off <= last.error.expect("an error"),
+            "{accuracy:e}: {off:e}"
+        );
     }
 }
