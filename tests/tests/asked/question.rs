@@ -12,7 +12,7 @@ use stickslip_tests::row::Row;
 use crate::answer::Answer;
 
 /// Points after which a branch is left.
-const MOST: usize = 400;
+const MOST: usize = 600;
 const ACCURACY: f64 = 1e-9;
 
 /// A branch that is asked for.

@@ -176,7 +176,6 @@ fn a_corner_lies_where_both_legs_meet() {
                 decay: 0.972_140_851_939_593_3,
                 second,
                 third: 0.715_123_918_221_198_1,
-                ..Row::default()
             };
             let case = Case {
                 start: Some(start.to_vec()),
