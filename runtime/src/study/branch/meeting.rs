@@ -89,17 +89,21 @@ fn flips(sought: &Sought<'_>, r: f64, orbit: &Orbit) -> Option<Flip> {
             let sharper = at(r, &orbit, AGAIN)?;
             let off = (test(&sharper) / slope).abs();
             let error = DOUBT * off + SETTLED * accuracy * r.abs();
-            // Where a multiplier jumps past −1, secants settle as well.
             let beside = |way: f64| Some(test(&at(r + way, &orbit, 1.0)?));
-            let grows = |way: f64| {
-                let [half, whole] = [beside(0.5 * way)?, beside(way)?];
-                Some((whole - 2.0 * half).abs() <= 0.5 * whole.abs())
-            };
             let way = (WAY * accuracy).clamp(STEP, NEAR) * r.abs();
-            let passes = [way, -way].map(grows).contains(&Some(true));
-            return passes.then_some(Flip { r, error, orbit });
+            return passes(beside, way).then_some(Flip { r, error, orbit });
         }
         (last, next) = ((next, value), r);
     }
     None
+}
+
+/// Whether what is zero at a place grows with the distance from it, to one side at least: where a multiplier jumps past −1, secants
+/// settle as well, and it does not.
+fn passes(beside: impl Fn(f64) -> Option<f64>, way: f64) -> bool {
+    let grows = |way: f64| {
+        let [half, whole] = [beside(0.5 * way)?, beside(way)?];
+        Some((whole - 2.0 * half).abs() <= 0.5 * whole.abs())
+    };
+    [way, -way].into_iter().any(|way| grows(way) == Some(true))
 }
