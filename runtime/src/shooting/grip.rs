@@ -12,8 +12,9 @@ use crate::field::exact::Mode;
 use crate::flow::FlowError;
 use crate::motion::{Flow, Place};
 
-/// A pinned orbit that closes no better than this is none.
+/// A pinned orbit that closes no better than this is none; or than this over the accuracy, where that is loose.
 const CLOSED: f64 = 1e-5;
+const UNCLOSED: f64 = 100.0;
 /// What is conserved changes by no more than this, over its usual magnitude.
 const ROUNDING: f64 = 1e-13;
 /// Relative change of the period up to which an orbit is that to which a branch comes where a contact begins to slide, or
@@ -32,6 +33,11 @@ impl Shot {
 }
 
 impl OrbitProblem {
+    /// Takes pinned orbits for closed that are to this accuracy.
+    pub(super) fn close_to(&mut self, accuracy: f64) {
+        self.closes = UNCLOSED * accuracy;
+    }
+
     /// Takes what holds one more orbit of a branch; it is refused where that is held no more.
     ///
     /// # Errors
@@ -43,7 +49,7 @@ impl OrbitProblem {
             return Err(FlowError::LetsGo);
         }
         let closure = shot.closure;
-        if !self.pins.is_empty() && closure > CLOSED {
+        if !self.pins.is_empty() && closure > self.closes.max(CLOSED) {
             return Err(FlowError::Unpinned { closure });
         }
         // What has let go of a pin may move it later only.

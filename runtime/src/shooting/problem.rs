@@ -48,6 +48,8 @@ pub struct OrbitProblem {
     size: Option<Size>,
     /// The contacts that stuck all along it.
     pub(super) held: Vec<usize>,
+    /// How far a pinned orbit may be from closing where it is known to little.
+    pub(super) closes: f64,
 }
 
 impl OrbitProblem {
@@ -76,6 +78,7 @@ impl OrbitProblem {
             crawl: Crawl::default(),
             size: None,
             held: Vec::new(),
+            closes: 0.0,
         }
     }
 
