@@ -211,6 +211,15 @@ impl<R: Reader> Walk<'_, R> {
         self.note(findings, round, point)
     }
 
+    /// Where the branch was last as sure of its directions as at this point, if it has not been since: what passes may have
+    /// passed all along from there.
+    fn unsure_since(&self, point: &R::Point) -> Option<f64> {
+        let unsure = |one: &&R::Point| one.marginal() > point.marginal();
+        self.points.last().filter(unsure)?;
+        let sure = self.points.iter().rev().find(|one| !unsure(one));
+        sure.map(Watched::r)
+    }
+
     /// Keeps what was found on a step to this point, unless that has left the branch there.
     fn note(
         &mut self,
@@ -220,9 +229,13 @@ impl<R: Reader> Walk<'_, R> {
     ) -> Verdict<R::Point, ErrorOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
         let (after, before) = (self.points.len(), self.points.last());
+        let unsure = self.unsure_since(point);
         let left = |found: &mut Located<R::Point>| {
             found.after = after;
             reader.refine(&branch.problem, found);
+            if let (Some(r), Some(2)) = (unsure, found.kind.jump()) {
+                found.error = found.error.max((found.r - r).abs());
+            }
             before.is_some_and(|before| reader.leaves(&branch.problem, found, [before, &*point]))
         };
         let left = findings

@@ -155,7 +155,9 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     ) -> Result<Spot<Q::Point>, Q::Error> {
         let mut divided = |part: f64| {
             let share = from.share + part * (to.share - from.share);
-            let point = self.path.at(share)?;
+            let mut point = self.path.at(share)?;
+            // What is marginal there has the sign with which it came, or nothing would pass.
+            point.inherit(&from.point);
             Ok(Spot { share, point })
         };
         let [first, second] = MIDDLES;
