@@ -196,7 +196,7 @@ fn a_corner_lies_where_both_legs_meet() {
             let off = (corner.r - 0.621_960_558_53).abs();
             let error = corner.error.unwrap();
             assert!(off <= error, "{off:e} beyond {error:e} at {accuracy:e}");
-            assert!(error <= 1e-9 + accuracy, "{error:e} at {accuracy:e}");
+            assert!(error <= 1e-9 + 3.0 * accuracy, "{error:e} at {accuracy:e}");
         }
     }
 }

@@ -20,6 +20,8 @@ const MIDDLES: [f64; 2] = [0.5, 0.4];
 const HALVINGS: u32 = 12;
 /// Divisions of a step up to which each part of it is looked at in its middle.
 const GLANCES: u32 = 3;
+/// Sides of a change of regime, from each of which an orbit that is known to the accuracy comes to it.
+const SIDES: f64 = 2.0;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
 const ONE_CHANGE: f64 = 30.0;
 
@@ -202,8 +204,9 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                     let kind = self.path.name([&before.point, &after.point]);
                     // Where the branch turns at once, neither end need be near it.
                     let corner = self.path.corner([before.share, after.share]);
-                    let at = corner.map(|(r, error)| (r, DOUBT * error + accuracy * r.abs()));
-                    (kind, before, at.unwrap_or_else(|| found.within(accuracy)))
+                    let least = DOUBT * SIDES * accuracy;
+                    let at = corner.map(|(r, error)| (r, DOUBT * error + least * r.abs()));
+                    (kind, before, at.unwrap_or_else(|| found.within(least)))
                 }
             };
             self.located.push(Located {
