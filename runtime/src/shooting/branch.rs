@@ -19,11 +19,12 @@ use super::shrunk::shrunk;
 use super::slip::lets_go;
 use super::sought::Search;
 use super::stray::walks_back;
+use super::symmetry::SURE;
 use super::vertical::stands_still;
 use crate::bifurcation::{Kind, explain, falls, monitors};
 use crate::continuation::{
     Beyond, Border, Branch, Crossing, Ending, Failure, Located, Monitor, Point, Reader, Reading,
-    Settings, Started, ZeroProblem,
+    Settings, Started, Watched, ZeroProblem,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -32,6 +33,8 @@ use crate::motion::Family;
 
 /// A branch whose period has grown this many times has none in the end.
 const ENDLESS: f64 = 1e6;
+/// How far the halves of an orbit that has a symmetry may be apart for its errors, over the accuracy.
+const ERRORS: f64 = 10.0;
 
 /// Periodic orbits along r; an iterator over them.
 pub type OrbitBranch = Reading<Orbits>;
@@ -153,10 +156,15 @@ impl Reader for Orbits {
     }
 
     /// A shorter orbit, gone around several times: the step went past where the branch meets that of the shorter one. Or one
-    /// of those that it came by before it turned.
+    /// of those that it came by before it turned, or one that has lost a symmetry at a border, from which those that keep it go on
+    /// as well.
     fn strays(&self, problem: &OrbitProblem, orbits: &[Orbit], orbit: &Orbit) -> bool {
-        let back = || walks_back(&problem.family, orbits, orbit, self.accuracy);
-        orbit.repeats(SAME_ORBIT) || back()
+        let family = &problem.family;
+        let errors = ERRORS * self.accuracy;
+        let lost =
+            |last: &Orbit| !orbit.seems_in_regime_of(last) && orbit.has_lost(family, last, errors);
+        let back = || walks_back(family, orbits, orbit, self.accuracy);
+        orbit.repeats(SAME_ORBIT) || orbits.last().is_some_and(lost) || back()
     }
 
     /// Orbits without the symmetry that those before have, beyond where others lose it.
@@ -167,7 +175,7 @@ impl Reader for Orbits {
             _ => None,
         };
         lost.is_some_and(|lost| {
-            let [before, beyond] = ends.map(|orbit| orbit.keeps(family, &lost));
+            let [before, beyond] = ends.map(|orbit| orbit.keeps(family, &lost, SURE));
             before == Some(true) && beyond == Some(false)
         })
     }

@@ -23,7 +23,7 @@ const ROUNDING: f64 = 1e-11;
 /// root of what the rest is, or lies beside the point itself on the branch that has lost the symmetry.
 const CLOSE: f64 = 1e-2;
 /// And to this one for sure: one beside a branch point where it is lost differs by more.
-const SURE: f64 = 1e-7;
+pub(super) const SURE: f64 = 1e-7;
 
 /// A symmetry of order two: states change signs and places in pairs, and the phase of a drive moves by half a turn.
 #[derive(Debug, Clone, PartialEq)]
@@ -175,17 +175,44 @@ impl Orbit {
         self.symmetries(flow, candidates).into_iter().next()
     }
 
-    /// Whether this symmetry leaves it as it is, at once or after half its period; `None` if it cannot be gone around.
+    /// Whether it has lost the symmetry that an orbit before it has after half its period, by more than these errors.
+    pub(super) fn has_lost(&self, family: &Family, before: &Self, errors: f64) -> bool {
+        if !self.pins.is_empty() || !before.pins.is_empty() {
+            // What is held may be held anywhere.
+            return false;
+        }
+        let flow = family.at(before.r).ok();
+        let Some(symmetry) = flow.and_then(|flow| before.mirrored(flow.as_ref())) else {
+            return false;
+        };
+        let image = || self.image_returns(family, &symmetry, errors);
+        let halves = (symmetry.clone(), true);
+        self.keeps(family, &halves, errors) == Some(false) && image() == Some(true)
+    }
+
+    /// Whether its image is an orbit as well: where a wall that it meets stands on one side only, it is none, and the field has a
+    /// symmetry only as far as orbits do not meet that. `None` if it cannot be gone around.
+    fn image_returns(&self, family: &Family, symmetry: &Symmetry, errors: f64) -> Option<bool> {
+        let flow = family.at(self.r).ok()?;
+        let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
+        let image = flow.place(&symmetry.of(&begin.state)).ok()?;
+        let back = flow.advance(&image, self.period, Want::default()).ok()?;
+        Some(self.are_one(&image.state, &back.end.state, flow.phase(), errors))
+    }
+
+    /// Whether this symmetry leaves it as it is but for these errors, at once or after half its period; `None` if it cannot be gone
+    /// around.
     pub(super) fn keeps(
         &self,
         family: &Family,
         (symmetry, halfway): &(Symmetry, bool),
+        errors: f64,
     ) -> Option<bool> {
         let flow = family.at(self.r).ok()?;
         let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
         let time = if *halfway { 0.5 * self.period } else { 0.0 };
         let met = flow.advance(begin, time, Want::default()).ok()?.end.state;
-        Some(self.are_one(&symmetry.of(&begin.state), &met, flow.phase(), SURE))
+        Some(self.are_one(&symmetry.of(&begin.state), &met, flow.phase(), errors))
     }
 
     /// Those of the candidates that are symmetries of the field.

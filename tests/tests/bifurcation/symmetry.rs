@@ -5,6 +5,8 @@ use std::f64::consts::TAU;
 use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, System};
+use stickslip_models::friction::Coulomb;
+use stickslip_models::press::Compliant;
 
 model! {
     /// A driven pendulum: x ↦ −x after half a turn of the drive.
@@ -16,6 +18,35 @@ model! {
         drive phi at omega;
         der(x) = v;
         der(v) = load * cos(phi) - sin(x) - 0.5 * v;
+    }
+}
+
+model! {
+    /// A mass with an absorber that rubs, and swings between two stops.
+    struct Absorber {
+        state x: m = 0.0;
+        state v: m/s = 0.0;
+        state d: m = 0.0;
+        state w: m/s = 0.0;
+        param m: kg = 1.0 where m > 0.0;
+        param k: N/m = 100.0 where k > 0.0;
+        param c: N*s/m = 0.2 where c >= 0.0;
+        param small: kg = 0.05 where small > 0.0;
+        param ka: N/m = 4.5 where ka > 0.0;
+        param gap: m = 0.05 where gap > 0.0;
+        param stop: N/m = 2000.0 where stop > 0.0;
+        param loss: N*s/m = 1.0 where loss >= 0.0;
+        param mu: N = 0.05 where mu >= 0.0;
+        param force: N = 0.5;
+        param omega: rad/s = 8.0 where omega > 0.0;
+        drive phi at omega;
+        friction F: N = Coulomb { level: mu } opposing w;
+        press A: N = Compliant { stiffness: stop, damping: loss } closing gap - d;
+        press B: N = Compliant { stiffness: stop, damping: loss } closing gap + d;
+        der(x) = v;
+        der(v) = (force * cos(phi) - k * x - c * v + ka * d - F + A - B) / m;
+        der(d) = w;
+        der(w) = (-ka * d + F - A + B) / small - (force * cos(phi) - k * x - c * v + ka * d - F + A - B) / m;
     }
 }
 
@@ -69,6 +100,58 @@ fn a_branch_begins_where_the_symmetry_is_lost() {
         for (k, point) in branch.points.iter().enumerate() {
             let lean = (point.max[0] + point.min[0]) / point.max[0];
             assert!(lean.abs() < 1e-6, "{lean:e} at {}", r(k));
+        }
+    }
+}
+
+/// At borders that orbits meet on both sides at once, others begin that have lost their symmetry, and come back the other way
+/// round: the branch stays with those that keep it. A pair of multipliers that is on the circle as far as their errors tell,
+/// in the middle of a step or for several points, has passed it when it has left it.
+#[test]
+fn a_symmetric_branch_keeps_its_symmetry_at_borders() {
+    use Kind::{
+        CrossingSliding, Fold, GrazingSliding, SwitchingSliding, SymmetryBreaking, Torus,
+        VanishingSegment,
+    };
+    // At 1e-10.
+    let known = [
+        (VanishingSegment, 8.033_800_56),
+        (CrossingSliding, 8.290_408_314),
+        (VanishingSegment, 8.394_842_21),
+        (SymmetryBreaking, 8.394_923_073),
+        (SymmetryBreaking, 9.077_383_870),
+        (SymmetryBreaking, 9.421_204_257),
+        (GrazingSliding, 9.500_771_604),
+        (SwitchingSliding, 9.508_447_606),
+        (CrossingSliding, 9.527_487_488),
+        (SymmetryBreaking, 9.630_982_652),
+        (SymmetryBreaking, 9.853_779_918),
+        (CrossingSliding, 9.879_534_220),
+        (SwitchingSliding, 9.888_464_330),
+        (GrazingSliding, 9.891_845_279),
+        (SymmetryBreaking, 10.029_027_09),
+        (Torus, 11.146_821_34),
+        (Fold, 11.965_479_95),
+        (Torus, 11.950_727_24),
+        (VanishingSegment, 11.496_352_5),
+        (CrossingSliding, 12.050_347_26),
+        (VanishingSegment, 13.481_299_6),
+    ];
+    for accuracy in [1e-8, 1e-9] {
+        let absorber = Absorber {
+            omega: 6.0,
+            ..Absorber::default()
+        };
+        let mut case = Case::of(&absorber).following(Absorber::omega, 6.0..14.0);
+        case.accuracy = accuracy;
+        let branch = System::of::<Absorber, _>().branch(&case).unwrap();
+        let reason = &branch.ended.reason;
+        assert_eq!(branch.ended.word(), "reached-end", "{reason}");
+        let kinds: Vec<Kind> = branch.special.iter().map(|one| one.kind).collect();
+        assert_eq!(kinds, known.map(|(kind, _)| kind), "at {accuracy:e}");
+        for (found, (kind, r)) in branch.special.iter().zip(known) {
+            let (off, error) = ((found.r - r).abs(), found.error.unwrap());
+            assert!(off <= error + 1e-7, "{kind:?} {off:e} {error:e}");
         }
     }
 }
