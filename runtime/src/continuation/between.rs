@@ -33,6 +33,11 @@ impl<R: Reader> Between<R> {
         })
     }
 
+    /// Whether the branch goes another way from end to end, as far as is known.
+    pub(super) fn leapt(&self) -> bool {
+        self.link.leapt()
+    }
+
     /// Work of all points found on it.
     pub(super) fn work(&self) -> Work {
         R::work(&self.link.problem).since(&self.counted)

@@ -12,6 +12,9 @@ use crate::linear::solved;
 const OFF: f64 = 0.5;
 /// Distance from the branch, relative to the length of the step, up to which a point beside it tells about that on it.
 const BESIDE: f64 = 0.01;
+/// Distance of the cubic from the branch, relative to the length of the step, beyond which the step may have leapt from one leg
+/// of a bend to another.
+const LEAPT: f64 = 0.05;
 /// Corrections below this are rounding errors.
 const FINEST: f64 = 1e-14;
 
@@ -32,6 +35,8 @@ pub struct Link<P> {
     accuracy: f64,
     /// Share of the accuracy to which points between are found.
     share: f64,
+    /// The largest distance of the cubic from the branch that was met, relative to the length of the step.
+    off: f64,
 }
 
 /// A point, and the tangent of the branch there.
@@ -68,6 +73,7 @@ impl<P: ZeroProblem> Link<P> {
             r_scale,
             accuracy,
             share: 1.0,
+            off: 0.0,
         }
     }
 
@@ -127,7 +133,9 @@ impl<P: ZeroProblem> Link<P> {
     pub(super) fn glance(&mut self, share: f64) -> Option<Point<P::Extra>> {
         let [(z, r), (dz, dr)] = self.on_cubic(share)?;
         let at = self.problem.evaluate(&z, r).ok()?;
-        if self.off(&at)? > BESIDE * self.length {
+        let off = self.off(&at)? / self.length;
+        self.off = self.off.max(off);
+        if off > BESIDE {
             return self.across((z, r), &self.chord.clone()).ok();
         }
         let tangent = scaled(&self.problem.scale(), self.r_scale, &dz, dr);
@@ -140,6 +148,11 @@ impl<P: ZeroProblem> Link<P> {
             z,
             r,
         })
+    }
+
+    /// Whether it has hardly gone along the branch, as far as its points between tell that were glanced at.
+    pub(super) fn leapt(&self) -> bool {
+        self.off > LEAPT
     }
 
     /// How far a point is from the branch, to first order, across the chord.

@@ -181,7 +181,7 @@ impl<R: Reader> Walk<'_, R> {
         let turns = R::TURNS_AT_FOLDS && !corner && findings.turns_unseen(ends);
         let link = self.followed.branch.link();
         let short = link.is_some_and(|link| link.length() <= SHORT);
-        let bends = !short && findings.bends(point);
+        let bends = !short && (findings.bends(point) || path.leapt());
         if !findings.unexplained.is_empty() || findings.runs_back(point) || turns || bends {
             // Beyond a border, what was found need not be the same motion any more.
             let crossing = if short { self.crossing() } else { None };
@@ -213,7 +213,7 @@ impl<R: Reader> Walk<'_, R> {
 
     /// Where the branch was last as sure of its directions as at this point, if it has not been since: what passes may have
     /// passed all along from there.
-    fn unsure_since(&self, point: &R::Point) -> Option<f64> {
+    fn sure_until(&self, point: &R::Point) -> Option<f64> {
         let unsure = |one: &&R::Point| one.marginal() > point.marginal();
         self.points.last().filter(unsure)?;
         let sure = self.points.iter().rev().find(|one| !unsure(one));
@@ -229,7 +229,7 @@ impl<R: Reader> Walk<'_, R> {
     ) -> Verdict<R::Point, ErrorOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
         let (after, before) = (self.points.len(), self.points.last());
-        let unsure = self.unsure_since(point);
+        let unsure = self.sure_until(point);
         let left = |found: &mut Located<R::Point>| {
             found.after = after;
             reader.refine(&branch.problem, found);

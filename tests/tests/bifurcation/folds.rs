@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
 use stickslip::study::{Case, Dynamics, OrbitRecord, Special, System};
+use stickslip_models::BeltPair;
 use stickslip_models::friction::{Coulomb, Tustin, Weakening};
 use stickslip_models::press::Hertz;
 
@@ -157,4 +158,38 @@ fn digits_of_a_multiplier_that_are_noise_are_no_bifurcations() {
     let largest = |one: &OrbitRecord| one.floquet.multipliers[0].norm();
     let most = found.points.iter().map(largest).fold(0.0, f64::max);
     assert!(most > 1e13, "{most:e}");
+}
+
+/// A long step may lead from the first leg of an S to the last one: both are as unstable, and neither fold showed.
+#[test]
+fn no_step_leaps_over_an_s() {
+    let given = [
+        (BeltPair::alpha, 2.327_477_562_565_064),
+        (BeltPair::beta, 2.776_959_233_866_162_6),
+        (BeltPair::gamma, 1.338_983_798_756_980_4),
+    ];
+    let range = (0.113_770_007_722_753_46, 0.226_980_820_056_865_26);
+    let found = branch(&given, BeltPair::v_dr, range, |case| {
+        case.start = Some(vec![
+            -0.273_688_043_1,
+            0.0,
+            0.156_525_373_8,
+            -0.465_033_336_7,
+        ]);
+        case.period = Some(43.240_760);
+    });
+    let known = [
+        ("VS1", 0.131_800_1),
+        ("LP1", 0.166_977_634),
+        ("PD1", 0.166_747_504),
+        ("PD2", 0.133_564_948),
+        ("LP2", 0.133_427_566_4),
+        ("LP3", 0.143_015_131_9),
+        ("PD3", 0.142_914_513_2),
+    ];
+    let told = named(&found);
+    assert_eq!(told.len(), known.len(), "{told:?}");
+    for ((name, r), (special, known)) in told.iter().zip(known) {
+        assert!(*name == special && (r - known).abs() < 1e-7, "{told:?}");
+    }
 }
