@@ -41,8 +41,8 @@ pub struct OrbitProblem {
     pub(super) modes: Vec<Modes>,
     pub(super) shares: Vec<f64>,
     largest: Vec<f64>,
-    /// States of the last accepted orbit at which it could begin as well.
-    others: Vec<Vec<f64>>,
+    /// States and modes of the last accepted orbit in which it could begin as well.
+    others: Vec<(Vec<f64>, Modes)>,
     crawl: Crawl,
     /// How large the last accepted orbit was.
     size: Option<Size>,
@@ -224,8 +224,7 @@ impl ZeroProblem for OrbitProblem {
         if matches!(self.phase, Phase::Section(_)) {
             return Ok(None);
         }
-        let scale = self.scale();
-        let crawls = self.crawl.reaches(z, &scale);
+        let crawls = self.crawl.reaches(z, &self.scale());
         self.others = shot.turns();
         let start = self.start(z, 0);
         let calmer = self.calmer(r, shot)?;
@@ -259,8 +258,8 @@ impl ZeroProblem for OrbitProblem {
         {
             return Some(self.divide(&division));
         }
-        let state = self.others.get(trial)?;
-        let place = flow.place(state).ok()?;
+        let (state, modes) = self.others.get(trial)?;
+        let place = Place::known(flow.as_ref(), state, Some(modes)).ok()?;
         let velocity = flow.velocity(&place).ok()?.f;
         self.phase = Phase::floating(flow.phase(), state.clone(), &velocity, &self.magnitude);
         Some(self.divide(&Division::whole(place)))

@@ -8,8 +8,8 @@ use super::division::Division;
 use super::pin::Pin;
 use crate::flow::{Determinant, FlowError};
 use crate::motion::{
-    Event, Factor, Flow, Modes, Passage, Place, Segment as Stretch, Velocity, half_extents,
-    is_still,
+    Event, Extremum, Factor, Flow, Modes, Passage, Place, Segment as Stretch, Velocity,
+    half_extents, is_still,
 };
 
 /// Whether two times are the same instant of a period.
@@ -87,20 +87,29 @@ fn level(sizes: &mut [f64], direction: &[f64]) {
 
 /// Most places at which an orbit is begun anew.
 const OTHERS: usize = 4;
+/// How far from where contacts switch, over the period.
+const CLEAR: f64 = 1e-3;
 
 impl Shot {
-    /// States in which the first state is least or greatest, spread over the motion; none where it is
-    /// divided into segments.
-    pub(super) fn turns(&self) -> Vec<Vec<f64>> {
+    /// States and modes in which the motion may begin as well: where the first state is least or greatest, or where others are, but
+    /// not where contacts switch, at which rounding would tell its modes; none where it is divided into segments.
+    pub(super) fn turns(&self) -> Vec<(Vec<f64>, Modes)> {
         let [passage] = self.passages.as_slice() else {
             return Vec::new();
         };
-        let turns = |maximum: bool| {
-            let found = passage.extrema.iter();
-            let found = found.filter(move |e| e.index == 0 && e.maximum == maximum);
-            found.map(|e| e.state.clone()).take(OTHERS / 2)
+        let calm = || {
+            let turns = passage.extrema.iter();
+            turns.filter(|turn| !self.switches_near(turn.time, CLEAR))
         };
-        turns(false).chain(turns(true)).collect()
+        let first = |maximum| calm().filter(move |turn| turn.index == 0 && turn.maximum == maximum);
+        let [low, high] = [false, true].map(|maximum| first(maximum).take(OTHERS / 2));
+        let other = calm().filter(|turn| turn.index != 0);
+        let turns = low.chain(high).chain(other).take(OTHERS);
+        let place = |turn: &Extremum| {
+            let modes = passage.modes_within(turn.time)?;
+            Some((turn.state.clone(), modes.clone()))
+        };
+        turns.filter_map(place).collect()
     }
 
     /// Whether it runs through the same modes by the same impacts.

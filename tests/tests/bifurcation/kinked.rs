@@ -192,8 +192,8 @@ fn a_corner_lies_where_both_legs_meet() {
                 panic!("{:?}", branch.special)
             };
             assert_eq!(corner.kind, Kind::VanishingSegment);
-            // Both legs at 1e-11, and at 1e-12.
-            let off = (corner.r - 0.621_960_558_53).abs();
+            // From seven starts at 1e-11 and 1e-12: all within 4e-13.
+            let off = (corner.r - 0.621_960_558_473_6).abs();
             let error = corner.error.unwrap();
             assert!(off <= error, "{off:e} beyond {error:e} at {accuracy:e}");
             assert!(error <= 1e-9 + 3.0 * accuracy, "{error:e} at {accuracy:e}");

@@ -23,6 +23,7 @@ mod mirrored;
 mod onset;
 mod orbits;
 mod scales;
+mod starts;
 mod still;
 mod symmetry;
 mod unstable;
