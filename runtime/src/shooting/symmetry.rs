@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use super::orbit::Orbit;
 use crate::flow::{FlowError, Want};
 use crate::linear::eigenvalues;
-use crate::motion::{Family, Flow};
+use crate::motion::{Family, Flow, Place};
 
 /// Systems of more states are asked for changes of sign only: exchanges of states become too many.
 const EXCHANGED: usize = 6;
@@ -167,7 +167,7 @@ impl Orbit {
 
     /// The symmetry that the orbit has after half its period, if it has one.
     pub(super) fn mirrored(&self, flow: &dyn Flow) -> Option<Symmetry> {
-        let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
+        let begin = self.begins();
         let half = flow.advance(begin, 0.5 * self.period, Want::default());
         let (half, drive) = (half.ok()?.end.state, flow.phase());
         let mut candidates = Symmetry::all(flow.order(), drive);
@@ -185,17 +185,16 @@ impl Orbit {
         let Some(symmetry) = flow.and_then(|flow| before.mirrored(flow.as_ref())) else {
             return false;
         };
-        let image = || self.image_returns(family, &symmetry, errors);
-        let halves = (symmetry.clone(), true);
-        self.keeps(family, &halves, errors) == Some(false) && image() == Some(true)
+        let halves = (symmetry, true);
+        self.keeps(family, &halves, errors) == Some(false)
+            && self.image_returns(family, &halves.0, errors) == Some(true)
     }
 
     /// Whether its image is an orbit as well: where a wall that it meets stands on one side only, it is none, and the field has a
     /// symmetry only as far as orbits do not meet that. `None` if it cannot be gone around.
     fn image_returns(&self, family: &Family, symmetry: &Symmetry, errors: f64) -> Option<bool> {
         let flow = family.at(self.r).ok()?;
-        let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
-        let image = flow.place(&symmetry.of(&begin.state)).ok()?;
+        let image = flow.place(&symmetry.of(&self.begins().state)).ok()?;
         let back = flow.advance(&image, self.period, Want::default()).ok()?;
         Some(self.are_one(&image.state, &back.end.state, flow.phase(), errors))
     }
@@ -209,10 +208,15 @@ impl Orbit {
         errors: f64,
     ) -> Option<bool> {
         let flow = family.at(self.r).ok()?;
-        let begin = self.calm.as_ref().unwrap_or(&self.heading.start);
+        let begin = self.begins();
         let time = if *halfway { 0.5 * self.period } else { 0.0 };
         let met = flow.advance(begin, time, Want::default()).ok()?.end.state;
         Some(self.are_one(&symmetry.of(&begin.state), &met, flow.phase(), errors))
+    }
+
+    /// Where it is gone around from: away from events, if there is such a place.
+    fn begins(&self) -> &Place {
+        self.calm.as_ref().unwrap_or(&self.heading.start)
     }
 
     /// Those of the candidates that are symmetries of the field.
