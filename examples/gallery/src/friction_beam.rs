@@ -208,6 +208,13 @@ mod tests {
         }
     }
 
+    /// What the contact has to bear where it holds.
+    fn bears(model: &FrictionBeam, omega: f64) -> f64 {
+        let [contact, tip] = receptances(&matrices(), omega);
+        let share = over(tip, contact);
+        model.push * share[0].hypot(share[1])
+    }
+
     /// While the contact holds, the response of the tip is that of the whole beam with its fourth node held; where friction
     /// can bear no more is a closed form, too.
     #[test]
@@ -217,14 +224,44 @@ mod tests {
                 omega,
                 ..FrictionBeam::default()
             };
-            let [contact, tip] = receptances(&matrices(), omega);
-            let share = over(tip, contact);
-            let bears = model.push * share[0].hypot(share[1]);
+            let bears = bears(&model, omega);
             assert_eq!(bears < model.limit, holds, "{omega}: {bears}");
             let (system, case) = case(&model);
             let orbit = system.orbit(&case).unwrap();
             let stuck = orbit.word.as_deref() == Some("stick(F)");
             assert_eq!(stuck, holds, "{omega}: {:?}", orbit.word);
+        }
+    }
+
+    /// From where the contact holds, a response goes on to where it slides: at first for moments, which shake the higher modes.
+    #[test]
+    fn a_response_goes_on_where_the_contact_lets_go() {
+        let model = FrictionBeam {
+            omega: 330.0,
+            ..FrictionBeam::default()
+        };
+        let (mut holds, mut slides) = (330.0, 310.0);
+        while holds - slides > 1e-9 {
+            let middle = f64::midpoint(holds, slides);
+            match bears(&model, middle) < model.limit {
+                true => holds = middle,
+                false => slides = middle,
+            }
+        }
+        let (system, case) = case(&model);
+        let branch = system.branch(&case.following(FrictionBeam::omega, 330.0..316.0));
+        let branch = branch.unwrap();
+        assert_eq!(branch.ended.word(), "reached-end");
+        let found = branch.special.first().expect("where it lets go");
+        close(found.r, holds, 0.1, "where it lets go");
+        let model = FrictionBeam {
+            omega: 316.0,
+            ..model
+        };
+        let (system, case) = self::case(&model);
+        let (last, settled) = (&branch.points.last().unwrap(), system.orbit(&case).unwrap());
+        for (found, known) in last.max_abs.iter().zip(&settled.max_abs).take(14) {
+            close(*found, *known, 1e-6 * known, "size");
         }
     }
 }

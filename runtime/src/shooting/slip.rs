@@ -18,6 +18,8 @@ use crate::motion::Family;
 
 /// By what share of the most that a contact can bear it is asked for more where sliding orbits are looked for.
 const BEYOND: [f64; 3] = [1e-2, 1e-3, 1e-1];
+/// Periods after which shooting begins: where sliding sets off what hardly moved before, most of that dies away first.
+const LATER: [f64; 3] = [0.0, 4.0, 32.0];
 /// Relative change of r by which orbits are apart from which a slope is taken.
 const APART: f64 = 1e-4;
 
@@ -117,14 +119,18 @@ fn sliding(
         .ok()?
         .end;
     let flow = family.at(r).ok()?;
-    let guess = Guess {
-        period: once(flow.as_ref(), &place, from.period)?,
-        place,
-        pins: Vec::new(),
-        division: None,
-        ..from.guess()
-    };
-    let found = converge(family, r, &guess, search).ok()?;
-    let slips = slides(&found, contact) > 0.0 && found.pins.len() < from.pins.len();
-    (slips && reaches(&found, guess.period)).then_some(found)
+    let period = once(flow.as_ref(), &place, from.period)?;
+    LATER.iter().find_map(|periods| {
+        let passage = flow.advance(&place, periods * period, Want::default());
+        let guess = Guess {
+            period,
+            place: passage.ok()?.end,
+            pins: Vec::new(),
+            division: None,
+            ..from.guess()
+        };
+        let found = converge(family, r, &guess, search).ok()?;
+        let slips = slides(&found, contact) > 0.0 && found.pins.len() < from.pins.len();
+        (slips && reaches(&found, period)).then_some(found)
+    })
 }
