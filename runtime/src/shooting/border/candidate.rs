@@ -7,9 +7,6 @@ use crate::flow::{EventKind, FlowError};
 use crate::motion::{Event, Flow, Modes, Place};
 use crate::shooting::Orbit;
 
-/// A stretch of this share of the period is none.
-pub(super) const BRIEF: f64 = 1e-3;
-
 /// Share of a margin by which it differs from itself for rounding.
 const SAME: f64 = 1e-9;
 

@@ -19,6 +19,7 @@ mod nears;
 mod once;
 mod passing;
 mod problem;
+mod rising;
 mod runs;
 mod sheet;
 mod sides;

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::candidate::{BRIEF, Border, Condition};
+use super::candidate::{Border, Condition};
 use super::runs::Runs;
 use super::sheet::Sheet;
 use crate::continuation::{Linearisation, ZeroProblem};
@@ -167,11 +167,8 @@ impl<S: Sheet> BorderProblem<S> {
         period: f64,
     ) -> Result<(bool, f64), FlowError> {
         let (border, contact) = (&self.border, self.border.contact);
-        let (later, _) = flow.glide(&border.coming(state), BRIEF * period)?;
-        let touch = border.touch(flow, &later)?;
-        let rises = touch.is_some_and(|[_, rate]| rate > 0.0);
         Ok(match border.condition {
-            Condition::Touch => (rises, 0.0),
+            Condition::Touch => (border.rises(flow, state, period)?, 0.0),
             Condition::Edge => {
                 let held = flow.touch(&border.stuck(state), contact)?;
                 (true, held.map_or(f64::NAN, |[_, rate]| rate))
