@@ -17,6 +17,7 @@ mod equilibrium_curves;
 mod family;
 mod folds;
 mod grazing;
+mod held;
 mod kinked;
 mod margins;
 mod mirrored;

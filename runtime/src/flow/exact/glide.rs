@@ -11,14 +11,16 @@ use crate::integrate::explicit::integrate;
 use crate::model::Model;
 
 impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
-    /// The motion from `from` for the time `time`, in the mode in which it begins whatever its guards say.
+    /// The motion from `from` for the time `time`, in the mode in which it begins whatever its guards say; what sticks does so
+    /// from the beginning on.
     pub(crate) fn glide(
         &self,
         from: &Place<N, Modes<M, N>>,
         time: f64,
     ) -> Result<(Place<N, Modes<M, N>>, Derivatives<N>), FlowError> {
         let field = ExactField::new(&self.system, from.mode, &from.state)?;
-        let start = Motion::from(from.state);
+        let mut start = Motion::from(from.state);
+        self.put_on_surface(&mut start, &from.mode)?;
         let mut work = Work::default();
         let motion = if time > 0.0 {
             integrate(&field, self.settings, start, time, &mut work, |_| {

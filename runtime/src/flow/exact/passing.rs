@@ -17,26 +17,7 @@ const SAME_DERIVATIVE: f64 = 1e-8;
 impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
     /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
     pub(super) fn put_on_surface(&mut self) -> Result<(), FlowError> {
-        if self.modes.bound().next().is_none() {
-            return Ok(());
-        }
-        let system = &self.flow.system;
-        let state = *self.carried.state();
-        let field = ExactField::new(system, self.modes, &state)?;
-        let drift = field.drift(&state);
-        self.carried.state_mut().add(-1.0, &drift);
-        if let Some(motion) = self.carried.motion() {
-            if const { Modes::<M, N>::PRESSED } {
-                let rests = self.modes.rests().then_some(&self.modes);
-                if let Some(closed) = rests.and_then(|rests| Closed::new(system, &state, rests)) {
-                    let gaps = system.linear_speeds(&state);
-                    project::<M, N>(motion, &|off| closed.correction(off), gaps.as_ref());
-                }
-            }
-            let lanes = system.linear_rates(&state, &self.modes);
-            project::<M, N>(motion, &|off| field.correction(&state, off), lanes.as_ref());
-        }
-        Ok(())
+        self.flow.put_on_surface(&mut self.carried, &self.modes)
     }
 
     /// Carries Φ and p through the events of one instant.
@@ -60,6 +41,36 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
         let (volumes, rounding) = passing.carry(motion)?;
         self.jumps = self.jumps.times(volumes);
         self.rounding = self.rounding.max(rounding);
+        Ok(())
+    }
+}
+
+impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
+    /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
+    pub(super) fn put_on_surface<V: Tracked<N>>(
+        &self,
+        carried: &mut V,
+        modes: &Modes<M, N>,
+    ) -> Result<(), FlowError> {
+        if modes.bound().next().is_none() {
+            return Ok(());
+        }
+        let system = &self.system;
+        let state = *carried.state();
+        let field = ExactField::new(system, *modes, &state)?;
+        let drift = field.drift(&state);
+        carried.state_mut().add(-1.0, &drift);
+        if let Some(motion) = carried.motion() {
+            if const { Modes::<M, N>::PRESSED } {
+                let rests = modes.rests().then_some(modes);
+                if let Some(closed) = rests.and_then(|rests| Closed::new(system, &state, rests)) {
+                    let gaps = system.linear_speeds(&state);
+                    project::<M, N>(motion, &|off| closed.correction(off), gaps.as_ref());
+                }
+            }
+            let lanes = system.linear_rates(&state, modes);
+            project::<M, N>(motion, &|off| field.correction(&state, off), lanes.as_ref());
+        }
         Ok(())
     }
 }

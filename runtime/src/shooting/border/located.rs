@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::around::borders;
 use super::candidate::Border;
-use super::once::once;
+use super::centred::centred;
 use super::problem::BorderProblem;
 use super::sides::Sides;
 use crate::bifurcation::{Disturbances, Kind, floquet};
@@ -16,7 +16,6 @@ use crate::motion::{Family, most_stuck};
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::problem::OrbitProblem;
 use crate::shooting::same::SAME_ORBIT;
-use crate::shooting::shot::Shot;
 
 /// Borders that are tried, the nearest first.
 const TRIED: usize = 4;
@@ -93,9 +92,12 @@ fn converge(
     if !shot.least || (shot.period / orbit.period).ln().abs() > 1.0 {
         return None;
     }
+    let (z, moved) = centred(&mut problem, loose.z, accuracy)?;
+    let runs = problem.runs.clone();
     let mut problem = at(problem.border, next)?;
-    let (z, error) = measured(&mut problem, &loose.z, accuracy, orbit.r);
-    let found = read(&mut problem, family, orbit, &z, error);
+    problem.runs = runs;
+    let (z, error) = measured(&mut problem, &z, accuracy, orbit.r);
+    let found = read(&mut problem, family, orbit, &z, error + moved);
     *work += problem.work;
     found
 }
@@ -142,21 +144,10 @@ fn read(
     let runs = &at.extra.runs;
     let sides = Sides::of(problem, flow.as_ref(), (state, period), (&slopes, runs)).ok()?;
     let border = problem.border.clone();
-    let later = runs.later(state);
-    let mut passage = once(&*flow, &border, (&sides.start, &later), period).ok()?;
-    passage.derivatives = Some(sides.map(border.happens));
+    let mut shot = problem.shot(&*flow, z, &sides.start, runs).ok()?;
     let residual = at.residual.norm();
-    let shot = Shot {
-        begins: vec![0.0],
-        passages: vec![passage],
-        velocity: flow.velocity(&sides.start).ok()?,
-        start: sides.start.clone(),
-        period,
-        drive: flow.phase(),
-        closure: residual,
-        pins: sides.runs.pins.clone(),
-        shift: sides.runs.shift.clone(),
-    };
+    shot.closure = residual;
+    shot.passages[0].derivatives = Some(sides.map(border.happens));
     let z = OrbitProblem::unknowns(std::slice::from_ref(&sides.start), period);
     let solution = Solution {
         shot: &shot,

@@ -8,6 +8,7 @@ mod arrival;
 mod between;
 mod brief;
 mod candidate;
+mod centred;
 mod change;
 mod crossing;
 mod doubling;

@@ -23,16 +23,16 @@ const DIFFERENCE: f64 = 1e-6;
 /// Unknowns are the state at the border, the period and p; q is the design variable.
 #[derive(Debug, Clone)]
 pub struct BorderProblem<S> {
-    sheet: S,
+    pub(super) sheet: S,
     /// The border.
     pub border: Border,
-    magnitude: Vec<f64>,
+    pub(super) magnitude: Vec<f64>,
     /// Usual magnitudes of p and q.
     scales: [f64; 2],
     /// Usual magnitude of the period.
     period: f64,
-    /// What is neutral where the motion runs on.
-    runs: Runs,
+    /// What is neutral.
+    pub(super) runs: Runs,
     /// Work of all evaluations.
     pub work: Work,
 }
@@ -52,10 +52,12 @@ impl Round {
 }
 
 impl<S: Sheet> BorderProblem<S> {
-    /// The problem near an orbit that is near a border; `None` if something is neutral besides where a motion runs on.
+    /// The problem near an orbit that is near a border; `None` if it may be shifted though it closes, or if something never
+    /// changes where q does, which would leave its middle.
     pub fn new(sheet: S, orbit: &Orbit, border: Border, scales: [f64; 2]) -> Option<Self> {
+        let free = |runs: &Runs| !runs.conserves() || sheet.along_q(orbit.r).is_none();
         Some(Self {
-            runs: Runs::of(orbit)?.through(&border.state),
+            runs: Runs::of(orbit).filter(free)?.through(&border.state),
             sheet,
             border,
             magnitude: orbit.magnitude(),
@@ -203,7 +205,7 @@ pub struct BorderShot {
     pub least: bool,
     /// The rate at which a force that could hold the contact comes from its limit, at an edge.
     pub inwards: f64,
-    /// What is neutral where the motion runs on.
+    /// What is neutral.
     pub(super) runs: Runs,
 }
 

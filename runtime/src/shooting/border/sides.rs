@@ -33,7 +33,7 @@ pub(super) struct Sides {
     turn: f64,
     /// The side on which the event does not happen, and that on which it does.
     maps: [Derivatives; 2],
-    /// What is neutral where the motion runs on.
+    /// What is neutral.
     pub(super) runs: Runs,
     /// How the number that decides between the sides depends on the start, and on r.
     pub(super) number: (DVector<f64>, f64),
