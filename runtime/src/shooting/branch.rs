@@ -262,7 +262,8 @@ impl Reader for Orbits {
                 located: shrunk(&branch.problem.family, orbits)?,
                 beyond: Beyond::Nothing,
             }),
-            FlowError::LetsGo => lets_go(branch, orbits, self.accuracy),
+            FlowError::LetsGo => lets_go(branch, orbits, self.accuracy)
+                .or_else(|| comes_to_rest(branch, orbits, self.accuracy)),
             _ => None,
         }
     }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::conserved::is_conserved;
 use super::orbit::Orbit;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
@@ -15,8 +16,6 @@ use crate::motion::{Flow, Place};
 /// A pinned orbit that closes no better than this is none; or than this over the accuracy, where that is loose.
 const CLOSED: f64 = 1e-5;
 const UNCLOSED: f64 = 100.0;
-/// What is conserved changes by no more than this, over its usual magnitude.
-const ROUNDING: f64 = 1e-13;
 /// Relative change of the period up to which an orbit is that to which a branch comes where a contact begins to slide, or
 /// ceases to: what slides has hardly an extent, by which orbits could be compared.
 const REACH: f64 = 1e-2;
@@ -42,10 +41,10 @@ impl OrbitProblem {
     ///
     /// # Errors
     /// The motion does not close.
-    pub(super) fn keep_pinned(&mut self, shot: &Shot) -> Result<(), FlowError> {
+    pub(super) fn keep_pinned(&mut self, r: f64, shot: &Shot) -> Result<(), FlowError> {
         let held = shot.held();
         let lets_go = self.held.iter().any(|contact| !held.contains(contact));
-        if lets_go && self.pins.iter().any(|pin| self.slips(pin, shot)) {
+        if lets_go && self.slips(r, shot)? {
             return Err(FlowError::LetsGo);
         }
         let closure = shot.closure;
@@ -68,11 +67,12 @@ impl OrbitProblem {
         }
     }
 
-    /// Whether what never changes has changed once around.
-    fn slips(&self, pin: &Pin, shot: &Shot) -> bool {
-        let end = shot.passages.last().map(|passage| &passage.end.state);
-        let moved = end.map_or(0.0, |end| pin.of(end) - pin.of(&shot.start.state));
-        pin.conserved() && moved.abs() > ROUNDING * pin.unit(&self.magnitude)
+    /// Whether what is held may change once a contact slides, however little it does so yet.
+    fn slips(&self, r: f64, shot: &Shot) -> Result<bool, FlowError> {
+        let flow = self.family.at(r)?;
+        let kept = |pin: &Pin| is_conserved(&*flow, &pin.combination, shot, &self.magnitude);
+        let mut pins = self.pins.iter().filter(|pin| pin.conserved());
+        Ok(!pins.all(kept))
     }
 }
 

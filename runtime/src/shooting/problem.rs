@@ -217,7 +217,7 @@ impl ZeroProblem for OrbitProblem {
         r: f64,
         shot: &Self::Extra,
     ) -> Result<Option<DVector<f64>>, FlowError> {
-        self.keep_pinned(shot)?;
+        self.keep_pinned(r, shot)?;
         self.leave_centres(r, shot)?;
         self.period = shot.period;
         self.measure(z, r, shot)?;

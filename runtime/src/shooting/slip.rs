@@ -105,7 +105,7 @@ fn sliding(
     search: &Search,
 ) -> Option<Orbit> {
     let held = family.at(from.r).ok()?;
-    let turns = peaks(held.as_ref(), &from.heading.start, &from.segments, contact).ok()?;
+    let turns = peaks(held.as_ref(), &from.heading.start, from.period, contact).ok()?;
     let mut times = turns.map(|turn| turn.time);
     times.sort_by(f64::total_cmp);
     // Shooting begins where the contact sticks for longest: between its turns.

@@ -5,7 +5,7 @@ use super::pin::Swing;
 use super::shot::Shot;
 use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Modes, Place, Row, Segment};
+use crate::motion::{Flow, Modes, Passage, Place, Row, Segment};
 
 /// A state this near to its stop, relatively, is on it.
 const ON: f64 = 1e-13;
@@ -47,7 +47,7 @@ impl Swing {
     pub(super) fn turns(self, flow: &dyn Flow, shot: &Shot) -> Result<[Turn; 2], FlowError> {
         match self {
             Self::State(state) => Ok([1.0, -1.0].map(|sign| farthest(shot, state, sign))),
-            Self::Force(contact) => peaks(flow, &shot.start, &shot.stretches(), contact),
+            Self::Force(contact) => peaks(flow, &shot.start, shot.period, contact),
         }
     }
 
@@ -115,7 +115,7 @@ fn farthest(shot: &Shot, state: usize, sign: f64) -> Turn {
     turns.fold(start, further)
 }
 
-/// Where on the way from a place through these stretches the force of a contact is greatest over the most that it can bear,
+/// Where on the way from a place for a period the force of a contact is greatest over the most that it can bear,
 /// and where least.
 ///
 /// # Errors
@@ -123,45 +123,33 @@ fn farthest(shot: &Shot, state: usize, sign: f64) -> Turn {
 pub(super) fn peaks(
     flow: &dyn Flow,
     start: &Place,
-    stretches: &[Segment],
+    period: f64,
     contact: usize,
 ) -> Result<[Turn; 2], FlowError> {
-    let period: f64 = stretches.iter().map(|stretch| stretch.duration).sum();
     let want = Want {
         panel: period / PANELS,
         ..Want::default()
     };
-    let (mut state, mut begin) = (start.state.clone(), 0.0);
+    let passage = flow.advance(start, period, want)?;
+    let mut begin = 0.0;
     let mut most: [Option<Turn>; 2] = [None, None];
-    for stretch in stretches {
-        let modes = &stretch.modes;
-        let place = |state| Place {
-            state,
-            modes: modes.clone(),
-        };
-        let from = place(state.clone());
-        let passage = flow.advance(&from, stretch.duration, want)?;
-        let nodes = passage
-            .nodes
-            .into_iter()
-            .map(|node| (node.time, node.state));
-        let ends = [(0.0, state), (stretch.duration, passage.end.state.clone())];
-        let mut looks: Vec<(f64, Vec<f64>)> = nodes.chain(ends).collect();
-        looks.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut looked = Vec::with_capacity(looks.len());
-        for (time, state) in looks {
-            let (load, rate) = load(flow, &place(state), contact)?;
-            looked.push([begin + time, load.value, rate]);
+    for stretch in &passage.segments {
+        let (modes, end) = (&stretch.modes, begin + stretch.duration);
+        let mut looked = Vec::new();
+        for (time, state) in looks(&passage, start, [begin, end]) {
+            let at = Place::known(flow, state, Some(modes))?;
+            let (load, rate) = load(flow, &at, contact)?;
+            looked.push([time, load.value, rate]);
         }
         for (sign, most) in [1.0, -1.0].into_iter().zip(&mut most) {
-            let turn = top(&looked, sign, modes, stretches.len() == 1);
-            let turn = sharpened(flow, contact, turn, (&from, begin, stretch.duration))?;
+            let turn = top(&looked, sign, modes, passage.segments.len() == 1);
+            let turn = sharpened(flow, contact, turn, (start, [begin, end]))?;
             let further = |old: &Turn| sign * (turn.value - old.value) > 0.0;
             if most.as_ref().is_none_or(further) {
                 *most = Some(turn);
             }
         }
-        (state, begin) = (passage.end.state, begin + stretch.duration);
+        begin = end;
     }
     let none = || Turn {
         segment: 0,
@@ -171,6 +159,23 @@ pub(super) fn peaks(
         bend: None,
     };
     Ok(most.map(|turn| turn.unwrap_or_else(none)))
+}
+
+/// Where a motion comes by in a stretch of it, and at both its ends: followed anew from there, rounding would tell whether what
+/// has just happened happens again.
+fn looks<'a>(
+    passage: &'a Passage,
+    start: &'a Place,
+    [begin, end]: [f64; 2],
+) -> Vec<(f64, &'a [f64])> {
+    let first = [(0.0, &start.state), (passage.time, &passage.end.state)];
+    let events = passage.events.iter().map(|one| (one.time, &one.state));
+    let nodes = passage.nodes.iter().map(|one| (one.time, &one.state));
+    let all = first.into_iter().chain(events).chain(nodes);
+    let inside = all.filter(|(time, _)| (begin..=end).contains(time));
+    let mut looks: Vec<(f64, &[f64])> = inside.map(|(time, state)| (time, &state[..])).collect();
+    looks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    looks
 }
 
 /// What a contact that sticks all along could bear besides, over the most that it can; `None` where it slides, or forces are
@@ -184,7 +189,8 @@ pub(super) fn spare_force(
     if !sticks(stretches, contact) {
         return None;
     }
-    let turns = peaks(flow, start, stretches, contact).ok()?;
+    let period = stretches.iter().map(|stretch| stretch.duration).sum();
+    let turns = peaks(flow, start, period, contact).ok()?;
     let part = |turn: &Turn| {
         let there = flow.advance(start, turn.time, Want::default()).ok()?.end;
         let row = Swing::Force(contact).row(flow, &there.state, turn).ok()?;
@@ -218,31 +224,29 @@ fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: bool) -> Turn {
     }
 }
 
-/// A turn where the rate vanishes, by Newton's method with secants, in the stretch that begins at a place at this time and lasts
-/// so long: taken from the nodes of a quadrature alone, it would jump with those from one orbit to the next.
+/// A turn where the rate vanishes, by Newton's method with secants, in this stretch of the motion from a start: taken from the nodes of a quadrature alone, it would jump with those from one orbit to the next.
 fn sharpened(
     flow: &dyn Flow,
     contact: usize,
     mut turn: Turn,
-    (from, begin, duration): (&Place, f64, f64),
+    (start, [begin, end]): (&Place, [f64; 2]),
 ) -> Result<Turn, FlowError> {
     let mut before: Option<[f64; 2]> = None;
     for _ in 0..SHARPENED {
         let Some(bend) = turn.bend else { break };
-        let since = turn.time - begin;
-        if !(0.0..=duration).contains(&since) {
+        if !(begin..=end).contains(&turn.time) {
             break;
         }
-        let state = flow.advance(from, since, Want::default())?.end.state;
-        let place = Place::known(flow, &state, Some(&from.modes))?;
+        let there = flow.advance(start, turn.time, Want::default())?.end;
+        let place = Place::known(flow, &there.state, turn.modes.as_ref())?;
         let (load, rate) = load(flow, &place, contact)?;
         let secant = before.map(|[time, other]| (rate - other) / (turn.time - time));
         let bend = secant.filter(|secant| secant * bend > 0.0).unwrap_or(bend);
         let off = -rate / bend;
-        let next = (turn.time + off).clamp(begin, begin + duration);
+        let next = (turn.time + off).clamp(begin, end);
         turn.value = load.value + 0.5 * off * rate;
         turn.bend = Some(bend);
-        if (next - turn.time).abs() <= SHARP * duration {
+        if (next - turn.time).abs() <= SHARP * (end - begin) {
             break;
         }
         before = Some([turn.time, rate]);

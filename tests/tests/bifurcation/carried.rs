@@ -1,7 +1,7 @@
 //! What friction holds on something that swings: where it lets go, and what is followed until then.
 
 use stickslip::model;
-use stickslip::study::Kind;
+use stickslip::study::{Case, Kind, OrbitRecord, System};
 use stickslip_models::friction::Coulomb;
 
 use crate::borders::branch;
@@ -77,8 +77,24 @@ fn a_sink_is_held_where_it_is_until_it_lets_go() {
             low = middle;
         }
     }
-    let last = branch.points.last().unwrap().r.unwrap();
-    assert!(branch.points.len() > 3 && last < low + 1e-5, "{last} {low}");
     let first = &branch.special[0];
     assert!((first.r - low).abs() < 1e-5, "{first:?}");
+    let held = |one: &&OrbitRecord| one.r.unwrap() < low + 1e-5;
+    let stays = |one: &OrbitRecord| one.word.as_deref() == Some("stick(F)");
+    assert!(branch.points.iter().filter(held).count() > 3);
+    assert!(branch.points.iter().filter(held).all(stays));
+    // Beyond, it slides to and fro, as the orbit does on which its motion settles.
+    let last = branch.points.last().unwrap();
+    let case = Case {
+        accuracy: 1e-9,
+        ..Case::of(&Sink {
+            omega: 0.8,
+            ..Sink::default()
+        })
+    };
+    let settled = System::of::<Sink, _>().orbit(&case).unwrap();
+    assert_eq!((last.r, &last.word), (Some(0.8), &settled.word));
+    for (found, known) in last.max_abs.iter().zip(&settled.max_abs) {
+        assert!((found - known).abs() < 1e-6 * known, "{found} {known}");
+    }
 }

@@ -39,6 +39,67 @@ model! {
     }
 }
 
+model! {
+    /// Four blocks in a row over ground, the first of which is driven.
+    struct Train {
+        state x[4] = 0.0;
+        state v[4] = 0.0;
+        param level = 1.0 where level >= 0.0;
+        param push = 6.0;
+        drive phi at 5.0;
+        friction F0 = Coulomb { level } opposing v[0];
+        friction F1 = Coulomb { level: 1.3 * level } opposing v[1];
+        friction F2 = Coulomb { level: 1.7 * level } opposing v[2];
+        friction F3 = Coulomb { level: 2.1 * level } opposing v[3];
+        let first = 100.0 * (x[1] - x[0]) + 0.5 * (v[1] - v[0]);
+        let second = 100.0 * (x[2] - x[1]) + 0.5 * (v[2] - v[1]);
+        let third = 100.0 * (x[3] - x[2]) + 0.5 * (v[3] - v[2]);
+        der(x[0]) = v[0];
+        der(x[1]) = v[1];
+        der(x[2]) = v[2];
+        der(x[3]) = v[3];
+        der(v[0]) = F0 + push * cos(phi) - 20.0 * x[0] + first;
+        der(v[1]) = F1 - 20.0 * x[1] - first + second;
+        der(v[2]) = F2 - 20.0 * x[2] - second + third;
+        der(v[3]) = F3 - 20.0 * x[3] - third;
+    }
+}
+
+/// Only the force over the levels counts: twice the force is half the levels. A branch ended where the second block let go, as
+/// what had held it was not known to slide from the first, least orbit on.
+#[test]
+fn contacts_let_go_one_after_another() {
+    let followed = |along, range| {
+        let case = Case::of(&Train::default()).following(along, range);
+        let branch = System::of::<Train, _>().branch(&case).unwrap();
+        let reason = &branch.ended.reason;
+        assert_eq!(branch.ended.word(), "reached-end", "{reason}");
+        branch.special
+    };
+    let pushed = followed(Train::push, 0.5..4.0);
+    let levels = followed(Train::level, 12.0..1.5);
+    assert_eq!(pushed.len(), levels.len(), "{pushed:?} {levels:?}");
+    for (push, level) in pushed.iter().zip(&levels) {
+        assert_eq!(push.kind, level.kind);
+        let [off, error] = [push, level].map(|one| one.error.unwrap() / one.r);
+        let off = off + error;
+        let apart = (push.r * level.r / 6.0 - 1.0).abs();
+        assert!(apart <= off, "{} {}: {apart:e} {off:e}", push.r, level.r);
+    }
+    // The first block begins where the force is its friction, and as it hardly moves the others do not.
+    assert!((pushed[0].r - 1.0).abs() < 1e-7, "{}", pushed[0].r);
+    // Back again, they come to rest where they let go.
+    let back = followed(Train::push, 4.0..0.5);
+    for push in &pushed {
+        let near = |one: &Special| (one.r - push.r).abs() < 1e-5 * push.r;
+        assert!(
+            back.iter().any(|one| one.kind == push.kind && near(one)),
+            "{}",
+            push.r
+        );
+    }
+}
+
 /// It was told by a bracket at best, or the branch ended there.
 #[test]
 fn a_graze_is_found_while_another_contact_sticks() {

@@ -124,6 +124,13 @@ impl Border {
         self.brief.iter().fold(orbit.clone(), without)
     }
 
+    /// Whether its contact does more on this orbit than to stick, but for what is short.
+    pub(super) fn is_of_sliding(&self, orbit: &Orbit) -> bool {
+        let long = self.long(orbit);
+        let mut modes = long.segments.iter().map(|one| one.modes[self.contact]);
+        modes.any(|mode| mode != Mode::Stick)
+    }
+
     /// Share of the period after which the motion is back, or its image.
     pub(super) fn turn(&self) -> f64 {
         if self.mirror.is_some() { 0.5 } else { 1.0 }

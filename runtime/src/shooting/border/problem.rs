@@ -53,9 +53,10 @@ impl Round {
 
 impl<S: Sheet> BorderProblem<S> {
     /// The problem near an orbit that is near a border; `None` if it may be shifted though it closes, or if something never
-    /// changes where q does, which would leave its middle.
+    /// changes where q does, which would leave its middle, or where beyond the border it does.
     pub fn new(sheet: S, orbit: &Orbit, border: Border, scales: [f64; 2]) -> Option<Self> {
-        let free = |runs: &Runs| !runs.conserves() || sheet.along_q(orbit.r).is_none();
+        let stays = || sheet.along_q(orbit.r).is_none() && border.is_of_sliding(orbit);
+        let free = |runs: &Runs| !runs.conserves() || stays();
         Some(Self {
             runs: Runs::of(orbit).filter(free)?.through(&border.state),
             sheet,
