@@ -87,10 +87,7 @@ fn a_sink_is_held_where_it_is_until_it_lets_go() {
     let last = branch.points.last().unwrap();
     let case = Case {
         accuracy: 1e-9,
-        ..Case::of(&Sink {
-            omega: 0.8,
-            ..Sink::default()
-        })
+        ..Case::of(&Sink { omega: 0.8 })
     };
     let settled = System::of::<Sink, _>().orbit(&case).unwrap();
     assert_eq!((last.r, &last.word), (Some(0.8), &settled.word));
