@@ -229,11 +229,11 @@ impl<R: Reader> Walk<'_, R> {
     ) -> Verdict<R::Point, ErrorOf<R>> {
         let Reading { reader, branch, .. } = &*self.followed;
         let (after, before) = (self.points.len(), self.points.last());
-        let unsure = self.sure_until(point);
+        let sure = self.sure_until(point);
         let left = |found: &mut Located<R::Point>| {
             found.after = after;
             reader.refine(&branch.problem, found);
-            if let (Some(r), Some(2)) = (unsure, found.kind.jump()) {
+            if let (Some(r), Some(2)) = (sure, found.kind.jump()) {
                 found.error = found.error.max((found.r - r).abs());
             }
             before.is_some_and(|before| reader.leaves(&branch.problem, found, [before, &*point]))

@@ -55,7 +55,7 @@ pub(super) struct Halved<'a> {
 impl<'a> Halved<'a> {
     /// An orbit that has this symmetry, or nearly so.
     pub(super) fn of(orbit: &Orbit, symmetry: Symmetry, magnitude: &'a [f64]) -> Self {
-        let start = orbit.calm.as_ref().unwrap_or(&orbit.heading.start);
+        let start = orbit.begins();
         Self {
             symmetry,
             magnitude,

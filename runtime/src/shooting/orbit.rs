@@ -114,6 +114,11 @@ fn section_place(family: &Family, solution: &Solution<'_>) -> (Place, Option<Pla
 }
 
 impl Orbit {
+    /// Where it is gone around from: away from events, if there is such a place.
+    pub(super) fn begins(&self) -> &Place {
+        self.calm.as_ref().unwrap_or(&self.heading.start)
+    }
+
     /// Reads an orbit off its converged shot.
     pub(crate) fn read(family: &Family, solution: Solution<'_>, accuracy: f64, work: Work) -> Self {
         let Solution {

@@ -115,8 +115,7 @@ fn farthest(shot: &Shot, state: usize, sign: f64) -> Turn {
     turns.fold(start, further)
 }
 
-/// Where on the way from a place for a period the force of a contact is greatest over the most that it can bear,
-/// and where least.
+/// Where in a period from a place on the force of a contact is greatest over the most that it can bear, and where least.
 ///
 /// # Errors
 /// The motion cannot be followed, or its forces are not determined.
@@ -224,7 +223,8 @@ fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: bool) -> Turn {
     }
 }
 
-/// A turn where the rate vanishes, by Newton's method with secants, in this stretch of the motion from a start: taken from the nodes of a quadrature alone, it would jump with those from one orbit to the next.
+/// A turn where the rate vanishes, by Newton's method with secants, in this stretch of the motion from a start: taken from the
+/// nodes of a quadrature alone, it would jump with those from one orbit to the next.
 fn sharpened(
     flow: &dyn Flow,
     contact: usize,

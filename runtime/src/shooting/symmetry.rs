@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use super::orbit::Orbit;
 use crate::flow::{FlowError, Want};
 use crate::linear::eigenvalues;
-use crate::motion::{Family, Flow, Place};
+use crate::motion::{Family, Flow};
 
 /// Systems of more states are asked for changes of sign only: exchanges of states become too many.
 const EXCHANGED: usize = 6;
@@ -212,11 +212,6 @@ impl Orbit {
         let time = if *halfway { 0.5 * self.period } else { 0.0 };
         let met = flow.advance(begin, time, Want::default()).ok()?.end.state;
         Some(self.are_one(&symmetry.of(&begin.state), &met, flow.phase(), errors))
-    }
-
-    /// Where it is gone around from: away from events, if there is such a place.
-    fn begins(&self) -> &Place {
-        self.calm.as_ref().unwrap_or(&self.heading.start)
     }
 
     /// Those of the candidates that are symmetries of the field.

@@ -2,15 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::once::once;
 use super::problem::BorderProblem;
-use super::runs::Runs;
 use super::sheet::Sheet;
 use crate::continuation::correct_at;
-use crate::flow::FlowError;
 use crate::linear::solved;
-use crate::motion::{Family, Flow, Place};
-use crate::shooting::shot::Shot;
+use crate::motion::Family;
 
 /// By how much what is held is moved to tell what that does, over its usual magnitude.
 const MOVED: f64 = 1e-4;
@@ -74,32 +70,5 @@ impl BorderProblem<Family> {
         };
         let off: Option<Vec<f64>> = swings.iter().map(off).collect();
         Some(DVector::from_vec(off?))
-    }
-
-    /// Once around from this place, where all is calm.
-    ///
-    /// # Errors
-    /// The motion cannot be followed.
-    pub(super) fn shot(
-        &self,
-        flow: &dyn Flow,
-        z: &DVector<f64>,
-        start: &Place,
-        runs: &Runs,
-    ) -> Result<Shot, FlowError> {
-        let order = z.len() - 2;
-        let (later, period) = (runs.later(&z.as_slice()[..order]), z[order]);
-        let runs = runs.through(&start.state);
-        Ok(Shot {
-            begins: vec![0.0],
-            passages: vec![once(flow, &self.border, (start, &later), period)?],
-            velocity: flow.velocity(start)?,
-            start: start.clone(),
-            period,
-            drive: flow.phase(),
-            closure: 0.0,
-            pins: runs.pins,
-            shift: runs.shift,
-        })
     }
 }

@@ -3,18 +3,52 @@
 //! Whether the event of a touch happens on it is a matter of rounding errors: each piece begins beyond it. What holds a
 //! contact is just at its limit there, and does not fall any more: only a little later it is certain to hold.
 
+use nalgebra::DVector;
+
 use super::candidate::{Border, Condition};
+use super::problem::BorderProblem;
+use super::runs::Runs;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Event, Flow, Passage, Place};
+use crate::motion::{Event, Family, Flow, Passage, Place};
+use crate::shooting::shot::Shot;
 
 /// Share of the period for which what holds a contact is not asked whether it does.
 const HELD: f64 = 1e-5;
+
+impl BorderProblem<Family> {
+    /// Once around from this place, where all is calm.
+    ///
+    /// # Errors
+    /// The motion cannot be followed.
+    pub(super) fn shot(
+        &self,
+        flow: &dyn Flow,
+        z: &DVector<f64>,
+        start: &Place,
+        runs: &Runs,
+    ) -> Result<Shot, FlowError> {
+        let order = z.len() - 2;
+        let (later, period) = (runs.later(&z.as_slice()[..order]), z[order]);
+        let runs = runs.through(&start.state);
+        Ok(Shot {
+            begins: vec![0.0],
+            passages: vec![once(flow, &self.border, (start, &later), period)?],
+            velocity: flow.velocity(start)?,
+            start: start.clone(),
+            period,
+            drive: flow.phase(),
+            closure: 0.0,
+            pins: runs.pins,
+            shift: runs.shift,
+        })
+    }
+}
 
 /// From a calm start to the image of the border, if there is one, from there to the border, and back.
 ///
 /// # Errors
 /// The motion cannot be followed.
-pub(super) fn once(
+fn once(
     flow: &dyn Flow,
     border: &Border,
     (start, state): (&Place, &[f64]),
