@@ -10,35 +10,6 @@ const ROUNDING: f64 = 1e-14;
 /// Relative jump of the field below which nothing jumps.
 const NO_JUMP: f64 = 1e-12;
 
-/// What an exact motion carries along: its state, or its state with derivatives.
-pub(super) trait Tracked<const N: usize>: Carried<N> {
-    /// A motion that begins here.
-    fn begin(state: [f64; N]) -> Self;
-
-    /// The derivatives, if they are carried.
-    fn motion(&mut self) -> Option<&mut Motion<N>>;
-}
-
-impl<const N: usize> Tracked<N> for [f64; N] {
-    fn begin(state: [f64; N]) -> Self {
-        state
-    }
-
-    fn motion(&mut self) -> Option<&mut Motion<N>> {
-        None
-    }
-}
-
-impl<const N: usize> Tracked<N> for Motion<N> {
-    fn begin(state: [f64; N]) -> Self {
-        Self::from(state)
-    }
-
-    fn motion(&mut self) -> Option<&mut Motion<N>> {
-        Some(self)
-    }
-}
-
 /// The surface h = 0 on which the field changes from `before` to `after`; the state does not jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Saltation<const N: usize> {

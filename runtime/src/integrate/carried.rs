@@ -33,9 +33,6 @@ pub trait Carried<const N: usize>: Copy {
     /// thousand times a period.
     fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self);
 
-    /// This, led to `end` by a step whose derivatives are asked for only where they are carried.
-    fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self;
-
     /// Whether a step that adds `length` times this slope turns a tangent by more than `share` of its own, in states of
     /// these sizes; there is none to turn without tangents.
     fn turns(&self, slope: &Self, length: f64, share: f64, sizes: &[f64; N]) -> bool;
@@ -71,11 +68,6 @@ impl<const N: usize> Carried<N> for [f64; N] {
     fn slope(&self, field: &impl Field<N>, work: &mut Work, slope: &mut Self) {
         work.evaluations += 1;
         field.with_f(self, |f| *slope = f);
-    }
-
-    #[inline]
-    fn led_to(&self, end: [f64; N], _step: impl FnOnce() -> Propagator<N>) -> Self {
-        end
     }
 
     #[inline]
@@ -211,13 +203,6 @@ impl<const N: usize> Carried<N> for Motion<N> {
             slope.tangent = Self::NOTHING.tangent;
             slope.add_product(&linear.jacobian, self);
         });
-    }
-
-    fn led_to(&self, end: [f64; N], step: impl FnOnce() -> Propagator<N>) -> Self {
-        Self {
-            state: end,
-            ..self.through(&step())
-        }
     }
 
     #[inline]

@@ -17,6 +17,7 @@ mod lu;
 mod radau;
 mod stepper;
 mod tableau;
+mod tracked;
 
 pub use carried::{Carried, Motion};
 pub use collocation::Collocation;
@@ -25,6 +26,7 @@ pub(crate) use gauss::gauss;
 pub use look::Look;
 pub use radau::{Accepted, Radau};
 pub use tableau::{RADAU_3, RADAU_5, Tableau};
+pub(crate) use tracked::Tracked;
 
 use crate::model::{ModelInfo, Values, brief};
 

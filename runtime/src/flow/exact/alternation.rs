@@ -6,10 +6,9 @@ use super::press::Vanishing;
 use super::run::Run;
 use crate::field::exact::{Impulses, Mode};
 use crate::flow::FlowError;
-use crate::flow::saltation::Tracked;
 use crate::model::Model;
 
-impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+impl<M: Model<N>, const N: usize> Run<'_, M, N> {
     /// What an impact becomes that makes others leave where they rested, for a flight too low to be told from none: all that
     /// follow are as good as one after which all of them rest. Their impulses take the speeds that are left; reactions make
     /// up for it until the flights would have ended.

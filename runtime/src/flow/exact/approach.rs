@@ -5,7 +5,6 @@ use super::ExactFlow;
 use super::run::Run;
 use super::steps::Steps;
 use crate::field::exact::{Mode, Modes};
-use crate::flow::saltation::Tracked;
 use crate::model::Model;
 
 /// Part of the predicted time to the surface by which a step may go further.
@@ -18,11 +17,11 @@ const FINEST: f64 = 1e-6;
 /// Part of the time until a gap opens that such a step may last.
 const GRADED: f64 = 0.5;
 
-impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
     /// The longest step worth trying: a little beyond the predicted stop of any sliding contact.
     pub(super) fn approach(
         &mut self,
-        stepper: &Steps<'_, 'f, M, V, N>,
+        stepper: &Steps<'_, 'f, M, N>,
         speeds: &M::PerContact<f64>,
     ) -> f64 {
         let (system, mut limit) = (&self.flow.system, f64::INFINITY);
@@ -52,10 +51,10 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     }
 }
 
-impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
     /// The longest step while a press is closed whose force is no power series in its depth: as long as the time since
     /// its gap closed, or half of that until it opens, so that the roots there cost derivatives no digits.
-    fn graded(&self, stepper: &Steps<'_, 'f, M, V, N>) -> f64 {
+    fn graded(&self, stepper: &Steps<'_, 'f, M, N>) -> f64 {
         let (system, mut limit) = (&self.flow.system, f64::INFINITY);
         for press in ExactFlow::<M, N>::presses() {
             if self.modes.as_slice()[press] != Mode::Closed || !system.is_rough(press) {

@@ -6,7 +6,7 @@ use super::run::Run;
 use super::settle::{Rest, Verdict};
 use super::switch::{ROUNDING, Strike};
 use crate::field::exact::{Mode, Modes};
-use crate::flow::saltation::{Reset, Saltation, Tracked};
+use crate::flow::saltation::{Reset, Saltation};
 use crate::flow::{Event, EventKind, FlowError, SensitivityUndefined};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, mapped};
@@ -19,7 +19,7 @@ pub(super) struct Rebound<M: Model<N>, const N: usize> {
     pub(super) settles: Option<f64>,
 }
 
-impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+impl<M: Model<N>, const N: usize> Run<'_, M, N> {
     /// The press that is hit at this instant, if one that does not give way is.
     ///
     /// # Errors

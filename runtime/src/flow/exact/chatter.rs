@@ -7,7 +7,7 @@ use super::press::Vanishing;
 use super::run::{NO_TIME, Run};
 use crate::field::exact::{Mode, Modes, Snapshot};
 use crate::flow::FlowError;
-use crate::flow::saltation::{Tracked, product};
+use crate::flow::saltation::product;
 use crate::integrate::IntegrationError;
 use crate::model::Model;
 
@@ -33,7 +33,7 @@ impl Flight {
     }
 }
 
-impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+impl<M: Model<N>, const N: usize> Run<'_, M, N> {
     /// The flight that begins at this speed at a state.
     pub(super) fn flight(&self, press: usize, state: &[f64; N], departure: f64) -> Flight {
         let terms = self.flow.speed_scales(state).as_ref()[press];

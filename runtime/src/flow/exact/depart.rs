@@ -6,7 +6,6 @@ use super::run::Run;
 use super::settle::Rest;
 use super::switch::ROUNDING;
 use crate::field::exact::{Mode, Modes};
-use crate::flow::saltation::Tracked;
 use crate::flow::{FlowError, Place};
 use crate::model::Model;
 use crate::scalar::Inline;
@@ -25,7 +24,7 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     }
 }
 
-impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+impl<M: Model<N>, const N: usize> Run<'_, M, N> {
     /// Decides how the motion begins: on surfaces or off them, sticking or departing.
     pub(super) fn depart(&mut self) -> Result<(), FlowError> {
         self.put_on_surface()?;

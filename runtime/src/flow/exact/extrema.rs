@@ -3,8 +3,8 @@
 use super::steps::Steps;
 use crate::flow::extrema::{FLAT, in_order};
 use crate::flow::{Extremum, Peaks, strobes};
+use crate::integrate::Dense;
 use crate::integrate::event::Bernstein;
-use crate::integrate::{Carried, Dense};
 use crate::model::Model;
 use crate::scalar::mapped;
 
@@ -40,9 +40,9 @@ impl<const N: usize> Extrema<N> {
     }
 
     /// Looks for extrema in the step just made.
-    pub(super) fn look<M: Model<N>, V: Carried<N>>(
+    pub(super) fn look<M: Model<N>>(
         &mut self,
-        stepper: &mut Steps<'_, '_, M, V, N>,
+        stepper: &mut Steps<'_, '_, M, N>,
         dense: &Dense<N>,
     ) {
         for index in 0..N {
@@ -106,10 +106,10 @@ impl<const N: usize> Extrema<N> {
     }
 
     /// Notes where the phase of a drive begins anew in the step just made.
-    pub(super) fn strobe<M: Model<N>, V: Carried<N>>(
+    pub(super) fn strobe<M: Model<N>>(
         &mut self,
         phase: Option<usize>,
-        stepper: &mut Steps<'_, '_, M, V, N>,
+        stepper: &mut Steps<'_, '_, M, N>,
     ) {
         let ends = (*stepper.from(), *stepper.end());
         let (time, length) = (stepper.time(), stepper.length());
@@ -155,8 +155,8 @@ impl<const N: usize> Extrema<N> {
 }
 
 /// Newton's method for a vanishing rate on the step map, with the curvature of the dense output.
-fn sharpen<M: Model<N>, V: Carried<N>, const N: usize>(
-    stepper: &mut Steps<'_, '_, M, V, N>,
+fn sharpen<M: Model<N>, const N: usize>(
+    stepper: &mut Steps<'_, '_, M, N>,
     slope: &Bernstein,
     index: usize,
     theta: f64,

@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::guard::Guard;
 use crate::field::exact::{ExactSystem, Modes};
 use crate::field::{Form, GENERIC, Strip, generic_state};
+use crate::integrate::Dense;
 use crate::integrate::event::Bernstein;
 use crate::integrate::linear::LinearStepper;
-use crate::integrate::{Carried, Dense};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes, dot, filled};
 
@@ -76,10 +76,7 @@ pub(super) struct Way<M: Model<N>, const N: usize> {
 
 impl<'a, M: Model<N>, const N: usize> Linear<'a, M, N> {
     /// Along the last attempt at a step.
-    pub(super) fn new<V: Carried<N>>(
-        forms: &'a Forms<M, N>,
-        stepper: &'a LinearStepper<'_, V, N>,
-    ) -> Self {
+    pub(super) fn new(forms: &'a Forms<M, N>, stepper: &'a LinearStepper<'_, N>) -> Self {
         let asked = forms.as_ref().iter().flatten().any(Option::is_some);
         Self {
             forms,

@@ -6,16 +6,15 @@ use super::run::Run;
 use super::steps::Steps;
 use super::watch::Watch;
 use crate::flow::FlowError;
-use crate::flow::saltation::Tracked;
 use crate::integrate::event::polish;
 use crate::integrate::{Dense, IntegrationError};
 use crate::model::Model;
 
-impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
     /// Makes a step at most `limit` long.
     pub(super) fn reach(
         &self,
-        stepper: &mut Steps<'_, 'f, M, V, N>,
+        stepper: &mut Steps<'_, 'f, M, N>,
         limit: f64,
     ) -> Result<(), FlowError> {
         stepper
@@ -27,7 +26,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// The first fall of a guard along the step, if any falls; `None` if that cannot be told.
     pub(super) fn watch(
         &self,
-        stepper: &Steps<'_, 'f, M, V, N>,
+        stepper: &Steps<'_, 'f, M, N>,
         speeds: &M::PerContact<f64>,
         dense: &Dense<N>,
         nearest: &mut Vec<Sighting>,
@@ -66,7 +65,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     }
 
     /// The length of the step at whose end the guard vanishes, by Newton's method on the step map.
-    pub(super) fn locate(&self, stepper: &mut Steps<'_, 'f, M, V, N>, fall: &Sighting) -> f64 {
+    pub(super) fn locate(&self, stepper: &mut Steps<'_, 'f, M, N>, fall: &Sighting) -> f64 {
         let length = stepper.length();
         polish(0.0, fall.until * length, fall.theta * length, |tau| {
             let state = stepper.step_map(tau);

@@ -33,8 +33,8 @@ use crate::field::exact::{ExactSystem, Mode, Modes, linear_of};
 use crate::flow::countable;
 use crate::flow::reach::beyond;
 use crate::flow::{Flow, FlowError, Passage, Place, Velocity, Want};
+use crate::integrate::Tolerance;
 use crate::integrate::explicit::Settings;
-use crate::integrate::{Motion, Tolerance};
 use crate::model::{Model, ModelInfo, ParamId};
 use crate::scalar::{Inline, Lanes};
 use press::Vanishing;
@@ -224,11 +224,7 @@ impl<M: Model<N>, const N: usize> Flow<N> for ExactFlow<M, N> {
             let rates = self.system.snapshot(&from.state, &from.mode)?.field;
             countable(rates[phase], time)?;
         }
-        if want.derivatives {
-            Run::<M, Motion<N>, N>::new(self, from, time, want).finish()
-        } else {
-            Run::<M, [f64; N], N>::new(self, from, time, want).finish()
-        }
+        Run::new(self, from, time, want).finish()
     }
 
     fn velocity(&self, at: &Place<N, Self::Mode>) -> Result<Velocity<N>, FlowError> {

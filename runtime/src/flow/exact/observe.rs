@@ -4,7 +4,6 @@ use super::guard::Sighting;
 use super::run::Run;
 use super::steps::Steps;
 use crate::field::exact::{Mode, Modes};
-use crate::flow::saltation::Tracked;
 use crate::flow::{Event, EventKind, FlowError, Sample, Segment, nodes};
 use crate::integrate::Dense;
 use crate::model::Model;
@@ -14,11 +13,11 @@ const INSTANT: f64 = 1e-10;
 /// Samples of the path for each step.
 const SAMPLES: u32 = 8;
 
-impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
     /// Records how near each guard came to falling before the end of the step.
     pub(super) fn note_nearest(
         &mut self,
-        stepper: &mut Steps<'_, 'f, M, V, N>,
+        stepper: &mut Steps<'_, 'f, M, N>,
         whole: f64,
         nearest: &[Sighting],
     ) -> Result<(), FlowError> {
@@ -76,7 +75,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     }
 
     /// Looks for extrema in the step just made, and samples it.
-    pub(super) fn observe(&mut self, stepper: &mut Steps<'_, 'f, M, V, N>, dense: &Dense<N>) {
+    pub(super) fn observe(&mut self, stepper: &mut Steps<'_, 'f, M, N>, dense: &Dense<N>) {
         if self.want.looks_for_extrema() {
             self.extrema.look(stepper, dense);
         }

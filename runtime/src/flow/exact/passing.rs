@@ -5,19 +5,22 @@ use super::guard::Guard;
 use super::run::Run;
 use super::switch::Strike;
 use crate::field::exact::{Closed, ExactField, Modes};
-use crate::flow::saltation::{Saltation, Tracked};
+use crate::flow::saltation::Saltation;
 use crate::flow::{Determinant, FlowError, SensitivityUndefined};
-use crate::integrate::{Carried, Motion};
+use crate::integrate::{Carried, Motion, Tracked};
 use crate::model::Model;
 use crate::scalar::{Inline, Lanes};
 
 /// Relative difference up to which two orders of events have the same derivative.
 const SAME_DERIVATIVE: f64 = 1e-8;
 
-impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
+impl<M: Model<N>, const N: usize> Run<'_, M, N> {
     /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
     pub(super) fn put_on_surface(&mut self) -> Result<(), FlowError> {
-        self.flow.put_on_surface(&mut self.carried, &self.modes)
+        match &mut self.carried {
+            Tracked::State(state) => self.flow.put_state_on_surface(state, &self.modes),
+            Tracked::Motion(motion) => self.flow.put_on_surface(motion, &self.modes),
+        }
     }
 
     /// Carries Φ and p through the events of one instant.
@@ -47,29 +50,38 @@ impl<M: Model<N>, V: Tracked<N>, const N: usize> Run<'_, M, V, N> {
 
 impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
     /// Makes w = 0 exactly where contacts stick, and w_y Φ = 0, w_y p + w_r = 0 with it.
-    pub(super) fn put_on_surface<V: Tracked<N>>(
+    pub(super) fn put_on_surface(
         &self,
-        carried: &mut V,
+        motion: &mut Motion<N>,
         modes: &Modes<M, N>,
     ) -> Result<(), FlowError> {
         if modes.bound().next().is_none() {
             return Ok(());
         }
-        let system = &self.system;
-        let state = *carried.state();
+        let (system, state) = (&self.system, motion.state);
         let field = ExactField::new(system, *modes, &state)?;
-        let drift = field.drift(&state);
-        carried.state_mut().add(-1.0, &drift);
-        if let Some(motion) = carried.motion() {
-            if const { Modes::<M, N>::PRESSED } {
-                let rests = modes.rests().then_some(modes);
-                if let Some(closed) = rests.and_then(|rests| Closed::new(system, &state, rests)) {
-                    let gaps = system.linear_speeds(&state);
-                    project::<M, N>(motion, &|off| closed.correction(off), gaps.as_ref());
-                }
+        motion.state.add(-1.0, &field.drift(&state));
+        if const { Modes::<M, N>::PRESSED } {
+            let rests = modes.rests().then_some(modes);
+            if let Some(closed) = rests.and_then(|rests| Closed::new(system, &state, rests)) {
+                let gaps = system.linear_speeds(&state);
+                project::<M, N>(motion, &|off| closed.correction(off), gaps.as_ref());
             }
-            let lanes = system.linear_rates(&state, modes);
-            project::<M, N>(motion, &|off| field.correction(&state, off), lanes.as_ref());
+        }
+        let lanes = system.linear_rates(&state, modes);
+        project::<M, N>(motion, &|off| field.correction(&state, off), lanes.as_ref());
+        Ok(())
+    }
+
+    /// Makes w = 0 exactly where contacts stick.
+    fn put_state_on_surface(
+        &self,
+        state: &mut [f64; N],
+        modes: &Modes<M, N>,
+    ) -> Result<(), FlowError> {
+        if modes.bound().next().is_some() {
+            let drift = ExactField::new(&self.system, *modes, state)?.drift(state);
+            state.add(-1.0, &drift);
         }
         Ok(())
     }

@@ -8,13 +8,13 @@ use super::switch::Strike;
 use crate::field::Work;
 use crate::field::exact::{ExactField, Modes};
 use crate::flow::reach::leaves;
-use crate::flow::saltation::{Tracked, product};
+use crate::flow::saltation::product;
 use crate::flow::{
     Calm, Derivatives, Determinant, Event, Factor, FlowError, Node, Passage, Place, Sample,
     Segment, Want,
 };
 use crate::integrate::linear::Blur;
-use crate::integrate::{Dense, IntegrationError, Motion};
+use crate::integrate::{Dense, IntegrationError, Motion, Tracked};
 use crate::model::Model;
 use crate::scalar::Inline;
 
@@ -28,12 +28,12 @@ const FIRST: f64 = 1e-3;
 const CREEP: u64 = 20_000;
 
 /// A motion under way.
-pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
+pub(super) struct Run<'f, M: Model<N>, const N: usize> {
     pub(super) flow: &'f ExactFlow<M, N>,
     pub(super) want: Want,
     pub(super) span: f64,
     pub(super) time: f64,
-    pub(super) carried: V,
+    pub(super) carried: Tracked<N>,
     pub(super) modes: Modes<M, N>,
     pub(super) departure: M::PerContact<Departure>,
     /// Magnitude of the terms of each relative speed, at the beginning of the stretch.
@@ -61,7 +61,7 @@ pub(super) struct Run<'f, M: Model<N>, V, const N: usize> {
     pub(super) chatter: (u64, f64),
 }
 
-impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
     pub(super) fn new(
         flow: &'f ExactFlow<M, N>,
         from: &Place<N, Modes<M, N>>,
@@ -73,7 +73,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
             want,
             span,
             time: 0.0,
-            carried: V::begin(from.state),
+            carried: Tracked::begin(from.state, want.derivatives),
             modes: from.mode,
             departure: Inline::from_fn(|_| Departure::default()),
             scales: flow.speed_scales(&from.state),
@@ -198,7 +198,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// One step, so short that its dense output leaves no doubt whether a guard falls, and shortened to the first event in it.
     fn step(
         &mut self,
-        stepper: &mut Steps<'_, 'f, M, V, N>,
+        stepper: &mut Steps<'_, 'f, M, N>,
         field: &ExactField<'f, M, N>,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
         let speeds = self.flow.system.speeds(stepper.from());
@@ -251,7 +251,7 @@ impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
     /// Goes on to the end of the step, which is `struck` by an event or not.
     fn arrive(
         &mut self,
-        stepper: &mut Steps<'_, 'f, M, V, N>,
+        stepper: &mut Steps<'_, 'f, M, N>,
         field: &ExactField<'f, M, N>,
         struck: bool,
     ) {

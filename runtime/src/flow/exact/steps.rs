@@ -6,14 +6,16 @@ use crate::field::Work;
 use crate::field::exact::{ExactField, ExactSystem};
 use crate::integrate::explicit::{Settings, Stepper};
 use crate::integrate::linear::LinearStepper;
-use crate::integrate::{Carried, Dense, IntegrationError};
+use crate::integrate::{Dense, IntegrationError, Motion, Tracked};
 use crate::model::Model;
 use crate::scalar::Inline;
 
 /// Makes steps, one at a time.
-pub(super) enum Steps<'s, 'f, M: Model<N>, V, const N: usize> {
-    Linear(LinearStepper<'s, V, N>, &'s Forms<M, N>),
-    Explicit(Stepper<'s, ExactField<'f, M, N>, V, N>),
+pub(super) enum Steps<'s, 'f, M: Model<N>, const N: usize> {
+    Linear(LinearStepper<'s, N>, &'s Forms<M, N>),
+    Explicit(Stepper<'s, ExactField<'f, M, N>, [f64; N], N>),
+    /// With derivatives.
+    Differentiated(Stepper<'s, ExactField<'f, M, N>, Motion<N>, N>),
 }
 
 macro_rules! either {
@@ -21,33 +23,37 @@ macro_rules! either {
         match $steps {
             Self::Linear($stepper, _) => $call,
             Self::Explicit($stepper) => $call,
+            Self::Differentiated($stepper) => $call,
         }
     };
 }
 
-impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> {
+impl<'s, 'f, M: Model<N>, const N: usize> Steps<'s, 'f, M, N> {
     /// Begins at `from` at this time, for the rest of a span: along `linear`, if the field is known as such.
     pub(super) fn begin(
         field: &'s ExactField<'f, M, N>,
         linear: Option<&'s Known<M, N>>,
         settings: Settings,
-        from: V,
+        from: Tracked<N>,
         (time, span): (f64, f64),
     ) -> Self {
-        match linear {
-            Some(known) => {
-                let stepper = LinearStepper::new(&known.flow, settings.steps, from, time);
-                Self::Linear(stepper, &known.guards)
+        if let Some(known) = linear {
+            let stepper = LinearStepper::new(&known.flow, settings.steps, from, time);
+            return Self::Linear(stepper, &known.guards);
+        }
+        match from {
+            Tracked::State(from) => Self::Explicit(Stepper::new(field, settings, from, time, span)),
+            Tracked::Motion(from) => {
+                Self::Differentiated(Stepper::new(field, settings, from, time, span))
             }
-            None => Self::Explicit(Stepper::new(field, settings, from, time, span)),
         }
     }
 
     /// The motion in closed form and the guards along it, if it is.
-    pub(super) fn linear(&self) -> Option<(&LinearStepper<'s, V, N>, &'s Forms<M, N>)> {
+    pub(super) fn linear(&self) -> Option<(&LinearStepper<'s, N>, &'s Forms<M, N>)> {
         match self {
             Self::Linear(stepper, guards) => Some((stepper, guards)),
-            Self::Explicit(_) => None,
+            Self::Explicit(_) | Self::Differentiated(_) => None,
         }
     }
 
@@ -60,15 +66,17 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     pub(super) fn from(&self) -> &[f64; N] {
         match self {
             Self::Linear(stepper, _) => stepper.from(),
-            Self::Explicit(stepper) => stepper.from().state(),
+            Self::Explicit(stepper) => stepper.from(),
+            Self::Differentiated(stepper) => &stepper.from().state,
         }
     }
 
     /// Where they have come to, with the derivatives.
-    pub(super) fn arrived(&self) -> Result<V, IntegrationError> {
+    pub(super) fn arrived(&self) -> Result<Tracked<N>, IntegrationError> {
         match self {
             Self::Linear(stepper, _) => stepper.arrived(),
-            Self::Explicit(stepper) => Ok(*stepper.from()),
+            Self::Explicit(stepper) => Ok(Tracked::State(*stepper.from())),
+            Self::Differentiated(stepper) => Ok(Tracked::Motion(*stepper.from())),
         }
     }
 
@@ -76,7 +84,8 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     pub(super) fn end(&self) -> &[f64; N] {
         match self {
             Self::Linear(stepper, _) => stepper.end(),
-            Self::Explicit(stepper) => stepper.end().state(),
+            Self::Explicit(stepper) => stepper.end(),
+            Self::Differentiated(stepper) => &stepper.end().state,
         }
     }
 
@@ -97,7 +106,11 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         match self {
             Self::Linear(..) => None,
             Self::Explicit(stepper) => {
-                let slope = stepper.from_slope().state();
+                let slope = stepper.from_slope();
+                stepper.proposal().map(|length| (length, slope))
+            }
+            Self::Differentiated(stepper) => {
+                let slope = &stepper.from_slope().state;
                 stepper.proposal().map(|length| (length, slope))
             }
         }
@@ -113,6 +126,7 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
         match self {
             Self::Linear(..) => Ok(()),
             Self::Explicit(stepper) => stepper.stop_at_corner(),
+            Self::Differentiated(stepper) => stepper.stop_at_corner(),
         }
     }
 
@@ -130,7 +144,7 @@ impl<'s, 'f, M: Model<N>, V: Carried<N>, const N: usize> Steps<'s, 'f, M, V, N> 
     pub(super) fn between(&mut self, theta: f64, dense: &Dense<N>) -> [f64; N] {
         match self {
             Self::Linear(stepper, _) => stepper.step_map(theta * stepper.length()),
-            Self::Explicit(_) => dense.state(theta),
+            Self::Explicit(_) | Self::Differentiated(_) => dense.state(theta),
         }
     }
 

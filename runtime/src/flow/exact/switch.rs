@@ -6,7 +6,6 @@ use super::run::Run;
 use super::settle::{EDGE, Rest, Verdict};
 use super::steps::Steps;
 use crate::field::exact::{Mode, Modes};
-use crate::flow::saltation::Tracked;
 use crate::flow::{Event, EventKind, FlowError};
 use crate::model::Model;
 use crate::scalar::Inline;
@@ -37,12 +36,12 @@ impl<M: Model<N>, const N: usize> Strike<M, N> {
     }
 }
 
-impl<'f, M: Model<N>, V: Tracked<N>, const N: usize> Run<'f, M, V, N> {
+impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
     /// The guards that vanish at the end of a shortened step; `None` if even the awaited one does not,
     /// because the step map only comes near the surface that the dense output crossed.
     pub(super) fn struck(
         &self,
-        stepper: &Steps<'_, 'f, M, V, N>,
+        stepper: &Steps<'_, 'f, M, N>,
         awaited: &Sighting,
     ) -> Result<Option<Strike<M, N>>, FlowError> {
         let state = stepper.end();

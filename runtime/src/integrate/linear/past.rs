@@ -2,19 +2,19 @@
 
 use super::LinearFlow;
 use super::leap::once;
-use crate::integrate::{Carried, Propagator};
+use crate::integrate::{Propagator, Tracked};
 
 /// Where a stretch began, with its derivatives, and how far it has come from there.
 #[derive(Debug, Clone)]
-pub(super) struct Past<V> {
-    origin: V,
+pub(super) struct Past<const N: usize> {
+    origin: Tracked<N>,
     /// So many steps of full length, and the rest.
     steps: u64,
     rest: f64,
 }
 
-impl<V> Past<V> {
-    pub(super) fn new(origin: V) -> Self {
+impl<const N: usize> Past<N> {
+    pub(super) fn new(origin: Tracked<N>) -> Self {
         Self {
             origin,
             steps: 0,
@@ -22,7 +22,7 @@ impl<V> Past<V> {
         }
     }
 
-    pub(super) fn origin(&self) -> &V {
+    pub(super) fn origin(&self) -> &Tracked<N> {
         &self.origin
     }
 
@@ -35,17 +35,11 @@ impl<V> Past<V> {
     }
 
     /// What has come to this state.
-    pub(super) fn arrived<const N: usize>(&self, flow: &LinearFlow<N>, state: [f64; N]) -> V
-    where
-        V: Carried<N>,
-    {
+    pub(super) fn arrived(&self, flow: &LinearFlow<N>, state: [f64; N]) -> Tracked<N> {
         self.origin.led_to(state, || self.propagator(flow))
     }
 
-    fn propagator<const N: usize>(&self, flow: &LinearFlow<N>) -> Propagator<N>
-    where
-        V: Carried<N>,
-    {
+    fn propagator(&self, flow: &LinearFlow<N>) -> Propagator<N> {
         let mut point = flow.at(*self.origin.state());
         let mut total = None;
         let mut pass = |step: Propagator<N>| {

@@ -6,7 +6,7 @@ use super::piece::Piece;
 use super::{LinearFlow, ONE};
 use crate::field::{Point, Work};
 use crate::integrate::dense::TERMS;
-use crate::integrate::{Carried, Dense, IntegrationError};
+use crate::integrate::{Carried, Dense, IntegrationError, Tracked};
 use crate::scalar::mapped;
 
 /// Part of the tolerance of the dense output of a step of twice the length that the last term of this one may be: what is off
@@ -18,11 +18,11 @@ const WORTH: f64 = 64.0;
 
 /// Makes steps along a linear field: as long as its dense output is true, or shorter.
 #[derive(Debug, Clone)]
-pub(crate) struct LinearStepper<'f, V, const N: usize> {
+pub(crate) struct LinearStepper<'f, const N: usize> {
     flow: &'f LinearFlow<N>,
     /// Steps after which to give up.
     budget: u64,
-    past: Past<V>,
+    past: Past<N>,
     time: f64,
     /// The state where the step begins, and the wave of the drive.
     start: Point<N>,
@@ -41,9 +41,9 @@ pub(crate) struct LinearStepper<'f, V, const N: usize> {
     pub(crate) work: Work,
 }
 
-impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
+impl<'f, const N: usize> LinearStepper<'f, N> {
     /// Begins at `from`.
-    pub(crate) fn new(flow: &'f LinearFlow<N>, budget: u64, from: V, time: f64) -> Self {
+    pub(crate) fn new(flow: &'f LinearFlow<N>, budget: u64, from: Tracked<N>, time: f64) -> Self {
         let state = *from.state();
         Self {
             flow,
@@ -268,7 +268,7 @@ impl<'f, V: Carried<N>, const N: usize> LinearStepper<'f, V, N> {
     ///
     /// # Errors
     /// `NotFinite` if they are not.
-    pub(crate) fn arrived(&self) -> Result<V, IntegrationError> {
+    pub(crate) fn arrived(&self) -> Result<Tracked<N>, IntegrationError> {
         let end = self.past.arrived(self.flow, self.start.0);
         if end.is_finite() {
             Ok(end)
