@@ -3,6 +3,7 @@
 use super::corrector::Failure;
 use super::kind::Kind;
 use super::link::Link;
+use super::located::Located;
 use super::path::{Border, Path};
 use super::reading::{ErrorOf, Reader, Reading};
 use crate::field::Work;
@@ -79,6 +80,10 @@ impl<R: Reader> Path for Between<R> {
     fn border(&mut self, ends: [&R::Point; 2]) -> Option<Border<R::Point>> {
         let r_scale = self.link.r_scale();
         self.reader.border(&mut self.link.problem, ends, r_scale)
+    }
+
+    fn lost_between(&mut self, ends: [&R::Point; 2]) -> Option<Located<R::Point>> {
+        self.reader.lost_between(&self.link.problem, ends)
     }
 
     fn corner(&mut self, shares: [f64; 2]) -> Option<(f64, f64)> {

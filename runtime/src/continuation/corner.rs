@@ -6,6 +6,7 @@ use super::ending::Ending;
 use super::kind::Kind;
 use super::located::{Findings, Located};
 use super::path::Watched;
+use super::range::Stop;
 use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
 use super::walk::Walk;
 
@@ -20,11 +21,13 @@ impl<R: Reader> Walk<'_, R> {
         Crossing { located, beyond }: CrossingOf<R>,
     ) -> Option<Ending<ErrorOf<R>>> {
         let (kind, r) = (located.kind, located.r);
-        let end = self.end(located);
+        let end = self.end(located.clone());
         match beyond {
+            _ if self.returns => Some(end),
             Beyond::Nothing => Some(end),
             Beyond::Undecided => Some(Ending::Undecided(kind, r)),
             Beyond::Onwards(started) => {
+                self.look_back(&located, &started);
                 self.followed.go_on(*started);
                 None
             }
@@ -53,6 +56,15 @@ impl<R: Reader> Walk<'_, R> {
             before.after + APART <= self.points.len() || off > SAME * before.r.abs()
         });
         new.then_some(found)
+    }
+
+    /// The point to which the branch comes, if it is for that that there is no next one.
+    pub(super) fn refused(&self, stop: &Stop<ErrorOf<R>>) -> Option<CrossingOf<R>> {
+        let Reading { reader, branch, .. } = &*self.followed;
+        match stop {
+            Stop::Refused(why) => reader.refused(branch, &self.points, why),
+            _ => None,
+        }
     }
 
     /// What a step that went past such a point found on the way to it.

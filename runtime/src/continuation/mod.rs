@@ -3,6 +3,7 @@
 //! Knows a zero problem and nothing of orbits.
 
 mod attempt;
+mod back;
 mod between;
 mod branch;
 mod change;

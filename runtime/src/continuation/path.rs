@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use super::kind::Kind;
+use super::located::Located;
 use crate::field::Work;
 
 /// A point of a branch as it is read off the unknowns.
@@ -112,6 +113,11 @@ pub trait Path {
 
     /// The point between two others at which their regimes part, if it can be found as a point of its own.
     fn border(&mut self, _ends: [&Self::Point; 2]) -> Option<Border<Self::Point>> {
+        None
+    }
+
+    /// The point between two others at which a symmetry is lost that both have: the branch is singular there.
+    fn lost_between(&mut self, _ends: [&Self::Point; 2]) -> Option<Located<Self::Point>> {
         None
     }
 

@@ -38,6 +38,14 @@ impl<R: Reader> Walk<'_, R> {
         let before = self.located.partition_point(|one| one.after <= at);
         self.located.insert(before, fold);
     }
+
+    /// Forgets what seemed to be folds at this r, which the branch comes ever nearer to without an end: errors turn r there.
+    pub(super) fn forget_turns_at(&mut self, r: f64) {
+        let near = DOUBT * self.followed.accuracy * r.abs();
+        self.located.retain(|one| {
+            one.kind != Kind::Fold || one.abrupt || (one.r - r).abs() > near.max(one.error)
+        });
+    }
 }
 
 /// The points among which r stands still, if with the last one a branch leaves them the way it came: of two that are so near to

@@ -64,6 +64,15 @@ pub trait Reader: Clone {
         false
     }
 
+    /// The point between two others at which a symmetry is lost that both have, found where the branch is not singular for it.
+    fn lost_between(
+        &self,
+        _problem: &Self::Problem,
+        _ends: [&Self::Point; 2],
+    ) -> Option<Located<Self::Point>> {
+        None
+    }
+
     /// Looks at a special point once more.
     fn refine(&self, _problem: &Self::Problem, _found: &mut Located<Self::Point>) {}
 
@@ -179,6 +188,8 @@ pub struct Reading<R: Reader> {
     sharp: bool,
     /// To what share of the values of what is followed special points are located.
     pub(super) accuracy: f64,
+    /// Work on the branches before this one.
+    spent: Work,
     counted: Work,
 }
 
@@ -192,6 +203,7 @@ impl<R: Reader> Reading<R> {
             first: None,
             sharp: false,
             accuracy,
+            spent: Work::default(),
             counted: Work::default(),
         };
         reading.first = Some(reading.read(&first));
@@ -212,7 +224,9 @@ impl<R: Reader> Reading<R> {
 
     /// What was spent on its points, without what was spent between them.
     pub(super) fn work(&self) -> Work {
-        R::work(&self.branch.problem)
+        let mut work = self.spent;
+        work += R::work(&self.branch.problem);
+        work
     }
 
     /// Evaluates its points more sharply and tries once more, as their errors may be what no step is small enough for; false
@@ -227,9 +241,9 @@ impl<R: Reader> Reading<R> {
         true
     }
 
-    /// Goes on with another branch, its first point next, or the end of its range if that lies before it; what it has cost so
-    /// far is in its problem.
+    /// Goes on with another branch, its first point next, or the end of its range if that lies before it.
     pub(super) fn go_on(&mut self, (mut branch, first): Started<R::Problem>) {
+        self.spent = self.work();
         let first = branch.back_in_range().unwrap_or(first);
         self.branch = branch;
         self.first = Some(self.read(&first));

@@ -10,7 +10,7 @@ use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained, drop_pairs};
 use super::path::Watched;
 use super::range::{Settings, Stop};
-use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
+use super::reading::{ErrorOf, Reader, Reading};
 use crate::field::Work;
 
 /// A step so short, in scaled coordinates, that what it passes is looked for at once.
@@ -49,15 +49,11 @@ pub fn walk<R: Reader>(
     followed: &mut Reading<R>,
     watch: &mut dyn FnMut(&R::Point) -> ControlFlow<()>,
 ) -> Walked<R::Point, ErrorOf<R>> {
-    let mut walk = Walk {
-        followed,
-        points: Vec::new(),
-        located: Vec::new(),
-        unexplained: None,
-        wasted: Work::default(),
-        searched: Work::default(),
-    };
+    let mut walk = Walk::new(followed, false);
     let ending = walk.run(watch);
+    if let Ending::Unbounded(r) = ending {
+        walk.forget_turns_at(r);
+    }
     let unexplained = walk.unexplained.filter(|_| !ending.is_interrupted());
     Walked {
         points: walk.points,
@@ -76,7 +72,9 @@ pub(super) struct Walk<'a, R: Reader> {
     /// Work on steps that were taken back.
     wasted: Work,
     /// Work between points.
-    searched: Work,
+    pub(super) searched: Work,
+    /// Whether it only goes back to where the branch is not smooth, and ends there.
+    pub(super) returns: bool,
 }
 
 /// What to do after a step.
@@ -90,8 +88,23 @@ enum Verdict<P, E> {
     Last(P, Ending<E>),
 }
 
-impl<R: Reader> Walk<'_, R> {
-    fn run(&mut self, watch: &mut dyn FnMut(&R::Point) -> ControlFlow<()>) -> Ending<ErrorOf<R>> {
+impl<'a, R: Reader> Walk<'a, R> {
+    pub(super) fn new(followed: &'a mut Reading<R>, returns: bool) -> Self {
+        Self {
+            followed,
+            points: Vec::new(),
+            located: Vec::new(),
+            unexplained: None,
+            wasted: Work::default(),
+            searched: Work::default(),
+            returns,
+        }
+    }
+
+    pub(super) fn run(
+        &mut self,
+        watch: &mut dyn FnMut(&R::Point) -> ControlFlow<()>,
+    ) -> Ending<ErrorOf<R>> {
         loop {
             let Some(mut point) = self.followed.next() else {
                 match self.stopped() {
@@ -147,15 +160,6 @@ impl<R: Reader> Walk<'_, R> {
             return None;
         }
         Some(reason.map_or(Ending::Stopped(stop), |reason| self.end(reason)))
-    }
-
-    /// The point to which the branch comes, if it is for that that there is no next one.
-    fn refused(&self, stop: &Stop<ErrorOf<R>>) -> Option<CrossingOf<R>> {
-        let Reading { reader, branch, .. } = &*self.followed;
-        match stop {
-            Stop::Refused(why) => reader.refused(branch, &self.points, why),
-            _ => None,
-        }
     }
 
     /// Looks for what happens on the way to `point`, and for the end of the branch before it.

@@ -238,7 +238,13 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 left.set(left.get() || !point.seems_in_regime_of(points[0]));
                 (monitor.test)(point)
             };
-            let mut at = zero(self.path, ends, test, self.accuracy)?;
+            let mut at = match zero(self.path, ends, test, self.accuracy) {
+                Ok(at) => at,
+                Err(error) => {
+                    located.push(self.path.lost_between(points).ok_or(error)?.on(ends));
+                    continue;
+                }
+            };
             if left.get() {
                 return Ok(None);
             }

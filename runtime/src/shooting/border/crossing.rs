@@ -44,7 +44,7 @@ pub(in crate::shooting) fn cross(
     accuracy: f64,
 ) -> Option<Crossing<OrbitProblem, Orbit>> {
     let last = orbits.last()?;
-    let mut work = branch.problem.work;
+    let mut work = Work::default();
     let family = &branch.problem.family;
     let scale = branch.problem.scale();
     let ahead = |found: &Edge| {
