@@ -6,11 +6,8 @@ use super::at_once::changes_at_once;
 use super::begin::{SHARPER, begin};
 use super::border::{between, cross, name};
 use super::bound::unbounded;
-use super::given::closed;
-use super::guess::Guess;
-use super::halved::{Halved, Lost};
 use super::homoclinic::homoclinic;
-use super::orbit::{Heading, Orbit, Solution};
+use super::orbit::{Orbit, Solution};
 use super::problem::OrbitProblem;
 use super::rest::{comes_to_rest, rests_beyond};
 use super::same::SAME_ORBIT;
@@ -19,7 +16,7 @@ use super::shrunk::shrunk;
 use super::slip::lets_go;
 use super::sought::Search;
 use super::stray::walks_back;
-use super::symmetry::SURE;
+use super::symmetry::{SURE, lost_between, refine};
 use super::vertical::stands_still;
 use crate::bifurcation::{Kind, explain, falls, monitors};
 use crate::continuation::{
@@ -83,32 +80,6 @@ impl OrbitBranch {
     pub(super) fn begin(started: Started<OrbitProblem>, accuracy: f64) -> Self {
         let order = started.0.problem.magnitude.len();
         Self::new(Orbits { order, accuracy }, started, accuracy)
-    }
-}
-
-impl Orbits {
-    /// The orbit that has the symmetry where it loses it, on the branch of one beside it.
-    fn symmetric(&self, family: &Family, beside: &Orbit, lost: &Lost) -> Option<Orbit> {
-        let guess = Guess {
-            place: lost.start.clone(),
-            period: lost.period,
-            division: None,
-            ..beside.guess()
-        };
-        let sharp = family
-            .with_tolerance(Tolerance::for_accuracy(SHARPER * self.accuracy))
-            .with_magnitude(&guess.magnitude);
-        let orbit = closed(&sharp, lost.r, &guess, (self.accuracy, 1))?;
-        let heading = Heading {
-            start: orbit.heading.start.clone(),
-            ..beside.heading.clone()
-        };
-        Some(Orbit {
-            heading,
-            work: beside.work,
-            error_estimate: beside.error_estimate,
-            ..orbit
-        })
     }
 }
 
@@ -180,30 +151,14 @@ impl Reader for Orbits {
         })
     }
 
-    /// Tells a branch point from one at which a symmetry is lost, which orbits that have it tell better where it is.
     fn refine(&self, problem: &OrbitProblem, found: &mut Located<Orbit>) {
-        let family = &problem.family;
-        if found.kind != Kind::BranchPoint {
-            return;
+        if found.kind == Kind::BranchPoint {
+            refine(&problem.family, found, self.accuracy);
         }
-        // An orbit that cannot be gone around once more has no symmetry that could be told.
-        let Ok(Some((symmetry, halfway))) = found.point.lost_symmetry(family) else {
-            return;
-        };
-        found.kind = Kind::SymmetryBreaking;
-        let magnitude = found.point.magnitude();
-        let halved = halfway.then(|| Halved::of(&found.point, symmetry, &magnitude));
-        let [from, to] = found.sides.map(|(r, _)| r);
-        let near = (found.r, found.r.abs().max((to - from).abs()));
-        let lost = halved.and_then(|halved| halved.lost(family, near, self.accuracy));
-        if let Some(lost) = lost
-            && (lost.r - from) * (lost.r - to) <= 0.0
-        {
-            (found.r, found.error) = (lost.r, lost.error);
-            if let Some(orbit) = self.symmetric(family, &found.point, &lost) {
-                (found.point, found.lasting) = (orbit, lost.lasting);
-            }
-        }
+    }
+
+    fn lost_between(&self, problem: &OrbitProblem, ends: [&Orbit; 2]) -> Option<Located<Orbit>> {
+        lost_between(&problem.family, ends, self.accuracy)
     }
 
     fn cross(

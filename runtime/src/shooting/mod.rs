@@ -24,7 +24,6 @@ mod flat;
 mod given;
 mod grip;
 mod guess;
-mod halved;
 mod homoclinic;
 mod hopf;
 mod least;

@@ -4,15 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::DMatrix;
 
-use super::orbit::Orbit;
+use super::involution::Symmetry;
 use crate::flow::{FlowError, Want};
 use crate::linear::eigenvalues;
 use crate::motion::{Family, Flow};
+use crate::shooting::orbit::Orbit;
 
-/// Systems of more states are asked for changes of sign only: exchanges of states become too many.
-const EXCHANGED: usize = 6;
-/// Systems of more states are asked for the change of all signs only.
-const SIGNED: usize = 12;
 /// States at which a symmetry of the field is tried.
 const TRIALS: usize = 6;
 /// And how far from the middle of the orbit they lie, in its half extents.
@@ -23,108 +20,9 @@ const ROUNDING: f64 = 1e-11;
 /// root of what the rest is, or lies beside the point itself on the branch that has lost the symmetry.
 const CLOSE: f64 = 1e-2;
 /// And to this one for sure: one beside a branch point where it is lost differs by more.
-pub(super) const SURE: f64 = 1e-7;
-
-/// A symmetry of order two: states change signs and places in pairs, and the phase of a drive moves by half a turn.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Symmetry {
-    /// Which state each one becomes.
-    place: Vec<usize>,
-    /// And with which sign.
-    sign: Vec<f64>,
-    /// The state that is the phase of a drive, if it moves.
-    phase: Option<usize>,
-}
-
-impl Symmetry {
-    /// What it makes of a direction.
-    fn linear(&self, y: &[f64]) -> Vec<f64> {
-        let pairs = self.sign.iter().zip(&self.place);
-        pairs.map(|(sign, place)| sign * y[*place]).collect()
-    }
-
-    /// What it makes of a state.
-    pub(super) fn of(&self, y: &[f64]) -> Vec<f64> {
-        let mut image = self.linear(y);
-        if let Some(phase) = self.phase {
-            image[phase] += PI;
-        }
-        image
-    }
-
-    /// What it makes of directions.
-    pub(super) fn matrix(&self) -> DMatrix<f64> {
-        let order = self.sign.len();
-        DMatrix::from_fn(order, order, |i, j| {
-            if j == self.place[i] {
-                self.sign[i]
-            } else {
-                0.0
-            }
-        })
-    }
-
-    /// All of them but the one that changes nothing.
-    fn all(order: usize, drive: Option<usize>) -> Vec<Self> {
-        let mut all = vec![Self::signed(vec![0.0; order])];
-        if order > SIGNED {
-            let sign = |i| if Some(i) == drive { 1.0 } else { -1.0 };
-            all[0].sign = (0..order).map(sign).collect();
-        } else {
-            for i in 0..order {
-                all = all
-                    .iter()
-                    .flat_map(|one| one.extended(i, Some(i) == drive))
-                    .collect();
-            }
-        }
-        let nothing = Self::signed(vec![1.0; order]);
-        let phases = [None, drive];
-        let moved = all.iter().flat_map(|one| {
-            phases.map(|phase| Self {
-                phase,
-                ..one.clone()
-            })
-        });
-        let mut moved: Vec<Self> = moved
-            .filter(|one| one.phase.is_some() || *one != nothing)
-            .collect();
-        moved.dedup();
-        moved
-    }
-
-    /// Changes these signs and no places.
-    fn signed(sign: Vec<f64>) -> Self {
-        Self {
-            place: (0..sign.len()).collect(),
-            sign,
-            phase: None,
-        }
-    }
-
-    /// The ways in which state i can take part, if those before it are settled.
-    fn extended(&self, i: usize, is_drive: bool) -> Vec<Self> {
-        if self.sign[i] != 0.0 {
-            return vec![self.clone()];
-        }
-        let partners = if is_drive || self.sign.len() > EXCHANGED {
-            i..i + 1
-        } else {
-            i..self.sign.len()
-        };
-        let signs: &[f64] = if is_drive { &[1.0] } else { &[1.0, -1.0] };
-        let pairs = partners.flat_map(|j| signs.iter().map(move |sign| (j, *sign)));
-        pairs
-            .filter(|(j, _)| self.sign[*j] == 0.0)
-            .map(|(j, sign)| {
-                let mut one = self.clone();
-                (one.place[i], one.place[j]) = (j, i);
-                (one.sign[i], one.sign[j]) = (sign, sign);
-                one
-            })
-            .collect()
-    }
-}
+pub(in crate::shooting) const SURE: f64 = 1e-7;
+/// And about, where errors grow along that: one that has lost it differs by more this near to where it is lost.
+pub(super) const NEARLY: f64 = 1e-5;
 
 impl Orbit {
     /// The symmetry of this orbit that the branch has lost which crosses its own at a branch point, if it has lost one: the
@@ -135,7 +33,7 @@ impl Orbit {
     ///
     /// # Errors
     /// The flow fails on the orbit.
-    pub(super) fn lost_symmetry(
+    pub(in crate::shooting) fn lost_symmetry(
         &self,
         family: &Family,
     ) -> Result<Option<(Symmetry, bool)>, FlowError> {
@@ -158,25 +56,46 @@ impl Orbit {
                 continue;
             };
             let Some(map) = map else { continue };
-            if changes_sign(&one.matrix(), &map.state, fixed) {
+            if changes_sign(&one, &map.state, fixed) {
                 return Ok(Some((one, fixed < 0.0)));
             }
         }
         Ok(None)
     }
 
-    /// The symmetry that the orbit has after half its period, if it has one.
-    pub(super) fn mirrored(&self, flow: &dyn Flow) -> Option<Symmetry> {
+    /// The symmetries that it has, each with whether that is so after half its period.
+    pub(super) fn own_symmetries(&self, flow: &dyn Flow) -> Vec<(Symmetry, bool)> {
         let begin = self.begins();
         let half = flow.advance(begin, 0.5 * self.period, Want::default());
-        let (half, drive) = (half.ok()?.end.state, flow.phase());
-        let mut candidates = Symmetry::all(flow.order(), drive);
-        candidates.retain(|one| self.are_one(&one.of(&begin.state), &half, drive, SURE));
-        self.symmetries(flow, candidates).into_iter().next()
+        let (half, drive) = (half.map(|half| half.end.state), flow.phase());
+        let halfway = |one: &Symmetry| {
+            let image = one.of(&begin.state);
+            let is = |state: &[f64]| self.are_one(&image, state, drive, SURE);
+            let at_once = is(&begin.state).then_some(false);
+            at_once.or_else(|| half.as_ref().is_ok_and(|half| is(half)).then_some(true))
+        };
+        let candidates = Symmetry::all(flow.order(), drive).into_iter();
+        let own = candidates.filter_map(|one| halfway(&one).map(|halfway| (one, halfway)));
+        let mut own: Vec<_> = own.collect();
+        for state in self.around() {
+            own.retain(|(one, _)| commutes(flow, one, &state));
+        }
+        own
+    }
+
+    /// The symmetry that it has after half its period, if it has one.
+    pub(in crate::shooting) fn mirrored(&self, flow: &dyn Flow) -> Option<Symmetry> {
+        let mut own = self.own_symmetries(flow).into_iter();
+        own.find_map(|(symmetry, halfway)| halfway.then_some(symmetry))
     }
 
     /// Whether it has lost the symmetry that an orbit before it has after half its period, by more than these errors.
-    pub(super) fn has_lost(&self, family: &Family, before: &Self, errors: f64) -> bool {
+    pub(in crate::shooting) fn has_lost(
+        &self,
+        family: &Family,
+        before: &Self,
+        errors: f64,
+    ) -> bool {
         if !self.pins.is_empty() || !before.pins.is_empty() {
             // What is held may be held anywhere.
             return false;
@@ -201,7 +120,7 @@ impl Orbit {
 
     /// Whether this symmetry leaves it as it is but for these errors, at once or after half its period; `None` if it cannot be gone
     /// around.
-    pub(super) fn keeps(
+    pub(in crate::shooting) fn keeps(
         &self,
         family: &Family,
         (symmetry, halfway): &(Symmetry, bool),
@@ -268,13 +187,11 @@ fn commutes(flow: &dyn Flow, one: &Symmetry, state: &[f64]) -> bool {
 /// An orbit that S leaves as it is: Φ is split by (1 ± S)/2, and its second multiplier 1 belongs to one of the parts.
 /// One that S leaves as it is after half a period: SΦ(T/2) has the squares roots of the multipliers, that of the flow's
 /// own being 1, and a critical one is 1 or −1.
-fn changes_sign(symmetry: &DMatrix<f64>, map: &DMatrix<f64>, fixed: f64) -> bool {
-    let identity = DMatrix::<f64>::identity(symmetry.nrows(), symmetry.nrows());
-    let part = |sign: f64| (&identity + symmetry * sign) * 0.5 * map;
+fn changes_sign(symmetry: &Symmetry, map: &DMatrix<f64>, fixed: f64) -> bool {
     let [kept, changed] = if fixed > 0.0 {
-        [part(1.0), part(-1.0)]
+        [1.0, -1.0].map(|sign| symmetry.part(sign) * map)
     } else {
-        [symmetry * map, symmetry * map]
+        [symmetry.matrix() * map, symmetry.matrix() * map]
     };
     let mut kept = distances(&kept, 1.0);
     kept.sort_by(f64::total_cmp);
