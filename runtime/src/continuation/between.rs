@@ -3,7 +3,6 @@
 use super::corrector::Failure;
 use super::kind::Kind;
 use super::link::Link;
-use super::located::Located;
 use super::path::{Border, Path};
 use super::reading::{ErrorOf, Reader, Reading};
 use crate::field::Work;
@@ -82,7 +81,7 @@ impl<R: Reader> Path for Between<R> {
         self.reader.border(&mut self.link.problem, ends, r_scale)
     }
 
-    fn lost_between(&mut self, ends: [&R::Point; 2]) -> Option<Located<R::Point>> {
+    fn lost_between(&mut self, ends: [&R::Point; 2]) -> Option<(R::Point, [f64; 2])> {
         self.reader.lost_between(&self.link.problem, ends)
     }
 

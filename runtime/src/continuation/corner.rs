@@ -27,7 +27,7 @@ impl<R: Reader> Walk<'_, R> {
             Beyond::Nothing => Some(end),
             Beyond::Undecided => Some(Ending::Undecided(kind, r)),
             Beyond::Onwards(started) => {
-                self.look_back(&located, &started);
+                self.look_back(&started.0, &located);
                 self.followed.go_on(*started);
                 None
             }

@@ -52,13 +52,12 @@ impl<P> Located<P> {
         }
     }
 
-    /// The same on a branch that goes the other way, after so many of its points.
-    pub(super) fn seen_from_behind(self, after: usize) -> Self {
+    /// The same on a branch that goes the other way.
+    pub(super) fn seen_from_behind(self) -> Self {
         let [from, to] = self.sides;
         Self {
             sides: [to, from],
             left: f64::NAN,
-            after,
             ..self
         }
     }
@@ -72,19 +71,6 @@ impl<P> Located<P> {
             sides: ends.map(|spot| (spot.point.r(), spot.point.unstable())),
             share: at.share,
             ..Self::at(kind, f64::NAN, at.point)
-        }
-    }
-
-    /// The same as found between these two.
-    pub(super) fn on(self, ends: [&Spot<P>; 2]) -> Self
-    where
-        P: Watched,
-    {
-        let [from, to] = ends.map(|spot| (spot.point.r(), spot.share));
-        Self {
-            sides: ends.map(|spot| (spot.point.r(), spot.point.unstable())),
-            share: from.1 + (self.r - from.0) / (to.0 - from.0) * (to.1 - from.1),
-            ..self
         }
     }
 

@@ -3,7 +3,6 @@
 //! Knows a zero problem and nothing of orbits.
 
 mod attempt;
-mod back;
 mod between;
 mod branch;
 mod change;
@@ -14,6 +13,7 @@ mod damped;
 mod detect;
 mod ending;
 mod exchange;
+mod gap;
 mod kind;
 mod link;
 mod located;

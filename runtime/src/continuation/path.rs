@@ -3,7 +3,6 @@
 use std::fmt::Display;
 
 use super::kind::Kind;
-use super::located::Located;
 use crate::field::Work;
 
 /// A point of a branch as it is read off the unknowns.
@@ -116,8 +115,9 @@ pub trait Path {
         None
     }
 
-    /// The point between two others at which a symmetry is lost that both have: the branch is singular there.
-    fn lost_between(&mut self, _ends: [&Self::Point; 2]) -> Option<Located<Self::Point>> {
+    /// The point between two others at which a symmetry is lost that both have, the errors of r there and of how long it lasts: the
+    /// branch is singular there.
+    fn lost_between(&mut self, _ends: [&Self::Point; 2]) -> Option<(Self::Point, [f64; 2])> {
         None
     }
 

@@ -64,12 +64,13 @@ pub trait Reader: Clone {
         false
     }
 
-    /// The point between two others at which a symmetry is lost that both have, found where the branch is not singular for it.
+    /// The point between two others at which a symmetry is lost that both have, found where the branch is not singular for it,
+    /// and the errors of r there and of how long it lasts.
     fn lost_between(
         &self,
         _problem: &Self::Problem,
         _ends: [&Self::Point; 2],
-    ) -> Option<Located<Self::Point>> {
+    ) -> Option<(Self::Point, [f64; 2])> {
         None
     }
 

@@ -132,8 +132,9 @@ impl<'a, R: Reader> Walk<'a, R> {
             if verdict.is_break() {
                 return Ending::Interrupted;
             }
-            let crossing = reader.leads(branch, &self.points);
-            if let Some(ending) = crossing.and_then(|crossing| self.pass(crossing)) {
+            let leads = |_| reader.leads(branch, &self.points);
+            let crossing = (!self.returns).then_some(()).and_then(leads);
+            if let Some(ending) = crossing.and_then(|crossing| self.come_to(crossing)) {
                 return ending;
             }
         }
@@ -144,7 +145,7 @@ impl<'a, R: Reader> Walk<'a, R> {
         let stop = self.followed.stop().cloned().unwrap_or(Stop::TooManyPoints);
         if !stop.is_stuck() {
             return match self.refused(&stop) {
-                Some(crossing) => self.pass(crossing),
+                Some(crossing) => self.come_to(crossing),
                 None => Some(Ending::Stopped(stop)),
             };
         }

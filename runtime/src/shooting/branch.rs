@@ -157,7 +157,7 @@ impl Reader for Orbits {
         }
     }
 
-    fn lost_between(&self, problem: &OrbitProblem, ends: [&Orbit; 2]) -> Option<Located<Orbit>> {
+    fn lost_between(&self, problem: &OrbitProblem, ends: [&Orbit; 2]) -> Option<(Orbit, [f64; 2])> {
         lost_between(&problem.family, ends, self.accuracy)
     }
 

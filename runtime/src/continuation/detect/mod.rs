@@ -1,6 +1,7 @@
 //! What happens between two neighbouring points of a branch, with bookkeeping.
 
 mod account;
+mod lost;
 
 use std::cell::Cell;
 
@@ -241,7 +242,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             let mut at = match zero(self.path, ends, test, self.accuracy) {
                 Ok(at) => at,
                 Err(error) => {
-                    located.push(self.path.lost_between(points).ok_or(error)?.on(ends));
+                    located.push(self.lost(ends).ok_or(error)?);
                     continue;
                 }
             };

@@ -54,12 +54,13 @@ pub(in crate::shooting) fn refine(family: &Family, found: &mut Located<Orbit>, a
     }
 }
 
-/// Where the symmetry that these two orbits have is lost between them, a multiplier passing through 1.
+/// The orbit between these two at which the symmetry is lost that both have, a multiplier passing through 1, and the errors of r there
+/// and of its period.
 pub(in crate::shooting) fn lost_between(
     family: &Family,
     ends: [&Orbit; 2],
     accuracy: f64,
-) -> Option<Located<Orbit>> {
+) -> Option<(Orbit, [f64; 2])> {
     let [from, to] = ends;
     let critical = |orbit: &Orbit| fold(&orbit.floquet.multipliers);
     let [before, after] = ends.map(critical);
@@ -70,9 +71,7 @@ pub(in crate::shooting) fn lost_between(
     let lost =
         own.find_map(|symmetry| lost(family, nearest, symmetry, [from.r, to.r], accuracy))?;
     let orbit = lost.orbit(family, nearest, accuracy)?;
-    let mut found = Located::at(Kind::SymmetryBreaking, lost.r, orbit);
-    (found.error, found.lasting) = (lost.error, lost.lasting);
-    Some(found)
+    Some((orbit, [lost.error, lost.lasting]))
 }
 
 /// Where orbits lose a symmetry that this one has, or nearly so, if it is between these values of r.
