@@ -76,12 +76,12 @@ impl<S: Subject> CriticalProblem<S> {
         Ok(self.condition.value(&beside, self.subject.magnitude()))
     }
 
-    /// ∂g/∂z and ∂g/∂q, by central differences.
+    /// ∂g/∂z and ∂g/∂q, by differences from both sides of where the condition has this value.
     fn slopes(
         &mut self,
         z: &DVector<f64>,
         q: f64,
-        near: &S::Extra,
+        (near, test): (&S::Extra, f64),
     ) -> Result<(DVector<f64>, f64), FlowError> {
         let scale = self.scale();
         let mut gradient = DVector::zeros(z.len());
@@ -90,14 +90,23 @@ impl<S: Subject> CriticalProblem<S> {
             let (mut low, mut high) = (z.clone(), z.clone());
             low[i] -= step;
             high[i] += step;
-            let rise = self.test(&high, q, near)? - self.test(&low, q, near)?;
-            gradient[i] = rise / (high[i] - low[i]);
+            let beside = [&low, &high].map(|z| (z[i], self.test(z, q, near)));
+            gradient[i] = slope((z[i], test), beside)?;
         }
         let step = DIFFERENCE * self.scales[1];
-        let (low, high) = (q - step, q + step);
-        let rise = self.test(z, high, near)? - self.test(z, low, near)?;
-        Ok((gradient, rise / (high - low)))
+        let beside = [q - step, q + step].map(|q| (q, self.test(z, q, near)));
+        Ok((gradient, slope((q, test), beside)?))
     }
+}
+
+/// The slope of a function between two places beside one, or from there where one of them is none: a parameter may end at its
+/// bound.
+fn slope(here: (f64, f64), beside: [(f64, Result<f64, FlowError>); 2]) -> Result<f64, FlowError> {
+    let ((a, low), (b, high)) = match beside {
+        [(_, Err(_)), (x, Ok(value))] | [(x, Ok(value)), (_, Err(_))] => (here, (x, value)),
+        [(a, low), (b, high)] => ((a, low?), (b, high?)),
+    };
+    Ok((high - low) / (b - a))
 }
 
 /// The unknowns of the orbit or equilibrium, and p.
@@ -127,7 +136,7 @@ impl<S: Subject> ZeroProblem for CriticalProblem<S> {
         let found = self.subject.evaluate(&own, p)?;
         let beside = self.subject.beside(&found.extra);
         let test = self.condition.value(&beside, self.subject.magnitude());
-        let (gradient, design) = self.slopes(z, q, &found.extra)?;
+        let (gradient, design) = self.slopes(z, q, (&found.extra, test))?;
         let n = z.len();
         let mut jacobian = found.jacobian.resize(n, n, 0.0);
         jacobian

@@ -17,6 +17,9 @@ const HALVINGS: u32 = 7;
 const MOST: usize = 512;
 /// What errors grow by along either half is that of the whole if it is no less than this share of it.
 const SAME: f64 = 0.5;
+/// Share of the period below which a segment is not divided along one half of which errors grow as along all of it, and a contact
+/// switches: they grow there at once, as at a slow impact.
+const BRIEF: f64 = 0.05;
 /// Shares of a segment at which it may be divided, and of it by which all events are to be avoided.
 const SEAMS: [f64; 5] = [0.5, 0.45, 0.55, 0.4, 0.6];
 const MARGIN: f64 = 0.02;
@@ -158,8 +161,8 @@ impl Division {
         kept
     }
 
-    /// Adds a segment, or its parts. It is left whole where errors grow along either half as they do along it: that is a
-    /// matter of units.
+    /// Adds a segment, or its parts. It is left whole where errors grow along either half as they do along it, which is a matter of
+    /// units, and where they grow at once.
     fn divide(
         &mut self,
         measure: &Measure<'_>,
@@ -177,7 +180,11 @@ impl Division {
         let first = measure.follow(&start, seam * share)?;
         let middle = first.end.clone();
         let second = measure.follow(&middle, (1.0 - seam) * share)?;
-        if measure.growth(&first).min(measure.growth(&second)) >= SAME * growth {
+        let halves = [&first, &second].map(|half| measure.growth(half) >= SAME * growth);
+        let at_once = |half: &Passage| half.events.iter().any(|event| event.kind.is_switch());
+        let at_once =
+            share < BRIEF && (halves[0] && at_once(&first) || halves[1] && at_once(&second));
+        if at_once || halves == [true; 2] {
             self.add(start, share);
             return Ok(());
         }

@@ -62,6 +62,18 @@ model! {
 }
 
 model! {
+    /// The rate of small motions passes zero at p = 1 − q, as far as q may be anything.
+    pub struct Bounded {
+        state x = 0.0;
+        state v = 0.0;
+        param p = 0.3;
+        param q = 0.0 where q >= 0.0;
+        der(x) = v;
+        der(v) = (p - 1.0 + q - powi(x, 2)) * v - x;
+    }
+}
+
+model! {
     /// The equilibria s = ±√q, whose pair passes the axis at p = s.
     pub struct Turning {
         state s = 1.0;
@@ -257,4 +269,15 @@ fn a_boundary_of_sliding_is_not_followed() {
     let model = System::of::<Sliding, _>();
     let error = curve(&model, ("v_d", 1.6, 0.01), ("xi", 0.05, 0.4), "LP1").unwrap_err();
     assert!(matches!(error, StudyError::NoSpecial { .. }), "{error}");
+}
+
+/// What a curve needs of the motions beside one that lies on a bound, it takes from the side on which there are any.
+#[test]
+fn a_curve_begins_and_ends_at_a_bound() {
+    let model = System::of::<Bounded, _>();
+    for (from, to) in [(0.0, 0.5), (0.5, 0.0)] {
+        let found = curve(&model, ("p", 0.3, 1.5), ("q", from, to), "HB1").unwrap();
+        lies_on(&found, |q| 1.0 - q, 1e-9);
+        assert_eq!(found.ended.word(), "reached-end");
+    }
 }

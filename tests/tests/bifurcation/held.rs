@@ -1,7 +1,9 @@
 //! Borders of orbits along which another contact sticks all along: where that does so is free.
 
+use stickslip::bifurcation::Stability;
 use stickslip::continuation::Kind;
 use stickslip::model;
+use stickslip::model::Model;
 use stickslip::study::{BranchRecord, Case, Special, System};
 use stickslip_models::friction::{Coulomb, Tustin};
 
@@ -65,6 +67,34 @@ model! {
     }
 }
 
+model! {
+    /// A drum that hangs by two springs and two dampers that rub: an unbalance aside of its middle sways and turns it.
+    struct Washer {
+        state y: m = 0.0;
+        state v: m/s = 0.0;
+        state r: rad = 0.0;
+        state w: rad/s = 0.0;
+        param unbalance: kg*m = 0.1;
+        param off: m = 0.1;
+        param omega: rad/s = 15.0 where omega > 0.0;
+        param left: N = 15.0 where left >= 0.0;
+        param right: N = 20.0 where right >= 0.0;
+        param m: kg = 40.0;
+        param inertia: kg*m^2 = 2.0;
+        param k: N/m = 4000.0;
+        param c: N*s/m = 20.0;
+        param arm: m = 0.25;
+        drive phi at omega;
+        friction F: N = Coulomb { level: left } opposing v + arm * w;
+        friction G: N = Coulomb { level: right } opposing v - arm * w;
+        let push = unbalance * omega * omega * cos(phi);
+        der(y) = v;
+        der(v) = (push - 2.0 * k * y - 2.0 * c * v + F + G) / m;
+        der(r) = w;
+        der(w) = (off * push - 2.0 * k * arm * arm * r - 2.0 * c * arm * arm * w + arm * F - arm * G) / inertia;
+    }
+}
+
 /// Only the force over the levels counts: twice the force is half the levels. A branch ended where the second block let go, as
 /// what had held it was not known to slide from the first, least orbit on.
 #[test]
@@ -88,16 +118,59 @@ fn contacts_let_go_one_after_another() {
     }
     // The first block begins where the force is its friction, and as it hardly moves the others do not.
     assert!((pushed[0].r - 1.0).abs() < 1e-7, "{}", pushed[0].r);
-    // Back again, they come to rest where they let go.
+    // Back again, they come to rest where they let go, and pass the same on the way to there.
     let back = followed(Train::push, 4.0..0.5);
-    for push in &pushed {
-        let near = |one: &Special| (one.r - push.r).abs() < 1e-5 * push.r;
-        assert!(
-            back.iter().any(|one| one.kind == push.kind && near(one)),
-            "{}",
-            push.r
-        );
+    assert_eq!(pushed.len(), back.len(), "{pushed:?} {back:?}");
+    for (push, back) in pushed.iter().zip(back.iter().rev()) {
+        let near = (back.r - push.r).abs() < 1e-5 * push.r;
+        assert!(near && back.kind == push.kind, "{} {}", push.r, back.r);
     }
+}
+
+/// A branch may begin where its parameter is zero, and where it changes nothing before friction lets go: F bears (1 + off/arm)/2 of
+/// the unbalance ω², which is `left` at 1/12. It was told that friction lets go, and nothing else.
+#[test]
+fn a_branch_begins_at_zero_where_nothing_changes() {
+    let case = Case::of(&Washer::default()).following(Washer::off, 0.0..0.25);
+    let case = Case {
+        parameters: Washer {
+            off: 0.0,
+            ..Washer::default()
+        }
+        .values()
+        .as_ref()
+        .to_vec(),
+        ..case
+    };
+    let branch = System::of::<Washer, _>().branch(&case).unwrap();
+    let found: Vec<(Kind, f64)> = branch.special.iter().map(|one| (one.kind, one.r)).collect();
+    assert_eq!(branch.ended.word(), "reached-end", "{found:?}");
+    let [(Kind::VanishingSegment, slips), (Kind::CrossingSliding, _)] = found[..] else {
+        panic!("{found:?}")
+    };
+    assert!((slips - 1.0 / 12.0).abs() < 1e-9, "{slips}");
+    let work = branch.points.iter().map(|one| one.work.newton);
+    assert!(
+        work.clone().all(|newton| newton < 10_000),
+        "{:?}",
+        work.collect::<Vec<_>>()
+    );
+}
+
+/// Where friction comes to hold a contact in any of many places, the last orbit along which it slides is not the one on which the
+/// motion settles.
+#[test]
+fn a_motion_settles_where_friction_holds_it() {
+    let settled = Washer {
+        omega: 30.0,
+        ..Washer::default()
+    };
+    let orbit = System::of::<Washer, _>()
+        .orbit(&Case::of(&settled))
+        .unwrap();
+    assert_eq!(orbit.word.as_deref(), Some("slip-(F) slip+(F)"));
+    assert_eq!(orbit.floquet.stability, Stability::Stable);
+    assert!(orbit.error_estimate < 1e-9, "{:e}", orbit.error_estimate);
 }
 
 /// It was told by a bracket at best, or the branch ended there.

@@ -2,6 +2,7 @@
 
 mod annulus;
 mod audit;
+mod bell;
 mod bilinear;
 mod buffer;
 mod by_hand;

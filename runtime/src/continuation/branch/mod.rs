@@ -225,7 +225,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             residual,
             ..
         } = corrected;
-        let r_scale = measure::at(r, &tangent, self.r_scale, self.settings.from);
+        let range = [self.settings.from, self.settings.to];
+        let r_scale = measure::at(r, &tangent, self.r_scale, range);
         let same = DVector::from_element(z.len(), 1.0);
         tangent = rescaled(tangent, &same, self.r_scale / r_scale);
         self.r_scale = r_scale;
