@@ -66,7 +66,7 @@ fn through(
     let family = family.with_magnitude(&guess.magnitude);
     let (mut problem, z) =
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
-    problem.close_to(search.accuracy);
+    problem.accuracy = search.accuracy;
     problem.may_run();
     problem.centre(r).map_err(Failure::Evaluation)?;
     let plain = problem.clone();

@@ -32,11 +32,6 @@ impl Shot {
 }
 
 impl OrbitProblem {
-    /// Takes pinned orbits for closed that are to this accuracy.
-    pub(super) fn close_to(&mut self, accuracy: f64) {
-        self.closes = UNCLOSED * accuracy;
-    }
-
     /// Takes what holds one more orbit of a branch; it is refused where that is held no more.
     ///
     /// # Errors
@@ -48,7 +43,7 @@ impl OrbitProblem {
             return Err(FlowError::LetsGo);
         }
         let closure = shot.closure;
-        if !self.pins.is_empty() && closure > self.closes.max(CLOSED) {
+        if !self.pins.is_empty() && closure > (UNCLOSED * self.accuracy).max(CLOSED) {
             return Err(FlowError::Unpinned { closure });
         }
         // What has let go of a pin may move it later only.

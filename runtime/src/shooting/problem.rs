@@ -7,14 +7,11 @@ use super::division::{Division, Measure};
 use super::phase::Phase;
 use super::pin::{Pin, through};
 use super::shot::Shot;
-use super::shrunk::Size;
+use super::size::Size;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Family, Flow, Modes, Place};
-
-/// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
-const VANISHED: f64 = 1e-4;
 
 /// Unknowns are the starts x₁ … xₘ of `m` segments and the period T; the equations are
 /// φ(xᵢ, sᵢ T) − xᵢ₊₁ = 0, cyclically, sᵢ being the share of segment i, and a phase condition on x₁.
@@ -40,16 +37,16 @@ pub struct OrbitProblem {
     pub work: Work,
     pub(super) modes: Vec<Modes>,
     pub(super) shares: Vec<f64>,
-    largest: Vec<f64>,
+    pub(super) largest: Vec<f64>,
     /// States and modes of the last accepted orbit in which it could begin as well.
     others: Vec<(Vec<f64>, Modes)>,
     crawl: Crawl,
     /// How large the last accepted orbit was.
-    size: Option<Size>,
+    pub(super) size: Option<Size>,
     /// The contacts that stuck all along it.
     pub(super) held: Vec<usize>,
-    /// How far a pinned orbit may be from closing where it is known to little.
-    pub(super) closes: f64,
+    /// To what share of their values orbits are known.
+    pub(super) accuracy: f64,
 }
 
 impl OrbitProblem {
@@ -78,7 +75,7 @@ impl OrbitProblem {
             crawl: Crawl::default(),
             size: None,
             held: Vec::new(),
-            closes: 0.0,
+            accuracy: 0.0,
         }
     }
 
@@ -272,28 +269,5 @@ impl ZeroProblem for OrbitProblem {
         let last = tangent.rows(tangent.len() - 2, 2);
         lasting.rows_mut(unknowns - 1, 2).copy_from(&last);
         lasting
-    }
-}
-
-impl OrbitProblem {
-    /// Takes the sizes of one more orbit of a branch; it is refused where it has shrunk to an equilibrium.
-    fn measure(&mut self, z: &DVector<f64>, r: f64, shot: &Shot) -> Result<(), FlowError> {
-        self.magnitude = shot.magnitude(&self.magnitude);
-        let sizes = self.magnitude.iter().zip(&mut self.largest);
-        let share = sizes.fold(0.0_f64, |most, (size, largest)| {
-            let share = size / *largest;
-            *largest = largest.max(*size);
-            most.max(share)
-        });
-        let size = Size { r, share };
-        let before = self.size.replace(size);
-        let (start, period) = (self.start(z, 0), shot.period);
-        let small = |before| size.vanishes(before, &self.family, (&start, period));
-        if share < VANISHED || before.is_some_and(small) {
-            return Err(FlowError::Vanished {
-                state: self.family.at(r)?.values(&shot.start.state),
-            });
-        }
-        Ok(())
     }
 }

@@ -1,19 +1,17 @@
 //! From a start to the periodic orbit that is reached from it.
 
 use super::anchor::anchored;
-use super::converge::{TIGHTER, calmly, converge, from, missed};
-use super::damped::damped;
+use super::converge::{TIGHTER, converge, from, missed};
 use super::error::OrbitError;
 use super::given::closed;
 use super::guess::{Guess, magnitude_of};
-use super::least::{midway, parts};
-use super::neutral::neutral;
+use super::least::parts;
 use super::newton::ROUGH;
+use super::offered::{Failed, Meant, swung_about};
 use super::orbit::Orbit;
 use super::settle::{Settled, settle};
 use super::shift::Shifts;
 use super::sought::Search;
-use super::stay::stays;
 use crate::flow::{FlowError, Want};
 use crate::integrate::Tolerance;
 use crate::motion::{Family, Flow, Place, half_extents};
@@ -27,29 +25,6 @@ const RETURNED: f64 = 0.3;
 /// An orbit of a part of the period that is given may be as far as this from its start, in half extents: one that is known to
 /// four digits.
 const GIVEN: f64 = 1e-4;
-/// Returns that are all looked at; of later ones every eighth.
-const OFTEN: usize = 64;
-const SELDOM: usize = 8;
-
-/// Which orbit is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Meant {
-    /// The first to which a return leads.
-    First,
-    /// That on which the motion stays.
-    Last,
-}
-
-impl Meant {
-    /// Longest period sought, in crossings of the section.
-    const fn longest(self) -> usize {
-        match self {
-            Self::First => 32,
-            Self::Last => 512,
-        }
-    }
-}
-
 /// Finds the periodic orbit of `family` at r that is reached from `search.start`: the first to which a return of the
 /// motion leads, be it stable or not.
 ///
@@ -109,12 +84,15 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
         Settled::Equilibrium(state, errors) => Err(OrbitError::Equilibrium {
             state: flow.values(&state).within(errors),
         }),
-        Settled::Neither(time, place) => Err(OrbitError::NotSettled {
-            time,
-            last: failed.last.map(Box::new),
-            reached: place.state,
-            exponent: None,
-        }),
+        Settled::Neither(time, place) => {
+            let last = failed.last.map(Box::new);
+            failed.doubtful.pop().ok_or(OrbitError::NotSettled {
+                time,
+                last,
+                reached: place.state,
+                exponent: None,
+            })
+        }
     }
 }
 
@@ -188,108 +166,4 @@ fn special(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Or
         ..guess.clone()
     };
     closed(&known, r, &guess, asked)
-}
-
-/// The orbit about which a motion swings to and fro that comes back after two turns.
-fn swung_about(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
-    let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
-    let midway = midway(flow.as_ref(), guess).ok()??;
-    from(family, r, &midway, search, anchored).ok()
-}
-
-/// Returns of a motion that were no orbits, or not the one that is meant.
-struct Failed {
-    meant: Meant,
-    count: usize,
-    last: Option<OrbitError>,
-    magnitude: Option<Vec<f64>>,
-}
-
-impl Failed {
-    fn new(meant: Meant) -> Self {
-        Self {
-            meant,
-            count: 0,
-            last: None,
-            magnitude: None,
-        }
-    }
-
-    /// The orbit, unless another is meant.
-    fn taken(
-        &self,
-        family: &Family,
-        r: f64,
-        guess: &Guess,
-        (orbit, search): (Orbit, &Search),
-    ) -> Result<Orbit, OrbitError> {
-        if self.meant == Meant::First || stays(family, r, guess, (&orbit, &search.start))? {
-            return Ok(orbit);
-        }
-        Err(OrbitError::Passed {
-            period: orbit.period,
-            stability: orbit.floquet.stability.name(),
-        })
-    }
-
-    /// The orbit near a return; `None` if it is no orbit either.
-    ///
-    /// Of many returns that lead nowhere only the first, second, fourth and so on are looked at closely.
-    fn unless(
-        &mut self,
-        family: &Family,
-        r: f64,
-        guess: &Guess,
-        search: &Search,
-    ) -> Option<Result<Orbit, OrbitError>> {
-        if self.count > OFTEN && !self.count.is_multiple_of(SELDOM) {
-            self.count += 1;
-            return None;
-        }
-        let orbit = from(family, r, guess, search, anchored);
-        let error = match orbit.and_then(|orbit| self.taken(family, r, guess, (orbit, search))) {
-            Ok(orbit) => return Some(Ok(orbit)),
-            Err(error) => error,
-        };
-        self.count += 1;
-        self.magnitude = Some(guess.magnitude.clone());
-        // What runs on always has neighbours: they are shifted.
-        let runs = guess.shift.is_some();
-        if self.count == 1
-            && !runs
-            && let Some(error) = of_a_family(family, r, guess, search)
-        {
-            return Some(Err(error));
-        }
-        let newton = matches!(error, OrbitError::Newton(_));
-        // An orbit on which the motion does not stay says more than one that was not reached.
-        let passed = matches!(self.last, Some(OrbitError::Passed { .. }));
-        if !(passed && newton) {
-            self.last = Some(error);
-        }
-        if !(newton && self.count.is_power_of_two()) {
-            return None;
-        }
-        let taken = |orbit| self.taken(family, r, guess, (orbit, search)).ok();
-        let calm = calmly(family, r, guess, search).and_then(Result::ok);
-        let drawn = |orbit: &_| stays(family, r, guess, (orbit, &search.start)).unwrap_or(false);
-        let other = || swung_about(family, r, guess, search).filter(drawn);
-        let damped = || damped(family, r, guess, search).and_then(taken);
-        let found = calm.and_then(taken).or_else(damped).or_else(other).map(Ok);
-        let one_of_many =
-            || (runs && self.count == 1).then(|| of_a_family(family, r, guess, search));
-        found.or_else(|| one_of_many().flatten().map(Err))
-    }
-}
-
-/// That orbits beside this return are as good.
-fn of_a_family(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<OrbitError> {
-    let one = neutral(family, r, guess)?;
-    let flow = family.at(r).ok()?;
-    Some(OrbitError::NotIsolated {
-        state: flow
-            .values(&one.place.state)
-            .within(guess.shares(search.accuracy)),
-        period: one.period,
-    })
 }

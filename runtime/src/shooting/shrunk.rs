@@ -1,49 +1,48 @@
 //! The Hopf point of an equilibrium onto which orbits have shrunk.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
+
+use nalgebra::DVector;
 
 use super::orbit::Orbit;
+use super::problem::OrbitProblem;
+use super::shot::Shot;
+use super::size::{Size, hopf};
 use crate::continuation::{Kind, Located};
-use crate::equilibrium::{EquilibriumPoint, follow, settings, settle};
+use crate::equilibrium::settle;
+use crate::flow::FlowError;
 use crate::motion::{Family, Place};
 
-/// How far beyond the last orbit the equilibrium is followed: relative to r, and in steps of the branch.
-const BEYOND: f64 = 1e-3;
-const STEPS: f64 = 4.0;
-/// Relative difference of two frequencies that are one: that of a small orbit differs with the square of its size.
-const SAME: f64 = 1e-2;
+/// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
+const VANISHED: f64 = 1e-4;
 
-/// Orbits this small, as a share of the largest on their branch, are looked at whether they shrink as Hopf's normal form says.
-const SMALL: f64 = 1e-2;
-/// How far off the Hopf point may be from where the normal form sees it, as a share of its distance.
-const OFF: f64 = 0.05;
-
-/// An orbit of a branch: its design variable and its size, as a share of the largest on the branch.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Size {
-    pub(super) r: f64,
-    pub(super) share: f64,
-}
-
-impl Size {
-    /// Whether between this orbit and a Hopf point there are only such orbits as Hopf's normal form has: their squares fall
-    /// with r, from the orbit before to this one, and to zero at the Hopf point of the equilibrium within. Orbits smaller
-    /// than that tell nothing more: 1 − μ falls with the square, too, until it is noise.
-    pub(super) fn vanishes(
-        self,
-        before: Self,
-        family: &Family,
-        (place, period): (&Place, f64),
-    ) -> bool {
-        if self.share > SMALL || self.share >= before.share {
-            return false;
+impl OrbitProblem {
+    /// Takes the sizes of one more orbit of a branch; it is refused where it has shrunk to an equilibrium.
+    pub(super) fn measure(
+        &mut self,
+        z: &DVector<f64>,
+        r: f64,
+        shot: &Shot,
+    ) -> Result<(), FlowError> {
+        self.magnitude = shot.magnitude(&self.magnitude);
+        let sizes = self.magnitude.iter().zip(&mut self.largest);
+        let share = sizes.fold(0.0_f64, |most, (size, largest)| {
+            let share = size / *largest;
+            *largest = largest.max(*size);
+            most.max(share)
+        });
+        let size = Size { r, share };
+        let before = self.size.replace(size);
+        let (start, period) = (self.start(z, 0), shot.period);
+        let known = self.accuracy * r.abs();
+        let small = |before| size.vanishes(before, &self.family, (&start, period), known);
+        if share < VANISHED || before.is_some_and(small) {
+            let state = resting(&self.family, r, &start);
+            return Err(FlowError::Vanished {
+                state: self.family.at(r)?.values(&state),
+            });
         }
-        let [here, there] = [self, before].map(|size| size.share * size.share);
-        let seen = self.r - here * (self.r - before.r) / (here - there);
-        let step = (self.r - before.r).abs();
-        let found = hopf(family, (self.r, step), (place, period));
-        found.is_some_and(|at| (at.r - seen).abs() <= OFF * (at.r - before.r).abs())
+        Ok(())
     }
 }
 
@@ -65,22 +64,8 @@ pub(super) fn shrunk(family: &Family, orbits: &[Orbit]) -> Option<Located<Orbit>
     Some(met)
 }
 
-/// The Hopf point nearest to r on the branch of the equilibrium within a small orbit that has its frequency, located as any
-/// other of that branch.
-fn hopf(
-    family: &Family,
-    (r, step): (f64, f64),
-    (place, period): (&Place, f64),
-) -> Option<Located<EquilibriumPoint>> {
-    let reach = (STEPS * step).max(BEYOND * r.abs());
-    let settings = settings(r - reach, r + reach);
-    let from = settle(family, settings.from, place)?.place;
-    let (walked, _) = follow(family, &from, settings, &mut |_| ControlFlow::Continue(())).ok()?;
-    let off = |at: &Located<EquilibriumPoint>| (at.r - r).abs();
-    let here = |at: &Located<EquilibriumPoint>| {
-        let turn = at.point.frequency().map(|turn| turn * period / TAU);
-        at.kind == Kind::Hopf && turn.is_some_and(|turn| (turn - 1.0).abs() <= SAME)
-    };
-    let all = walked.located.into_iter().filter(here);
-    all.min_by(|a, b| off(a).total_cmp(&off(b)))
+/// The state of the equilibrium within a small orbit, or where that begins if it is not found.
+fn resting(family: &Family, r: f64, place: &Place) -> Vec<f64> {
+    let found = settle(family, r, place).map(|found| found.place.state);
+    found.unwrap_or_else(|| place.state.clone())
 }

@@ -259,7 +259,7 @@ fn set_out(
     let (mut problem, z) = problem(family, orbit.r, &guess, 1).map_err(Failure::Evaluation)?;
     let floated = problem.float(&sides.start, orbit.r);
     floated.map_err(Failure::Evaluation)?;
-    problem.work = work;
+    (problem.work, problem.accuracy) = (work, branch.problem.accuracy);
     let (n, scale, r_scale) = (z.len(), problem.scale(), branch.r_scale());
     let moved = &z + offset.rows(0, n).component_mul(&scale);
     let r = orbit.r + offset[n] * r_scale;

@@ -23,6 +23,9 @@ pub(in crate::study) struct Hopf {
     period: f64,
 }
 
+/// Errors of a flip by which a doubled orbit is aside of it for certain, and orbits among which one is looked for that is.
+const CERTAIN: f64 = 3.0;
+const LOOKED: usize = 20;
 /// Largest relative distance in r of one special point that is located on two branches.
 const SAME_R: f64 = 1e-4;
 /// Largest relative difference of the two orbits there: it goes with the root of their distance in r.
@@ -264,7 +267,10 @@ impl Atlas<'_> {
     /// On which side of a flip the doubled orbit lies: with the unstable orbit, or with the stable one.
     fn criticality(&self, event: &Here) -> Option<&'static str> {
         let branch = self.switched(event, true).ok()?;
-        let change = event.more_unstable_towards(branch.first()?.r)?;
+        let error = event.error + self.sought.search.accuracy * event.r.abs();
+        let aside = |orbit: &Orbit| (orbit.r - event.r).abs() > CERTAIN * error;
+        let aside = branch.take(LOOKED).find(aside)?;
+        let change = event.more_unstable_towards(aside.r)?;
         Some(if change > 0 {
             "supercritical"
         } else {
