@@ -26,7 +26,8 @@ pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a
     match of {
         Kind::Hopf => named.extend([
             Monitor::new(Kind::GeneralizedHopf, coefficient)
-                .known_to(|point| point.of.onset.map_or(0.0, |onset| onset.error))
+                .known_to(uncertainty)
+                .only_if(changes)
                 .judged(passes),
             // Beyond, the pair is real, and the equilibrium a neutral saddle.
             Monitor::new(Kind::BogdanovTakens, square).judged(ends(Kind::BogdanovTakens)),
@@ -47,6 +48,18 @@ pub(super) fn monitors<'a>(of: Kind, unfolding: &'a Unfolding) -> Vec<Monitor<'a
 /// l₁; no number where it is not known.
 fn coefficient(point: &Point) -> f64 {
     point.of.onset.map_or(f64::NAN, |onset| onset.coefficient)
+}
+
+/// What l₁ may be off by.
+fn uncertainty(point: &Point) -> f64 {
+    point.of.onset.map_or(0.0, |onset| onset.error)
+}
+
+/// Whether l₁ changes by more than it is off at either end: its sign may be that of its errors.
+fn changes(ends: [&Point; 2]) -> bool {
+    let [from, to] = ends.map(coefficient);
+    let [a, b] = ends.map(uncertainty);
+    (to - from).abs() > a.max(b)
 }
 
 /// Where l₁ changes its sign through zero, and not through infinity, as it does where eigenvalues meet.

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::corner::sides;
 use super::problem::usual;
+use super::starts::around;
 use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem, damped};
 use crate::motion::{Family, Modes, Place};
@@ -28,15 +29,32 @@ pub struct Equilibrium {
 }
 
 /// Every equilibrium at r that Newton reaches from one of `starts` in one of `modes`, each once, and only those
-/// whose contacts slide as the mode says. `modes` gives the modes worth trying from a start.
+/// whose contacts slide as the mode says; then from places around them, as those that are found show how large states are.
+/// `modes` gives the modes worth trying from a start.
 pub fn find(
     family: &Family,
     r: f64,
     starts: &[Vec<f64>],
     modes: impl Fn(&[f64]) -> Vec<Modes>,
 ) -> Vec<Equilibrium> {
-    let mut found: Vec<Equilibrium> = Vec::new();
     let first = starts.first().map_or(&[][..], Vec::as_slice);
+    let mut found: Vec<Equilibrium> = Vec::new();
+    add(&mut found, (family, r), (starts, first), &modes);
+    let states = found.iter().map(|one| one.place.state.as_slice());
+    let around = around(states.chain([first]));
+    if !found.is_empty() {
+        add(&mut found, (family, r), (&around, first), &modes);
+    }
+    found
+}
+
+/// Adds those that are reached from these starts and are none of those before, where states are as large as the first start shows.
+fn add(
+    found: &mut Vec<Equilibrium>,
+    (family, r): (&Family, f64),
+    (starts, first): (&[Vec<f64>], &[f64]),
+    modes: &impl Fn(&[f64]) -> Vec<Modes>,
+) {
     for start in starts {
         for modes in modes(start) {
             let state = start.clone();
@@ -49,7 +67,6 @@ pub fn find(
             }
         }
     }
-    found
 }
 
 /// The equilibrium that Newton reaches from a place, staying in its mode; `None` if there is none, or if its

@@ -19,20 +19,37 @@ pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
         vec![0.0; order],
         first.iter().map(|y| -y).collect(),
     ];
-    let spread = Spread::new(order);
-    let mut within = |reaches: &[f64]| {
-        let scaled = |k: usize| {
-            let shares = spread.point(k).zip(reaches);
-            shares.map(|(share, reach)| 2.0 * reach * (2.0 * share - 1.0))
-        };
-        places.extend((0..SPREAD).map(|k| scaled(k).collect::<Vec<f64>>()));
-    };
-    within(&vec![reach; order]);
+    places.extend(within(&vec![reach; order]));
     if first
         .iter()
         .any(|y| y.abs() > TINY && y.abs() < SMALL * reach)
     {
-        within(&first.iter().map(|y| usual(*y)).collect::<Vec<f64>>());
+        places.extend(within(
+            &first.iter().map(|y| usual(*y)).collect::<Vec<f64>>(),
+        ));
     }
     places
+}
+
+/// Places spread evenly around the origin, as far as these states show.
+pub(super) fn around<'a>(states: impl Iterator<Item = &'a [f64]>) -> Vec<Vec<f64>> {
+    let reaches = states.fold(Vec::new(), |mut most: Vec<f64>, state| {
+        most.resize(state.len(), 0.0);
+        most.iter_mut()
+            .zip(state)
+            .for_each(|(most, y)| *most = most.max(y.abs()));
+        most
+    });
+    within(&reaches.iter().map(|y| usual(*y)).collect::<Vec<f64>>()).collect()
+}
+
+/// Places spread evenly around the origin, twice as far as these.
+fn within(reaches: &[f64]) -> impl Iterator<Item = Vec<f64>> {
+    let spread = Spread::new(reaches.len());
+    (0..SPREAD).map(move |k| {
+        let shares = spread.point(k).zip(reaches);
+        shares
+            .map(|(share, reach)| 2.0 * reach * (2.0 * share - 1.0))
+            .collect()
+    })
 }

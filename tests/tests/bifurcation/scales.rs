@@ -165,3 +165,61 @@ fn what_is_elsewhere_says_where() {
     assert!(met.points.is_empty(), "{met:?}");
     assert!((met.high[2] - 1.0).abs() < 1e-9);
 }
+
+model! {
+    /// A plate on a spring that a voltage draws towards another, in metres and newtons.
+    struct Actuator {
+        state x: m = 1e-8;
+        state v: m/s = 0.0;
+        param m: kg = 1e-10 where m > 0.0;
+        param k: N/m = 10.0 where k > 0.0;
+        param c: N*s/m = 1e-6 where c >= 0.0;
+        param gap: m = 2e-6 where gap > 0.0;
+        param plate: F*m = 8.854e-20 where plate > 0.0;
+        param voltage: V = 10.0;
+        der(x) = v;
+        der(v) = (0.5 * plate * voltage * voltage / powi(gap - x, 2) - k * x - c * v) / m;
+    }
+}
+
+/// k x (g − x)² = ε A U²/2 has one root below g/3, where its left side is largest, and one up to g: places are tried as far away as those
+/// show that are found, and a branch begins at the one next to its start.
+#[test]
+fn equilibria_of_micrometres_are_found() {
+    let model = Actuator::default();
+    let Actuator {
+        k,
+        gap,
+        plate,
+        voltage,
+        ..
+    } = model;
+    let pull = 0.5 * plate * voltage * voltage / k;
+    let root = |mut below: f64, mut above: f64| {
+        for _ in 0..200 {
+            let middle = 0.5 * (below + above);
+            match middle * (gap - middle).powi(2) < pull {
+                true => below = middle,
+                false => above = middle,
+            }
+        }
+        below
+    };
+    let (system, case) = (System::of::<Actuator, _>(), Case::of(&model));
+    let found = system.equilibria(&case).unwrap();
+    for x in [root(0.0, gap / 3.0), root(gap, gap / 3.0)] {
+        let near = |at: f64| (at / x - 1.0).abs() < 1e-9;
+        assert!(
+            found.iter().any(|one| near(one.state[0])),
+            "{x:e} {found:?}"
+        );
+        let mut case = case.clone().following(Actuator::voltage, 10.0..11.0);
+        case.start = Some(vec![1.001 * x, 0.0]);
+        let branch = system.equilibria_along(&case).unwrap();
+        assert!(
+            near(branch.points[0].state[0]),
+            "{x:e} {:?}",
+            branch.points[0]
+        );
+    }
+}

@@ -1,5 +1,6 @@
 //! Where a branch passes a value of its design variable.
 
+use crate::motion::Modes;
 use crate::shooting::{Orbit, OrbitError, Search, closest};
 use crate::study::branch::BranchRecord;
 use crate::study::orbit::Sought;
@@ -16,6 +17,7 @@ struct Vertex<'a> {
     period: f64,
     max_abs: &'a [f64],
     state: &'a [f64],
+    modes: &'a Modes,
 }
 
 /// The places of a branch in their order.
@@ -24,6 +26,7 @@ pub(super) struct Passes<'a>(Vec<Vertex<'a>>);
 /// From where an orbit of a branch is looked for.
 pub(super) struct Guess<'a> {
     state: &'a [f64],
+    modes: &'a Modes,
     period: f64,
 }
 
@@ -38,6 +41,7 @@ impl<'a> Passes<'a> {
                 period: one.turns as f64 * one.period,
                 max_abs: &one.max_abs,
                 state: &one.state,
+                modes: &one.modes,
             }));
             vertices.extend(branch.points.get(count).and_then(|one| {
                 Some(Vertex {
@@ -45,6 +49,7 @@ impl<'a> Passes<'a> {
                     period: one.period,
                     max_abs: &one.max_abs,
                     state: &one.state,
+                    modes: &one.modes,
                 })
             }));
         }
@@ -76,6 +81,7 @@ impl<'a> Passes<'a> {
         });
         let guess = |end: Vertex<'a>| Guess {
             state: end.state,
+            modes: end.modes,
             period: end.period,
         };
         guesses.map(guess).collect()
@@ -87,6 +93,7 @@ impl Sought<'_> {
     pub(super) fn from(&self, guess: Guess<'_>, r: f64) -> Result<Orbit, OrbitError> {
         let search = Search {
             start: guess.state.to_vec(),
+            modes: guess.modes.clone(),
             period: Some(guess.period),
             ..self.search.clone()
         };

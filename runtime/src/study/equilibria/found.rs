@@ -157,10 +157,12 @@ impl System {
         let flow = self.at(case)?;
         let modes = |y: &[f64]| sliding_modes(&*flow, self.info(), y);
         let r = self.beginning(case);
-        let sliding = places
-            .iter()
-            .find_map(|start| find(family, r, std::slice::from_ref(start), modes).pop());
-        let from = if sliding.is_some() { 1 } else { places.len() };
+        let from = |start: &Vec<f64>| {
+            let found = find(family, r, std::slice::from_ref(start), modes);
+            (!found.is_empty()).then_some(found)
+        };
+        let sliding = places.iter().find_map(from).unwrap_or_default();
+        let from = if sliding.is_empty() { places.len() } else { 1 };
         let sets = if self.touches(case) {
             sticking_sets(
                 &*flow,
@@ -175,10 +177,21 @@ impl System {
             state: set.state.clone(),
             modes: set.modes.clone(),
         });
-        let usual = vec![1.0; places[0].len()];
-        let far = |place: &Place| apart(&place.state, &places[0], &usual);
-        let found = sliding.map(|one| one.place).into_iter().chain(held);
+        let found: Vec<Place> = sliding
+            .into_iter()
+            .map(|one| one.place)
+            .chain(held)
+            .collect();
+        // Equilibria show how large states are.
+        let states = || found.iter().map(|place| &place.state).chain(&places[..1]);
+        let size = |j: usize| states().fold(0.0_f64, |most, state| most.max(state[j].abs()));
+        let sizes = (0..places[0].len()).map(size);
+        let sizes: Vec<f64> = sizes
+            .map(|size| if size > 0.0 { size } else { 1.0 })
+            .collect();
+        let far = |place: &Place| apart(&place.state, &places[0], &sizes);
         found
+            .into_iter()
             .min_by(|a, b| far(a).total_cmp(&far(b)))
             .ok_or_else(|| self.none(&sets, places.len()))
     }
