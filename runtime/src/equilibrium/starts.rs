@@ -5,6 +5,8 @@ use crate::math::Spread;
 
 /// Places spread around the origin.
 const SPREAD: usize = 24;
+/// How many times as far as equilibria that are found others are looked for.
+const FURTHER: [f64; 3] = [1.0, 10.0, 100.0];
 /// Share of the largest state below which another is of a size of its own.
 const SMALL: f64 = 0.1;
 
@@ -31,7 +33,7 @@ pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
     places
 }
 
-/// Places spread evenly around the origin, as far as these states show.
+/// Places spread evenly around the origin, as far as these states show, and further.
 pub(super) fn around<'a>(states: impl Iterator<Item = &'a [f64]>) -> Vec<Vec<f64>> {
     let reaches = states.fold(Vec::new(), |mut most: Vec<f64>, state| {
         most.resize(state.len(), 0.0);
@@ -40,7 +42,16 @@ pub(super) fn around<'a>(states: impl Iterator<Item = &'a [f64]>) -> Vec<Vec<f64
             .for_each(|(most, y)| *most = most.max(y.abs()));
         most
     });
-    within(&reaches.iter().map(|y| usual(*y)).collect::<Vec<f64>>()).collect()
+    let reaches = |times: &f64| {
+        reaches
+            .iter()
+            .map(|y| times * usual(*y))
+            .collect::<Vec<f64>>()
+    };
+    let places = FURTHER.iter().map(reaches);
+    places
+        .flat_map(|reaches| within(&reaches).collect::<Vec<_>>())
+        .collect()
 }
 
 /// Places spread evenly around the origin, twice as far as these.

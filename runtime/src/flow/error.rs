@@ -84,9 +84,10 @@ pub enum FlowError {
     Contact(#[from] ContactError),
     /// A contact that can neither stick nor slide the way it should.
     #[error(
-        "contact {contact} is to be in mode {mode} at t = {}, but its {} is {speed:e}{}",
+        "contact {contact} is to be in mode {mode} at t = {}, but its {} is {}{}",
         brief(*.time),
         measured(*.mode),
+        brief(*.speed),
         rates(*.rate, *.second_rate)
     )]
     InconsistentMode {
@@ -278,6 +279,6 @@ fn rates(first: f64, second: f64) -> String {
     if first == 0.0 && second == 0.0 {
         String::new()
     } else {
-        format!(", with rates {first:e} and {second:e}")
+        format!(", with rates {} and {}", brief(first), brief(second))
     }
 }
