@@ -21,8 +21,9 @@ const BEHIND: f64 = 0.1;
 impl<R: Reader> Walk<'_, R> {
     /// Comes to a point at which the branch is not smooth from as far away as its last one, and goes on beyond or ends there.
     pub(super) fn come_to(&mut self, crossing: CrossingOf<R>) -> Option<Ending<ErrorOf<R>>> {
-        let way = self.towards(&self.followed.branch, crossing.located.r);
-        if let Some(way) = way.filter(|_| !self.returns) {
+        if !self.returns
+            && let Some(way) = self.towards(&self.followed.branch, crossing.located.r)
+        {
             let found = self.on_gap(way, &crossing.located);
             self.located.extend(found);
         }

@@ -132,8 +132,8 @@ impl<'a, R: Reader> Walk<'a, R> {
             if verdict.is_break() {
                 return Ending::Interrupted;
             }
-            let leads = |_| reader.leads(branch, &self.points);
-            let crossing = (!self.returns).then_some(()).and_then(leads);
+            let leads = || reader.leads(branch, &self.points);
+            let crossing = (!self.returns).then(leads).flatten();
             if let Some(ending) = crossing.and_then(|crossing| self.come_to(crossing)) {
                 return ending;
             }

@@ -19,10 +19,11 @@ mod sticking_equations;
 
 pub use branch::{Branch, follow, settings};
 pub use krawczyk::{Proof, Unproven, prove};
-pub use newton::{Equilibrium, find, settle};
+pub use newton::{Equilibrium, find, find_around, settle};
 pub use onset::Onset;
 pub use problem::EquilibriumProblem;
 pub use special::EquilibriumPoint;
 pub use spectrum::Spectrum;
+pub(crate) use starts::sizes;
 pub use starts::starts;
 pub use sticking::{StickingSet, sticking_sets};

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::corner::sides;
 use super::problem::usual;
-use super::starts::around;
+use super::starts::{around, sizes};
 use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem, damped};
 use crate::motion::{Family, Modes, Place};
@@ -29,8 +29,7 @@ pub struct Equilibrium {
 }
 
 /// Every equilibrium at r that Newton reaches from one of `starts` in one of `modes`, each once, and only those
-/// whose contacts slide as the mode says; then from places around them, as those that are found show how large states are.
-/// `modes` gives the modes worth trying from a start.
+/// whose contacts slide as the mode says. `modes` gives the modes worth trying from a start.
 pub fn find(
     family: &Family,
     r: f64,
@@ -38,11 +37,23 @@ pub fn find(
     modes: impl Fn(&[f64]) -> Vec<Modes>,
 ) -> Vec<Equilibrium> {
     let first = starts.first().map_or(&[][..], Vec::as_slice);
-    let mut found: Vec<Equilibrium> = Vec::new();
+    let mut found = Vec::new();
     add(&mut found, (family, r), (starts, first), &modes);
-    let states = found.iter().map(|one| one.place.state.as_slice());
-    let around = around(states.chain([first]));
+    found
+}
+
+/// The same, and then from places around those that are found, as far as these show how large states are.
+pub fn find_around(
+    family: &Family,
+    r: f64,
+    starts: &[Vec<f64>],
+    modes: impl Fn(&[f64]) -> Vec<Modes>,
+) -> Vec<Equilibrium> {
+    let first = starts.first().map_or(&[][..], Vec::as_slice);
+    let mut found = find(family, r, starts, &modes);
     if !found.is_empty() {
+        let states = found.iter().map(|one| one.place.state.as_slice());
+        let around = around(&sizes(states.chain([first])));
         add(&mut found, (family, r), (&around, first), &modes);
     }
     found

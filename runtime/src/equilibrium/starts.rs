@@ -26,32 +26,28 @@ pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
         .iter()
         .any(|y| y.abs() > TINY && y.abs() < SMALL * reach)
     {
-        places.extend(within(
-            &first.iter().map(|y| usual(*y)).collect::<Vec<f64>>(),
-        ));
+        places.extend(within(&sizes([first].into_iter())));
     }
     places
 }
 
-/// Places spread evenly around the origin, as far as these states show, and further.
-pub(super) fn around<'a>(states: impl Iterator<Item = &'a [f64]>) -> Vec<Vec<f64>> {
-    let reaches = states.fold(Vec::new(), |mut most: Vec<f64>, state| {
-        most.resize(state.len(), 0.0);
-        most.iter_mut()
-            .zip(state)
-            .for_each(|(most, y)| *most = most.max(y.abs()));
-        most
-    });
-    let reaches = |times: &f64| {
-        reaches
-            .iter()
-            .map(|y| times * usual(*y))
-            .collect::<Vec<f64>>()
-    };
-    let places = FURTHER.iter().map(reaches);
-    places
-        .flat_map(|reaches| within(&reaches).collect::<Vec<_>>())
-        .collect()
+/// How large each state is, as far as these show.
+pub(crate) fn sizes<'a>(states: impl Iterator<Item = &'a [f64]>) -> Vec<f64> {
+    let mut most = Vec::new();
+    for state in states {
+        most.resize(state.len(), 0.0_f64);
+        for (most, y) in most.iter_mut().zip(state) {
+            *most = most.max(y.abs());
+        }
+    }
+    most.into_iter().map(usual).collect()
+}
+
+/// Places spread evenly around the origin, as far as states of these sizes are, and further.
+pub(super) fn around(sizes: &[f64]) -> Vec<Vec<f64>> {
+    let further = |times: f64| sizes.iter().map(|size| times * size).collect::<Vec<f64>>();
+    let reaches = FURTHER.map(further);
+    reaches.iter().flat_map(|reaches| within(reaches)).collect()
 }
 
 /// Places spread evenly around the origin, twice as far as these.

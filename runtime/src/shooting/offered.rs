@@ -57,8 +57,9 @@ pub(super) struct Failed {
     count: usize,
     pub(super) last: Option<OrbitError>,
     pub(super) magnitude: Option<Vec<f64>>,
-    /// Orbits that hardly attract.
-    pub(super) doubtful: Vec<Orbit>,
+    /// The last orbit that hardly attracts, and how many there were.
+    pub(super) doubtful: Option<Orbit>,
+    doubted: usize,
 }
 
 impl Failed {
@@ -68,7 +69,8 @@ impl Failed {
             count: 0,
             last: None,
             magnitude: None,
-            doubtful: Vec::new(),
+            doubtful: None,
+            doubted: 0,
         }
     }
 
@@ -81,7 +83,7 @@ impl Failed {
             .iter()
             .any(|one| one.modes.iter().any(sticks));
         let hardly = orbit.floquet.stability == Stability::Undecided && held;
-        hardly && self.doubtful.len() < DOUBTED
+        hardly && self.doubted < DOUBTED
     }
 
     /// The orbit, unless another is meant.
@@ -118,7 +120,8 @@ impl Failed {
         let orbit = from(family, r, guess, search, anchored);
         let error = match orbit.and_then(|orbit| self.taken(family, r, guess, (orbit, search))) {
             Ok(orbit) if self.doubts(&orbit) => {
-                self.doubtful.push(orbit);
+                self.doubtful = Some(orbit);
+                self.doubted += 1;
                 return None;
             }
             Ok(orbit) => return Some(Ok(orbit)),

@@ -86,7 +86,7 @@ fn find(family: &Family, r: f64, search: &Search, meant: Meant) -> Result<Orbit,
         }),
         Settled::Neither(time, place) => {
             let last = failed.last.map(Box::new);
-            failed.doubtful.pop().ok_or(OrbitError::NotSettled {
+            failed.doubtful.ok_or(OrbitError::NotSettled {
                 time,
                 last,
                 reached: place.state,

@@ -45,22 +45,41 @@ impl Orbit {
         }
         let after = |time: f64| flow.advance(&self.place, time, Want::DERIVATIVES);
         let (half, whole) = (after(0.5 * self.period)?, after(self.period)?);
-        let start = &self.place.state;
-        for one in candidates {
-            let image = one.of(start);
-            let (map, fixed) = if self.are_one(&image, start, drive, CLOSE) {
-                (&whole.derivatives, 1.0)
-            } else if self.are_one(&image, &half.end.state, drive, CLOSE) {
-                (&half.derivatives, -1.0)
-            } else {
-                continue;
+        let ends = (self.place.state.as_slice(), Some(half.end.state.as_slice()));
+        let loses = |(one, halfway): &(Symmetry, bool)| {
+            let (along, fixed) = match halfway {
+                true => (&half.derivatives, -1.0),
+                false => (&whole.derivatives, 1.0),
             };
-            let Some(map) = map else { continue };
-            if changes_sign(&one, &map.state, fixed) {
-                return Ok(Some((one, fixed < 0.0)));
+            let map = along.as_ref().map(|along| &along.state);
+            map.is_some_and(|map| changes_sign(one, map, fixed))
+        };
+        let mut own = self
+            .those_that_keep(candidates, ends, drive, CLOSE)
+            .into_iter();
+        Ok(own.find(loses))
+    }
+
+    /// Those of the candidates that leave the orbit as it is to this share of its extents, at its start or after half its period,
+    /// where it is then, if that is known; each with whether it is that.
+    fn those_that_keep(
+        &self,
+        candidates: Vec<Symmetry>,
+        (start, half): (&[f64], Option<&[f64]>),
+        drive: Option<usize>,
+        share: f64,
+    ) -> Vec<(Symmetry, bool)> {
+        let halfway = |one: &Symmetry| {
+            let image = one.of(start);
+            let is = |state: &[f64]| self.are_one(&image, state, drive, share);
+            match is(start) {
+                true => Some(false),
+                false => half.filter(|half| is(half)).map(|_| true),
             }
-        }
-        Ok(None)
+        };
+        let own = candidates.into_iter();
+        own.filter_map(|one| halfway(&one).map(|halfway| (one, halfway)))
+            .collect()
     }
 
     /// The symmetries that it has, each with whether that is so after half its period.
@@ -68,15 +87,9 @@ impl Orbit {
         let begin = self.begins();
         let half = flow.advance(begin, 0.5 * self.period, Want::default());
         let (half, drive) = (half.map(|half| half.end.state), flow.phase());
-        let halfway = |one: &Symmetry| {
-            let image = one.of(&begin.state);
-            let is = |state: &[f64]| self.are_one(&image, state, drive, SURE);
-            let at_once = is(&begin.state).then_some(false);
-            at_once.or_else(|| half.as_ref().is_ok_and(|half| is(half)).then_some(true))
-        };
-        let candidates = Symmetry::all(flow.order(), drive).into_iter();
-        let own = candidates.filter_map(|one| halfway(&one).map(|halfway| (one, halfway)));
-        let mut own: Vec<_> = own.collect();
+        let ends = (begin.state.as_slice(), half.as_deref().ok());
+        let candidates = Symmetry::all(flow.order(), drive);
+        let mut own = self.those_that_keep(candidates, ends, drive, SURE);
         for state in self.around() {
             own.retain(|(one, _)| commutes(flow, one, &state));
         }

@@ -64,7 +64,10 @@ pub(in crate::shooting) fn lost_between(
     let [from, to] = ends;
     let critical = |orbit: &Orbit| fold(&orbit.floquet.multipliers);
     let [before, after] = ends.map(critical);
-    let flow = family.at(from.r).ok().filter(|_| changes(before, after))?;
+    if !changes(before, after) {
+        return None;
+    }
+    let flow = family.at(from.r).ok()?;
     let nearest = if before.abs() < after.abs() { from } else { to };
     let own = from.own_symmetries(flow.as_ref()).into_iter();
     let mut own = own.filter(|symmetry| to.keeps(family, symmetry, NEARLY) == Some(true));

@@ -8,8 +8,8 @@ use super::record::{EquilibriaRecord, EquilibriumRecord, Extent};
 use super::special::numbered;
 use crate::continuation::{Ending, Kind, Walked};
 use crate::equilibrium::{
-    EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, follow, prove, settings,
-    starts, sticking_sets,
+    EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, find_around, follow, prove,
+    settings, sizes, starts, sticking_sets,
 };
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
@@ -36,7 +36,7 @@ impl System {
         let places = starts(&self.start(case));
         let (family, flow) = (self.family(case), self.at(case)?);
         let modes = |y: &[f64]| sliding_modes(&*flow, self.info(), y);
-        let sliding = find(&family, self.beginning(case), &places, modes);
+        let sliding = find_around(&family, self.beginning(case), &places, modes);
         let mut found: Vec<_> = sliding
             .into_iter()
             .map(|one| self.record(case, one.place, &one.spectrum))
@@ -182,13 +182,8 @@ impl System {
             .map(|one| one.place)
             .chain(held)
             .collect();
-        // Equilibria show how large states are.
-        let states = || found.iter().map(|place| &place.state).chain(&places[..1]);
-        let size = |j: usize| states().fold(0.0_f64, |most, state| most.max(state[j].abs()));
-        let sizes = (0..places[0].len()).map(size);
-        let sizes: Vec<f64> = sizes
-            .map(|size| if size > 0.0 { size } else { 1.0 })
-            .collect();
+        let states = found.iter().map(|place| &place.state).chain(&places[..1]);
+        let sizes = sizes(states.map(Vec::as_slice));
         let far = |place: &Place| apart(&place.state, &places[0], &sizes);
         found
             .into_iter()
