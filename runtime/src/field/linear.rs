@@ -134,6 +134,18 @@ impl<const N: usize> LinearField<N> {
         self.along.is_some()
     }
 
+    /// Whether A depends on it.
+    pub(crate) fn bends(&self) -> bool {
+        let bends = |along: &Parts<N>| {
+            along
+                .matrix
+                .iter()
+                .flat_map(Strip::entries)
+                .any(|a| *a != 0.0)
+        };
+        self.along.as_ref().is_some_and(bends)
+    }
+
     /// f at a state.
     pub(crate) fn f(&self, state: &[f64; N]) -> [f64; N] {
         self.own.along(1.0, &(*state, self.wave(state))).0

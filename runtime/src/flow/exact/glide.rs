@@ -6,8 +6,9 @@ use super::ExactFlow;
 use crate::field::Work;
 use crate::field::exact::{ExactField, Mode, Modes};
 use crate::flow::{Derivatives, Determinant, Flow, FlowError, Place};
-use crate::integrate::Motion;
 use crate::integrate::explicit::integrate;
+use crate::integrate::linear::Blur;
+use crate::integrate::{Carried, IntegrationError, Motion};
 use crate::model::Model;
 
 impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
@@ -21,11 +22,8 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let field = ExactField::new(&self.system, from.mode, &from.state)?;
         let mut start = Motion::from(from.state);
         self.put_on_surface(&mut start, &from.mode)?;
-        let mut work = Work::default();
         let motion = if time > 0.0 {
-            integrate(&field, self.settings, start, time, &mut work, |_| {
-                ControlFlow::Continue(())
-            })?
+            self.held(&field, start, time)?
         } else {
             start
         };
@@ -42,6 +40,33 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
             lost: 0,
         };
         Ok((end, derivatives))
+    }
+
+    /// The motion along this field this time later: in closed form where it is linear.
+    fn held(
+        &self,
+        field: &ExactField<'_, M, N>,
+        start: Motion<N>,
+        time: f64,
+    ) -> Result<Motion<N>, FlowError> {
+        let sharp = (self.settings.tolerance, Blur::Coarse);
+        let linear = self.stretches.as_ref();
+        if let Some(known) = linear.and_then(|stretches| stretches.along(field, sharp)) {
+            let motion = known.flow.after(start, time);
+            let state = motion.state.to_vec().into();
+            return motion
+                .is_finite()
+                .then_some(motion)
+                .ok_or(FlowError::Integration(IntegrationError::NotFinite {
+                    time,
+                    state,
+                }));
+        }
+        let mut work = Work::default();
+        let motion = integrate(field, self.settings, start, time, &mut work, |_| {
+            ControlFlow::Continue(())
+        });
+        Ok(motion?)
     }
 
     /// What ends the mode of a contact where it falls through zero, and its rate: the relative speed the way it slides, or

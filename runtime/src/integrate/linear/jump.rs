@@ -26,11 +26,11 @@ struct Column<const N: usize> {
 impl<const N: usize> Jump<N> {
     /// The step of this length, by series with so many terms.
     pub(super) fn new(field: &LinearField<N>, length: f64, degree: usize) -> Self {
-        let column = |start: Point<N>| Column {
+        let column = |start: Point<N>, designed: bool| Column {
             path: Series::new(field, &start, length, degree)
                 .path()
                 .map(Strip::of_matrix),
-            design: match field.is_designed() {
+            design: match designed {
                 true => Strip::of_matrix(design(field, &start, length, degree)),
                 false => Strip::ZERO,
             },
@@ -41,10 +41,10 @@ impl<const N: usize> Jump<N> {
         };
         Self {
             length,
-            states: filled(|j| column((unit(j), [0.0; 3]))),
+            states: filled(|j| column((unit(j), [0.0; 3]), field.bends())),
             waves: filled(|j| match j {
                 1 | 2 if !field.is_driven() => nothing,
-                _ => column(([0.0; N], unit(j))),
+                _ => column(([0.0; N], unit(j)), field.is_designed()),
             }),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::LinearFlow;
 use super::leap::once;
+use super::piece::Piece;
 use crate::integrate::{Propagator, Tracked};
 
 /// Where a stretch began, with its derivatives, and how far it has come from there.
@@ -36,10 +37,11 @@ impl<const N: usize> Past<N> {
 
     /// What has come to this state.
     pub(super) fn arrived(&self, flow: &LinearFlow<N>, state: [f64; N]) -> Tracked<N> {
-        self.origin.led_to(state, || self.propagator(flow))
+        self.origin.led_to(state, || self.passed(flow).1)
     }
 
-    fn propagator(&self, flow: &LinearFlow<N>) -> Propagator<N> {
+    /// Where it ends, and how that depends on where it began.
+    pub(super) fn passed(&self, flow: &LinearFlow<N>) -> ([f64; N], Propagator<N>) {
         let mut point = flow.at(*self.origin.state());
         let mut total = None;
         let mut pass = |step: Propagator<N>| {
@@ -49,8 +51,9 @@ impl<const N: usize> Past<N> {
             });
         };
         let (mut steps, mut rest) = (self.steps, self.rest);
-        while rest >= flow.longest {
-            (steps, rest) = (steps + 1, rest - flow.longest);
+        if rest >= flow.longest {
+            let whole = (rest / flow.longest).floor();
+            (steps, rest) = (steps + whole as u64, rest - whole * flow.longest);
         }
         for number in LinearFlow::<N>::numbers(steps) {
             let leap = flow.leap(number);
@@ -59,7 +62,8 @@ impl<const N: usize> Past<N> {
         }
         if rest > 0.0 {
             pass(once(&flow.field, &point, rest, flow.degree));
+            point.0 = Piece::new(flow, 0.0, &point, rest).state(rest);
         }
-        total.unwrap_or(Propagator::IDENTITY)
+        (point.0, total.unwrap_or(Propagator::IDENTITY))
     }
 }
