@@ -10,7 +10,7 @@ use crate::field::exact::{ExactField, Modes};
 use crate::flow::reach::leaves;
 use crate::flow::saltation::product;
 use crate::flow::{
-    Calm, Derivatives, Determinant, Event, Factor, FlowError, Node, Passage, Peaks, Place, Sample,
+    Calm, Derivatives, Determinant, Event, Factor, FlowError, Node, Passage, Place, Sample,
     Segment, Want,
 };
 use crate::integrate::linear::Blur;
@@ -156,13 +156,7 @@ impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
         let field = ExactField::new(&flow.system, self.modes, self.carried.state())?;
         self.scales = flow.speed_scales(self.carried.state());
         let mut settings = flow.settings;
-        // Extents alone are known sharply: what may be one is looked at anew.
-        let sought = match self.want.extrema {
-            Peaks::All => true,
-            Peaks::Extent(section) => M::INFO.drive != Some(section),
-            Peaks::Nowhere | Peaks::Strobes => false,
-        };
-        let blur = match sought || M::INFO.moving {
+        let blur = match self.want.seeks_all(M::INFO.drive) || M::INFO.moving {
             true => Blur::Fine,
             false => Blur::Coarse,
         };
