@@ -19,6 +19,7 @@ mod sticking_equations;
 
 pub use branch::{Branch, follow, settings};
 pub use krawczyk::{Proof, Unproven, prove};
+pub(crate) use newton::rests;
 pub use newton::{Equilibrium, find, find_around, settle};
 pub use onset::Onset;
 pub use problem::EquilibriumProblem;

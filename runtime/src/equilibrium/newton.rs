@@ -84,16 +84,24 @@ fn add(
 /// contacts do not slide as the mode says.
 #[must_use]
 pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
+    let found = rests(family, r, from)?;
+    let margins = family.at(r).ok()?.margins(&found.place);
+    let inside = margins.iter().all(|(_, margin)| *margin > 0.0);
+    inside.then_some(found)
+}
+
+/// The same whatever its contacts do there: what slides may linger where the equations of sliding rest, though it would stick
+/// there.
+pub(crate) fn rests(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
     let mut problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
     let z = newton(&mut problem, DVector::from_column_slice(&from.state), r)?;
     let place = problem.place(&z);
     let flow = family.at(r).ok()?;
     flow.check(&place).ok()?;
-    let inside = flow.margins(&place).iter().all(|(_, margin)| *margin > 0.0);
     let jacobian = flow.velocity(&place).ok()?.jacobian;
     let sides = sides(flow.as_ref(), &place, problem.magnitude());
     let spectrum = Spectrum::between(&jacobian, &sides);
-    inside.then_some(Equilibrium { place, spectrum })
+    Some(Equilibrium { place, spectrum })
 }
 
 /// Whether two are one; which way a contact slides tells them apart only where it matters.

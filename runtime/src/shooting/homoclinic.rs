@@ -2,7 +2,7 @@
 
 use super::bound::known;
 use super::orbit::Orbit;
-use crate::equilibrium::settle;
+use crate::equilibrium::rests;
 use crate::flow::Want;
 use crate::motion::{Family, apart};
 
@@ -35,7 +35,7 @@ fn left(family: &Family, orbit: &Orbit, units: &[f64]) -> Option<f64> {
     let flow = family.with_magnitude(units).at(orbit.r).ok()?;
     let around = flow.advance(&orbit.place, orbit.period, Want::default());
     let calm = around.ok()?.calm.place;
-    let saddle = settle(family, orbit.r, &calm)?;
+    let saddle = rests(family, orbit.r, &calm)?;
     let rates = saddle.spectrum.eigenvalues.iter().map(|rate| rate.re);
     let [least, most] = [f64::min, f64::max].map(|far| rates.clone().fold(0.0, far));
     let near = apart(&calm.state, &saddle.place.state, units) <= NEAR;

@@ -15,6 +15,9 @@ use crate::motion::{Family, Place};
 
 /// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
 const VANISHED: f64 = 1e-4;
+/// A state that moves by less than this share of the most that it has, beside others that have not shrunk with it, is measured as
+/// if it did: through where it keeps still, at a symmetry or without what drives it, a branch goes as through anywhere.
+const STILL: f64 = 1e-4;
 
 impl OrbitProblem {
     /// Takes the sizes of one more orbit of a branch; it is refused where it has shrunk to an equilibrium.
@@ -31,6 +34,9 @@ impl OrbitProblem {
             *largest = largest.max(*size);
             most.max(share)
         });
+        for (size, largest) in self.magnitude.iter_mut().zip(&self.largest) {
+            *size = size.max(STILL * share * largest);
+        }
         let size = Size { r, share };
         let before = self.size.replace(size);
         let (start, period) = (self.start(z, 0), shot.period);

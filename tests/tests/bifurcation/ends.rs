@@ -65,17 +65,6 @@ model! {
     }
 }
 
-model! {
-    /// Between two wells and around them, orbits keep to the energy m − 1: that of the saddle between them where m is 1.
-    struct Wells {
-        state x = 1.2;
-        state y = 0.0;
-        param m = 0.8;
-        der(x) = y;
-        der(y) = x - powi(x, 3) + y * (m - 1.0 - powi(y, 2) / 2.0 + powi(x, 2) / 2.0 - powi(x, 4) / 4.0);
-    }
-}
-
 /// Running ever backwards, friction is 0.02 · 0.2 · 50 in the mean at any speed: a load of as much leaves the speed open.
 #[test]
 fn a_family_at_one_value_of_the_parameter_is_an_end() {
@@ -86,26 +75,6 @@ fn a_family_at_one_value_of_the_parameter_is_an_end() {
     assert!((torque - 0.2).abs() < 1e-9, "{torque}");
     assert!(found.points.len() < 200 && found.ended.is_located());
     assert!(found.ended.reason.starts_with("at 0.2 it stands still"));
-}
-
-/// From within a well and from around both the orbits come to those that leave the saddle and come back to it.
-#[test]
-fn an_orbit_that_comes_to_a_saddle_lasts_without_bound() {
-    for (range, x, accuracy) in [
-        ((0.8, 1.2), 1.2, 1e-7),
-        ((0.8, 1.2), 1.2, 1e-9),
-        ((1.5, 0.8), 1.8, 1e-9),
-    ] {
-        let found = branch(&[], Wells::m, range, |case| {
-            case.dynamics = Dynamics::Smooth;
-            case.start = Some(vec![x, 0.0]);
-            case.accuracy = accuracy;
-        });
-        let Ending::Homoclinic(m) = found.ended.ending else {
-            panic!("{} {:?}", found.ended.reason, named(&found));
-        };
-        assert!((m - 1.0).abs() < 2e-6 && found.ended.is_located(), "{m}");
-    }
 }
 
 /// It sticks for (4 − 2 · 2 + 4) / (50 pull) s, which has no bound where nothing pulls any more.
