@@ -4,9 +4,6 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::motion::Factor;
 
-/// How many times larger than in units of the motion Φ is where the units of the model are mixed.
-const MIXED: f64 = 1e3;
-
 /// Φ with the velocity at its start, and its factors, where they are wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Disturbances {
@@ -16,7 +13,7 @@ pub(crate) struct Disturbances {
 }
 
 impl Disturbances {
-    /// The same in units of states of these sizes, powers of 2, so that nothing is rounded; as it is where units are not mixed.
+    /// The same in units of states of these sizes, powers of 2, so that nothing is rounded; as it is where it is no larger.
     ///
     /// Φ errs relative to its largest entry in such units: of nanometres at megahertz, the speed that a metre would make
     /// says nothing of the errors of multipliers.
@@ -30,8 +27,8 @@ impl Disturbances {
             DMatrix::from_fn(matrix.nrows(), matrix.ncols(), entry)
         };
         let monodromy = turned(&self.monodromy);
-        let mixed = self.monodromy.amax() > MIXED * monodromy.amax();
-        if !mixed || !monodromy.iter().all(|entry| entry.is_finite()) {
+        let smaller = monodromy.amax() < self.monodromy.amax();
+        if !smaller || !monodromy.iter().all(|entry| entry.is_finite()) {
             return self;
         }
         let factor = |factor: &Factor| Factor {
