@@ -166,7 +166,7 @@ impl OrbitProblem {
             period: shot.period,
             magnitude: &self.magnitude,
         };
-        let refined = division.refined(&measure, &shot.passages)?;
+        let refined = division.refined(&measure, &shot.passages, crawls)?;
         match refined {
             None if crawls && division.is_whole() => {
                 Division::on_the_way(&measure, division.starts[0].clone())
