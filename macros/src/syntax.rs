@@ -118,6 +118,9 @@ pub(crate) struct Bound {
     pub(crate) inclusive: bool,
 }
 
+/// The first power of a unit: roots of units occur, and are whole in these.
+pub(crate) const TWELFTHS: i32 = 12;
+
 /// Symbols with their exponents: `kg*m/s^2`, nothing at all for `1`.
 #[derive(Clone)]
 pub(crate) struct Unit {
@@ -128,7 +131,8 @@ pub(crate) struct Unit {
 #[derive(Clone)]
 pub(crate) struct UnitFactor {
     pub(crate) symbol: Ident,
-    pub(crate) exponent: i32,
+    /// Its power in twelfths.
+    pub(crate) twelfths: i32,
     pub(crate) divides: bool,
 }
 

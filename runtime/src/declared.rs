@@ -47,8 +47,8 @@ pub const fn pattern<const N: usize>(rows: [&[usize]; N]) -> [[bool; N]; N] {
     pattern
 }
 
-/// Exponents of m, kg, s, A, K, mol, cd.
-type Dimension = [i8; 7];
+/// Exponents of m, kg, s, A, K, mol, cd, in twelfths.
+type Dimension = [i16; 7];
 
 /// The dimensions of a contact, each where it is known.
 ///
@@ -118,10 +118,10 @@ impl Contact {
     }
 }
 
-const fn times_power(mut product: Dimension, factor: &Dimension, power: i8) -> Dimension {
+const fn times_power(mut product: Dimension, factor: &Dimension, power: i16) -> Dimension {
     let mut i = 0;
     while i < product.len() {
-        product[i] += power * factor[i];
+        product[i] += power * factor[i] / 12;
         i += 1;
     }
     product
@@ -129,15 +129,15 @@ const fn times_power(mut product: Dimension, factor: &Dimension, power: i8) -> D
 
 #[cfg(test)]
 mod tests {
-    use super::Contact;
+    use super::{Contact, Dimension};
 
-    const NEWTON: [i8; 7] = [1, 1, -2, 0, 0, 0, 0];
-    const TORQUE: [i8; 7] = [2, 1, -2, 0, 0, 0, 0];
-    const NEWTON_SECOND_PER_METRE: [i8; 7] = [0, 1, -1, 0, 0, 0, 0];
-    const PER_SECOND: [i8; 7] = [0, 0, -1, 0, 0, 0, 0];
-    const SECOND: [i8; 7] = [0, 0, 1, 0, 0, 0, 0];
-    const SECOND_PER_METRE: [i8; 7] = [-1, 0, 1, 0, 0, 0, 0];
-    const ONE: [i8; 7] = [0; 7];
+    const NEWTON: Dimension = [12, 12, -24, 0, 0, 0, 0];
+    const TORQUE: Dimension = [24, 12, -24, 0, 0, 0, 0];
+    const NEWTON_SECOND_PER_METRE: Dimension = [0, 12, -12, 0, 0, 0, 0];
+    const PER_SECOND: Dimension = [0, 0, -12, 0, 0, 0, 0];
+    const SECOND: Dimension = [0, 0, 12, 0, 0, 0, 0];
+    const SECOND_PER_METRE: Dimension = [-12, 0, 12, 0, 0, 0, 0];
+    const ONE: Dimension = [0; 7];
 
     #[test]
     fn a_law_in_newtons_serves_torques() {
@@ -149,7 +149,7 @@ mod tests {
         assert!(bit.agrees(NEWTON, TORQUE));
         assert!(!bit.agrees(NEWTON, NEWTON));
         assert!(bit.agrees(SECOND_PER_METRE, SECOND));
-        assert!(bit.agrees(NEWTON_SECOND_PER_METRE, [2, 1, -1, 0, 0, 0, 0]));
+        assert!(bit.agrees(NEWTON_SECOND_PER_METRE, [24, 12, -12, 0, 0, 0, 0]));
     }
 
     #[test]
@@ -165,10 +165,22 @@ mod tests {
     }
 
     #[test]
+    fn roots_of_units_agree() {
+        let root = [6, 6, -12, 0, 0, 0, 0];
+        let contact = Contact {
+            force: Some(NEWTON),
+            speed: Some(root),
+            time: SECOND,
+        };
+        assert!(contact.agrees(SECOND_PER_METRE, [-6, -6, 12, 0, 0, 0, 0]));
+        assert!(!contact.agrees(SECOND_PER_METRE, SECOND));
+    }
+
+    #[test]
     fn what_is_not_stated_is_not_compared() {
         let contact = Contact {
             force: None,
-            speed: Some([1, 0, -1, 0, 0, 0, 0]),
+            speed: Some([12, 0, -12, 0, 0, 0, 0]),
             time: SECOND,
         };
         assert!(contact.agrees(NEWTON, SECOND));

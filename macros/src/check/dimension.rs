@@ -5,12 +5,14 @@ use std::fmt::{Display, Formatter, Result};
 use proc_macro2::Ident;
 
 use crate::suggest::nearest;
+use crate::syntax::TWELFTHS;
 
 /// Exponents of m, kg, s, A, K, mol, cd, in twelfths: roots of units occur inside formulas.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Dimension([i32; 7]);
 
-const TWELFTHS: i32 = 12;
+/// Twelfths of exponents that a unit may have: products of two units are still numbers.
+const LARGEST: u16 = 127 * TWELFTHS as u16;
 const BASE: [&str; 7] = ["m", "kg", "s", "A", "K", "mol", "cd"];
 
 /// The symbols, each with its exponents.
@@ -132,16 +134,20 @@ impl Dimension {
         Some(Self(powered))
     }
 
-    /// The exponents themselves, where they are whole and small as those of a stated unit.
-    pub(crate) fn exponents(self) -> Option<[i8; 7]> {
-        let mut whole = [0; 7];
-        for (exponent, twelfths) in whole.iter_mut().zip(self.0) {
-            if twelfths % TWELFTHS != 0 {
-                return None;
-            }
-            *exponent = i8::try_from(twelfths / TWELFTHS).ok()?;
+    /// So many twelfths of a power.
+    pub(super) fn to_twelfths(self, twelfths: i32) -> Self {
+        Self(self.0.map(|own| own.saturating_mul(twelfths) / TWELFTHS))
+    }
+
+    /// The exponents in twelfths, where they are as small as those of a stated unit.
+    pub(crate) fn exponents(self) -> Option<[i16; 7]> {
+        let mut small = [0; 7];
+        for (exponent, twelfths) in small.iter_mut().zip(self.0) {
+            *exponent = i16::try_from(twelfths)
+                .ok()
+                .filter(|twelfths| twelfths.unsigned_abs() <= LARGEST)?;
         }
-        Some(whole)
+        Some(small)
     }
 }
 
@@ -210,6 +216,10 @@ fn factor(symbol: &str, twelfths: i32) -> String {
     } else if twelfths % TWELFTHS == 0 {
         format!("{symbol}^{}", twelfths / TWELFTHS)
     } else {
-        format!("{symbol}^({twelfths}/{TWELFTHS})")
+        let common = [6, 4, 3, 2]
+            .into_iter()
+            .find(|n| twelfths % n == 0 && TWELFTHS % n == 0);
+        let common = common.unwrap_or(1);
+        format!("{symbol}^({}/{})", twelfths / common, TWELFTHS / common)
     }
 }

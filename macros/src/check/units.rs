@@ -220,7 +220,7 @@ fn dimension_of(unit: &Unit, errors: &mut Errors) -> Option<Dimension> {
         let sign = if factor.divides { -1 } else { 1 };
         match Dimension::of_symbol(&factor.symbol) {
             Ok(symbol) => {
-                let power = symbol.to_power(factor.exponent.saturating_mul(sign));
+                let power = symbol.to_twelfths(factor.twelfths.saturating_mul(sign));
                 whole = whole.map(|before| before.times(power));
             }
             Err(message) => {

@@ -137,6 +137,6 @@ fn assertion(
 }
 
 fn exponents(dimension: Dimension) -> Option<TokenStream> {
-    let exponents = dimension.exponents()?.map(Literal::i8_unsuffixed);
+    let exponents = dimension.exponents()?.map(Literal::i16_unsuffixed);
     Some(quote!([#(#exponents),*]))
 }

@@ -259,7 +259,7 @@ fn unit(unit: &Option<Unit>) -> TokenStream {
     option(unit.as_ref().map(|unit| {
         let text = &unit.text;
         let exponents = unit.dimension.exponents().unwrap_or_default();
-        let exponents = exponents.map(Literal::i8_unsuffixed);
+        let exponents = exponents.map(Literal::i16_unsuffixed);
         quote!(::stickslip::model::Unit { text: #text, dimension: [#(#exponents),*] })
     }))
 }

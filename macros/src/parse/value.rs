@@ -9,7 +9,7 @@ use syn::{BinOp, Lit, LitInt, LitStr, Token, token};
 use super::shape::{ends_with_comma, next};
 use crate::arithmetic;
 use crate::formula::Number;
-use crate::syntax::{Bound, Bounds, Unit, UnitFactor};
+use crate::syntax::{Bound, Bounds, TWELFTHS, Unit, UnitFactor};
 
 /// `=`
 pub(super) fn equals(input: ParseStream) -> syn::Result<()> {
@@ -202,21 +202,47 @@ fn factor(input: ParseStream, divides: bool) -> syn::Result<UnitFactor> {
         return Err(input.error("expected the symbol of a unit, as in `kg*m/s^2`,"));
     }
     let symbol = input.call(Ident::parse_any)?;
-    let mut exponent = 1;
-    if input.parse::<Option<Token![^]>>()?.is_some() {
-        let negative = input.parse::<Option<Token![-]>>()?.is_some();
-        if !input.peek(LitInt) {
-            return Err(input.error("the power of a unit is a whole number, as in `m^2`"));
-        }
-        let magnitude: i32 = input.parse::<LitInt>()?.base10_parse()?;
-        exponent = if negative { -magnitude } else { magnitude };
-    }
+    let twelfths = match input.parse::<Option<Token![^]>>()? {
+        Some(_) => power(input)?,
+        None => TWELFTHS,
+    };
     Ok(UnitFactor {
         symbol,
-        exponent,
+        twelfths,
         divides,
     })
 }
+
+/// `int | "(" int "/" int ")"`, in twelfths.
+fn power(input: ParseStream) -> syn::Result<i32> {
+    if input.peek(LitInt) || input.peek(Token![-]) {
+        return Ok(whole(input)?.saturating_mul(TWELFTHS));
+    }
+    if !input.peek(syn::token::Paren) {
+        return Err(input.error(POWER));
+    }
+    let fraction;
+    let place = syn::parenthesized!(fraction in input).span.join();
+    let numerator = whole(&fraction)?;
+    fraction.parse::<Token![/]>()?;
+    let denominator = whole(&fraction)?;
+    let twelfths = numerator.saturating_mul(TWELFTHS);
+    match twelfths.checked_rem(denominator) {
+        Some(0) if fraction.is_empty() => Ok(twelfths / denominator),
+        _ => Err(syn::Error::new(place, POWER)),
+    }
+}
+
+fn whole(input: ParseStream) -> syn::Result<i32> {
+    let negative = input.parse::<Option<Token![-]>>()?.is_some();
+    if !input.peek(LitInt) {
+        return Err(input.error(POWER));
+    }
+    let magnitude: i32 = input.parse::<LitInt>()?.base10_parse()?;
+    Ok(if negative { -magnitude } else { magnitude })
+}
+
+const POWER: &str = "the power of a unit is a whole number, as in `m^2`, or a fraction of twelfths, as in `Pa^(1/2)`";
 
 /// The tokens between two places of the same stream.
 fn consumed(from: ParseStream, to: ParseStream) -> syn::Result<TokenStream> {

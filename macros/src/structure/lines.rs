@@ -9,7 +9,7 @@ use super::terms::{group, negative, number, product, rest, sum, times};
 use super::{Mode, Quantity, Structure, Structures};
 use crate::formula::Formula;
 use crate::repeated::Repeated;
-use crate::syntax::{Bound, Bounds, Line, Rule, Unit, UnitFactor, Value};
+use crate::syntax::{Bound, Bounds, Line, Rule, TWELFTHS, Unit, UnitFactor, Value};
 
 /// The states of a mode.
 struct Names {
@@ -249,7 +249,7 @@ fn unit(source: &TokenStream) -> Unit {
             TokenTree::Punct(_) => divides = true,
             TokenTree::Ident(symbol) => factors.push(UnitFactor {
                 symbol,
-                exponent: 1,
+                twelfths: TWELFTHS,
                 divides,
             }),
             _ => {}

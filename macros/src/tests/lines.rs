@@ -150,7 +150,7 @@ fn what_belongs_elsewhere_is_shown_the_way() {
         (
             "state v: m/s",
             "state v: m/s^0.5",
-            "is a whole number, as in `m^2`",
+            "is a whole number, as in `m^2`, or a fraction",
         ),
         ("der(x) = v;", "der(x) == v;", "by one `=`"),
         ("der(v) =", "der(der(x)) =", "are of first order"),

@@ -54,7 +54,7 @@ fn powers_and_roots_carry_units() {
     assert_eq!(of_belt("= k * x;", "= mass * v * sqrt(k / mass);"), NONE);
     assert_eq!(
         of_belt("= k * x;", "= k * sqrt(x);"),
-        ["unit mismatch: `F` is in N, but `stretched` is in m^(6/12)*kg*s^-2"]
+        ["unit mismatch: `F` is in N, but `stretched` is in m^(1/2)*kg*s^-2"]
     );
 }
 
@@ -125,6 +125,8 @@ fn units_have_one_form() {
     assert_eq!(told("N*s^2/m"), NONE);
     assert_eq!(told("J*s^2*m^-2"), NONE);
     assert_eq!(told("rad*kg"), NONE);
+    assert_eq!(told("N^(1/2)*kg^(3/6)*s/m^(1/2)"), NONE);
+    assert_eq!(told("kg^(-1/2)*kg^(3/2)"), NONE);
     assert_eq!(
         told("N s"),
         ["join the symbol `s` to a unit with `*` or `/`, as in `N*m`"]
@@ -140,6 +142,12 @@ fn units_have_one_form() {
     assert_eq!(
         told("m^100*m^100"),
         ["the exponents of this unit are too large"]
+    );
+    assert_eq!(
+        told("Pa^(1/5)"),
+        [
+            "the power of a unit is a whole number, as in `m^2`, or a fraction of twelfths, as in `Pa^(1/2)`"
+        ]
     );
 }
 

@@ -37,7 +37,7 @@ impl Belt {
     pub const delta: ParamId<Self> = ParamId::new(4);
 }
 
-const fn unit(text: &'static str, dimension: [i8; 7]) -> Option<Unit> {
+const fn unit(text: &'static str, dimension: [i16; 7]) -> Option<Unit> {
     Some(Unit { text, dimension })
 }
 
@@ -56,25 +56,25 @@ impl Model<2> for Belt {
         command: "belt",
         doc: "One mass on a moving belt, held by a spring.",
         states: &[
-            State { name: "x", doc: "Displacement of the mass.", unit: unit("m", [1, 0, 0, 0, 0, 0, 0]), start: 1.0, equation: "v" },
-            State { name: "v", doc: "Velocity of the mass.", unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]), start: 0.0, equation: "(F - k * x) / m" },
+            State { name: "x", doc: "Displacement of the mass.", unit: unit("m", [12, 0, 0, 0, 0, 0, 0]), start: 1.0, equation: "v" },
+            State { name: "v", doc: "Velocity of the mass.", unit: unit("m/s", [12, 0, -12, 0, 0, 0, 0]), start: 0.0, equation: "(F - k * x) / m" },
         ],
         parameters: &[
-            Parameter { name: "m", doc: "Mass.", unit: unit("kg", [0, 1, 0, 0, 0, 0, 0]), default: 1.0, bounds: above(0.0, false) },
-            Parameter { name: "k", doc: "Spring stiffness.", unit: unit("N/m", [0, 1, -2, 0, 0, 0, 0]), default: 1.0, bounds: above(0.0, false) },
-            Parameter { name: "v_dr", doc: "Velocity of the belt.", unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]), default: 0.2, bounds: Bounds::NONE },
-            Parameter { name: "F_s", doc: "Largest static friction force.", unit: unit("N", [1, 1, -2, 0, 0, 0, 0]), default: 1.0, bounds: above(0.0, true) },
-            Parameter { name: "delta", doc: "Rate at which friction weakens with speed.", unit: unit("s/m", [-1, 0, 1, 0, 0, 0, 0]), default: 3.0, bounds: above(0.0, true) },
+            Parameter { name: "m", doc: "Mass.", unit: unit("kg", [0, 12, 0, 0, 0, 0, 0]), default: 1.0, bounds: above(0.0, false) },
+            Parameter { name: "k", doc: "Spring stiffness.", unit: unit("N/m", [0, 12, -24, 0, 0, 0, 0]), default: 1.0, bounds: above(0.0, false) },
+            Parameter { name: "v_dr", doc: "Velocity of the belt.", unit: unit("m/s", [12, 0, -12, 0, 0, 0, 0]), default: 0.2, bounds: Bounds::NONE },
+            Parameter { name: "F_s", doc: "Largest static friction force.", unit: unit("N", [12, 12, -24, 0, 0, 0, 0]), default: 1.0, bounds: above(0.0, true) },
+            Parameter { name: "delta", doc: "Rate at which friction weakens with speed.", unit: unit("s/m", [-12, 0, 12, 0, 0, 0, 0]), default: 3.0, bounds: above(0.0, true) },
         ],
         observables: &[],
         contacts: &[Contact {
             name: "F",
             doc: "",
-            unit: unit("N", [1, 1, -2, 0, 0, 0, 0]),
+            unit: unit("N", [12, 12, -24, 0, 0, 0, 0]),
             law: <Weakening<f64> as FrictionLaw<f64>>::INFO,
             fields: "limit: F_s, decay: delta",
             speed: "v - v_dr",
-            speed_unit: unit("m/s", [1, 0, -1, 0, 0, 0, 0]),
+            speed_unit: unit("m/s", [12, 0, -12, 0, 0, 0, 0]),
             states: &[],
             presses: &[],
             moving: &[],
