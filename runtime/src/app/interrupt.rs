@@ -164,6 +164,9 @@ fn told(files: &[PathBuf]) -> String {
     let tables = files.iter().filter(|path| !is_notes(path));
     let names: Vec<String> = tables.map(|path| path.display().to_string()).collect();
     match names.as_slice() {
+        [] if LISTENS.load(Ordering::Relaxed) => {
+            "it was long at work on what comes next: with `--out DIR` each row is kept as it is found".to_owned()
+        }
         [] => "nothing was found yet that could be kept".to_owned(),
         names => format!(
             "what was found is in {}{}",

@@ -85,7 +85,7 @@ impl<E: fmt::Display> fmt::Display for Stop<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::ReachedEnd => f.write_str("the end of its range is reached"),
-            Self::ReachedStart => f.write_str("it turned and came back to where it began"),
+            Self::ReachedStart => f.write_str("it turned and came back to where its range begins"),
             Self::StepTooSmall(failure) => write!(f, "no step is small enough: {failure}"),
             Self::Creeping(length) => {
                 write!(

@@ -71,8 +71,10 @@ impl Motion {
         around: Around<'_>,
         panel: f64,
     ) -> Result<Self, FlowError> {
-        if flow.phase().is_some() {
-            let (gap, place) = corrected(flow, around)?;
+        // Where the derivatives are not known, as where a contact is grazed, it stays where it is.
+        if flow.phase().is_some()
+            && let Ok((gap, place)) = corrected(flow, around)
+        {
             let other = place.map(|place| Self::follow(flow, around.begun_at(&place), panel));
             if let Some(Ok(other)) = other
                 && other.gap.norm() < gap.norm()
