@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use stickslip::continuation::{Ending, Kind};
 use stickslip::model;
-use stickslip::study::{Dynamics, OrbitRecord, Stability};
+use stickslip::study::{OrbitRecord, Stability};
 use stickslip_models::friction::{Coulomb, CoulombStatic, Stribeck};
 use stickslip_models::{BeltPair, ForcedBelt};
 

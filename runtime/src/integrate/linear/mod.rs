@@ -15,11 +15,10 @@ mod stepper;
 use std::iter::repeat_n;
 use std::sync::OnceLock;
 
-use super::{Motion, Tolerance, Tracked};
+use super::Tolerance;
 use crate::field::{LinearField, Point};
 use jump::Jump;
 use leap::Leap;
-use past::Past;
 use series::degree;
 pub(crate) use stepper::LinearStepper;
 
@@ -95,17 +94,6 @@ impl<const N: usize> LinearFlow<N> {
             whole,
             leaps: Box::new([const { OnceLock::new() }; LEAPS]),
         })
-    }
-
-    /// A motion this time later.
-    pub(crate) fn after(&self, motion: Motion<N>, time: f64) -> Motion<N> {
-        let mut past = Past::new(Tracked::Motion(motion));
-        past.add(time, None);
-        let (state, propagator) = past.passed(self);
-        Motion {
-            state,
-            ..motion.through(&propagator)
-        }
     }
 
     /// The step of this length, if it is the longest.

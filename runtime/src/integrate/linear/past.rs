@@ -3,7 +3,7 @@
 use super::LinearFlow;
 use super::leap::once;
 use super::piece::Piece;
-use crate::integrate::{Propagator, Tracked};
+use crate::integrate::{Motion, Propagator, Tracked};
 
 /// Where a stretch began, with its derivatives, and how far it has come from there.
 #[derive(Debug, Clone)]
@@ -41,7 +41,7 @@ impl<const N: usize> Past<N> {
     }
 
     /// Where it ends, and how that depends on where it began.
-    pub(super) fn passed(&self, flow: &LinearFlow<N>) -> ([f64; N], Propagator<N>) {
+    fn passed(&self, flow: &LinearFlow<N>) -> ([f64; N], Propagator<N>) {
         let mut point = flow.at(*self.origin.state());
         let mut total = None;
         let mut pass = |step: Propagator<N>| {
@@ -65,5 +65,18 @@ impl<const N: usize> Past<N> {
             point.0 = Piece::new(flow, 0.0, &point, rest).state(rest);
         }
         (point.0, total.unwrap_or(Propagator::IDENTITY))
+    }
+}
+
+impl<const N: usize> LinearFlow<N> {
+    /// A motion this time later.
+    pub(crate) fn after(&self, motion: Motion<N>, time: f64) -> Motion<N> {
+        let mut past = Past::new(Tracked::Motion(motion));
+        past.add(time, None);
+        let (state, propagator) = past.passed(self);
+        Motion {
+            state,
+            ..motion.through(&propagator)
+        }
     }
 }
