@@ -57,7 +57,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             false => &direction,
         };
         let bend = self.guard(base, straight, &corrected, &scale)?;
-        let factor = growth(&corrected.corrections, accuracy, bend);
+        let factor = growth(&corrected.corrections, bend);
         let comes = corner.unwrap_or(base);
         if self.kept(comes, &corrected.linearisation, &arrives) == Some(-1.0) {
             // It turns round at corners only: between them, another leg is near.

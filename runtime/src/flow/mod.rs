@@ -162,16 +162,6 @@ impl Want {
         matches!(self.extrema, Peaks::Extent(_) | Peaks::All)
     }
 
-    /// Whether all extrema of a state are reported that has any, as the phase of a drive has not: of an extent, what may be one
-    /// is looked at anew, and the way to it need not be as sharp.
-    pub(crate) fn seeks_all(&self, phase: Option<usize>) -> bool {
-        match self.extrema {
-            Peaks::All => true,
-            Peaks::Extent(state) => phase != Some(state),
-            Peaks::Nowhere | Peaks::Strobes => false,
-        }
-    }
-
     /// Whether a passage with so many samples goes no further.
     pub(crate) fn suffices(&self, samples: usize) -> bool {
         self.samples > 0 && samples >= self.samples

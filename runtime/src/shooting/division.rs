@@ -8,7 +8,7 @@ use crate::motion::{Event, Flow, Modes, Passage, Place};
 
 /// An orbit is divided if errors grow this many times once around,
 const UNSTABLE: f64 = 1e5;
-/// until they grow no more than this along any segment; where its branch crawls, if they grow by more than that.
+/// until they grow no more than this along any segment.
 const GROWTH: f64 = 1e2;
 /// Parts in which it is told how errors grow on the way.
 const PARTS: usize = 64;
@@ -88,8 +88,7 @@ impl Division {
         self.shares.len() == 1
     }
 
-    /// The division that an orbit needs which was followed in this one, and of which the branch crawls or not; `None` if it is
-    /// the same.
+    /// The division that an orbit needs which was followed in this one; `None` if it is the same.
     ///
     /// # Errors
     /// The motion cannot be followed to a start.
@@ -97,12 +96,11 @@ impl Division {
         &self,
         measure: &Measure<'_>,
         passages: &[Passage],
-        crawls: bool,
     ) -> Result<Option<Self>, FlowError> {
-        let allowed = match (self.is_whole(), crawls) {
-            (true, false) => UNSTABLE,
-            (true, true) => GROWTH,
-            (false, _) => GROWTH * GROWTH,
+        let allowed = if self.is_whole() {
+            UNSTABLE
+        } else {
+            GROWTH * GROWTH
         };
         let grows = |passage: &Passage| measure.growth(passage) > allowed;
         let seams = if self.is_whole() {
@@ -140,7 +138,7 @@ impl Division {
         if measure.growth_on_the_way(&passages) <= GROWTH * GROWTH {
             return Ok(None);
         }
-        let refined = parts.refined(measure, &passages, true)?;
+        let refined = parts.refined(measure, &passages)?;
         Ok(Some(refined.unwrap_or(parts)))
     }
 

@@ -166,7 +166,7 @@ impl OrbitProblem {
             period: shot.period,
             magnitude: &self.magnitude,
         };
-        let refined = division.refined(&measure, &shot.passages, crawls)?;
+        let refined = division.refined(&measure, &shot.passages)?;
         match refined {
             None if crawls && division.is_whole() => {
                 Division::on_the_way(&measure, division.starts[0].clone())

@@ -31,4 +31,3 @@ mod still;
 mod symmetric;
 mod symmetry;
 mod unstable;
-mod vanishing;

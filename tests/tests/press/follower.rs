@@ -160,15 +160,15 @@ fn a_valve_leaves_its_cam_where_friction_turns() {
 model! {
     /// A follower on a cam of two harmonics, in a guide that rubs.
     struct Guided {
-        state y: m = 0.0;
-        state v: m/s = 0.0;
-        param m: kg = 0.2 where m > 0.0;
-        param h: m = 0.005;
-        param second: m = 0.0005;
-        param guide: N = 4.0 where guide >= 0.0;
+        state y = 0.0;
+        state v = 0.0;
+        param m = 0.2 where m > 0.0;
+        param h = 0.005;
+        param second = 0.0005;
+        param guide = 4.0 where guide >= 0.0;
         drive phi at 100.0;
-        press R: N = Rigid { restitution: 0.4 } closing y - h * (1.0 - cos(phi)) + second * cos(3.0 * phi);
-        friction F: N = Coulomb { level: guide } opposing v;
+        press R = Rigid { restitution: 0.4 } closing y - h * (1.0 - cos(phi)) + second * cos(3.0 * phi);
+        friction F = Coulomb { level: guide } opposing v;
         der(y) = v;
         der(v) = (R + F - 60.0 - 4000.0 * y - v) / m;
     }

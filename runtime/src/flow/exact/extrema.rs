@@ -12,7 +12,7 @@ use crate::scalar::mapped;
 const SHARP: f64 = 1e-9;
 
 /// Part of its size within which a state comes near its extent: more than the dense output errs by.
-const NEAR: f64 = 1e-5;
+const NEAR: f64 = 1e-6;
 
 /// Follows the sign of every rate; where it changes, there is an extremum, be it smooth, a corner or a plateau.
 #[derive(Debug, Clone)]

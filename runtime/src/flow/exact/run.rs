@@ -156,7 +156,7 @@ impl<'f, M: Model<N>, const N: usize> Run<'f, M, N> {
         let field = ExactField::new(&flow.system, self.modes, self.carried.state())?;
         self.scales = flow.speed_scales(self.carried.state());
         let mut settings = flow.settings;
-        let blur = match self.want.seeks_all(M::INFO.drive) || M::INFO.moving {
+        let blur = match self.want.looks_for_extrema() || M::INFO.moving {
             true => Blur::Fine,
             false => Blur::Coarse,
         };
