@@ -218,8 +218,8 @@ fn factor(symbol: &str, twelfths: i32) -> String {
     } else {
         let common = [6, 4, 3, 2]
             .into_iter()
-            .find(|n| twelfths % n == 0 && TWELFTHS % n == 0);
-        let common = common.unwrap_or(1);
+            .find(|n| twelfths % n == 0)
+            .unwrap_or(1);
         format!("{symbol}^({}/{})", twelfths / common, TWELFTHS / common)
     }
 }

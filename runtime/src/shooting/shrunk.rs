@@ -16,7 +16,7 @@ use crate::motion::{Family, Place};
 /// An orbit that has shrunk to this share of its largest extent ends in an equilibrium.
 const VANISHED: f64 = 1e-4;
 /// A state that moves by less than this share of the most that it has, beside others that have not shrunk with it, is measured as
-/// if it did: through where it keeps still, at a symmetry or without what drives it, a branch goes as through anywhere.
+/// if it did: where it keeps still, its own swing is rounding errors.
 const STILL: f64 = 1e-4;
 
 impl OrbitProblem {

@@ -1,7 +1,6 @@
 //! Where r stands still while the orbits of a branch go on changing.
 
 use super::orbit::Orbit;
-use crate::motion::apart;
 
 /// Orbits in a row by which it is told.
 const MANY: usize = 20;
@@ -22,8 +21,5 @@ pub(super) fn stands_still(orbits: &[Orbit], accuracy: f64) -> Option<f64> {
     };
     let many = orbits.iter().rev().take_while(stays).count();
     let first = orbits.get(orbits.len() - many).filter(|_| many >= MANY)?;
-    let ends = [(&first.min, &last.min), (&first.max, &last.max)];
-    let units = last.magnitude();
-    let changed = ends.iter().map(|(a, b)| apart(a, b, &units));
-    (changed.fold(0.0, f64::max) > WIDE * accuracy.sqrt()).then_some(last.r)
+    (last.apart(first) > WIDE * accuracy.sqrt()).then_some(last.r)
 }

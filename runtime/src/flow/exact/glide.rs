@@ -53,14 +53,13 @@ impl<M: Model<N>, const N: usize> ExactFlow<M, N> {
         let linear = self.stretches.as_ref();
         if let Some(known) = linear.and_then(|stretches| stretches.along(field, sharp)) {
             let motion = known.flow.after(start, time);
-            let state = motion.state.to_vec().into();
-            return motion
-                .is_finite()
-                .then_some(motion)
-                .ok_or(FlowError::Integration(IntegrationError::NotFinite {
-                    time,
-                    state,
-                }));
+            if motion.is_finite() {
+                return Ok(motion);
+            }
+            return Err(FlowError::Integration(IntegrationError::NotFinite {
+                time,
+                state: motion.state.to_vec().into(),
+            }));
         }
         let mut work = Work::default();
         let motion = integrate(field, self.settings, start, time, &mut work, |_| {

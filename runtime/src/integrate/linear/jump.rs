@@ -35,13 +35,14 @@ impl<const N: usize> Jump<N> {
                 false => Strip::ZERO,
             },
         };
+        let bends = field.bends();
         let nothing = Column {
             path: [Strip::ZERO; TERMS],
             design: Strip::ZERO,
         };
         Self {
             length,
-            states: filled(|j| column((unit(j), [0.0; 3]), field.bends())),
+            states: filled(|j| column((unit(j), [0.0; 3]), bends)),
             waves: filled(|j| match j {
                 1 | 2 if !field.is_driven() => nothing,
                 _ => column(([0.0; N], unit(j)), field.is_designed()),

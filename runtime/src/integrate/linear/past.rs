@@ -3,6 +3,7 @@
 use super::LinearFlow;
 use super::leap::once;
 use super::piece::Piece;
+use crate::field::Point;
 use crate::integrate::{Motion, Propagator, Tracked};
 
 /// Where a stretch began, with its derivatives, and how far it has come from there.
@@ -12,6 +13,13 @@ pub(super) struct Past<const N: usize> {
     /// So many steps of full length, and the rest.
     steps: u64,
     rest: f64,
+}
+
+/// The way of a stretch: where its last part begins, which is no full step, and how its end depends on its beginning.
+struct Passed<const N: usize> {
+    before: Point<N>,
+    rest: f64,
+    propagator: Propagator<N>,
 }
 
 impl<const N: usize> Past<N> {
@@ -37,11 +45,10 @@ impl<const N: usize> Past<N> {
 
     /// What has come to this state.
     pub(super) fn arrived(&self, flow: &LinearFlow<N>, state: [f64; N]) -> Tracked<N> {
-        self.origin.led_to(state, || self.passed(flow).1)
+        self.origin.led_to(state, || self.passed(flow).propagator)
     }
 
-    /// Where it ends, and how that depends on where it began.
-    fn passed(&self, flow: &LinearFlow<N>) -> ([f64; N], Propagator<N>) {
+    fn passed(&self, flow: &LinearFlow<N>) -> Passed<N> {
         let mut point = flow.at(*self.origin.state());
         let mut total = None;
         let mut pass = |step: Propagator<N>| {
@@ -62,9 +69,12 @@ impl<const N: usize> Past<N> {
         }
         if rest > 0.0 {
             pass(once(&flow.field, &point, rest, flow.degree));
-            point.0 = Piece::new(flow, 0.0, &point, rest).state(rest);
         }
-        (point.0, total.unwrap_or(Propagator::IDENTITY))
+        Passed {
+            before: point,
+            rest,
+            propagator: total.unwrap_or(Propagator::IDENTITY),
+        }
     }
 }
 
@@ -73,7 +83,15 @@ impl<const N: usize> LinearFlow<N> {
     pub(crate) fn after(&self, motion: Motion<N>, time: f64) -> Motion<N> {
         let mut past = Past::new(Tracked::Motion(motion));
         past.add(time, None);
-        let (state, propagator) = past.passed(self);
+        let Passed {
+            before,
+            rest,
+            propagator,
+        } = past.passed(self);
+        let state = match rest > 0.0 {
+            true => Piece::new(self, 0.0, &before, rest).state(rest),
+            false => before.0,
+        };
         Motion {
             state,
             ..motion.through(&propagator)
