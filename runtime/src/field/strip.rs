@@ -82,8 +82,24 @@ impl<const N: usize> Strip<N> {
     #[inline]
     pub(crate) fn dot<D: Scalar>(&self, vector: &[D; N]) -> D {
         let stretch = self.stretch();
-        let pairs = vector[stretch.clone()].iter().zip(&self.entries[stretch]);
-        pairs.fold(D::from(0.0), |sum, (x, g)| sum + *x * *g)
+        let (vector, entries) = (&vector[stretch.clone()], &self.entries[stretch]);
+        let sum = |vector: &[D], entries: &[f64]| {
+            let pairs = vector.iter().zip(entries);
+            pairs.fold(D::from(0.0), |sum, (x, g)| sum + *x * *g)
+        };
+        if N <= FEW {
+            return sum(vector, entries);
+        }
+        // Side by side, as no product waits for the one before it then.
+        let (fours, rest) = vector.as_chunks::<4>();
+        let (others, last) = entries.as_chunks::<4>();
+        let mut sums = [D::from(0.0); 4];
+        for (four, other) in fours.iter().zip(others) {
+            for (sum, (x, g)) in sums.iter_mut().zip(four.iter().zip(other)) {
+                *sum += *x * *g;
+            }
+        }
+        sums[0] + sums[1] + (sums[2] + sums[3]) + sum(rest, last)
     }
 
     /// The magnitude of the terms of a number of this value at a state, of which this is the gradient: what its rounding

@@ -142,15 +142,44 @@ impl<const N: usize> Motion<N> {
     /// Adds `factor` times the derivatives of `motion` to these.
     #[inline(always)]
     fn add_product(&mut self, factor: &[[f64; N]; N], motion: &Self) {
-        for i in 0..N {
-            for (j, &entry) in factor[i].iter().enumerate() {
-                if N >= SPARSE && entry == 0.0 {
-                    continue;
-                }
-                self.tangent[i].add(entry, &motion.tangent[j]);
-                self.design[i] += entry * motion.design[j];
+        for (i, row) in factor.iter().enumerate() {
+            if N < SPARSE {
+                self.add_rows(i, 0, row, motion);
+                continue;
             }
+            let (fours, rest) = row.as_chunks::<4>();
+            for (k, four) in fours.iter().enumerate() {
+                match four.iter().filter(|entry| **entry != 0.0).count() {
+                    0 => (),
+                    1 | 2 => self.add_rows(i, 4 * k, four, motion),
+                    _ => self.add_four(i, 4 * k, four, motion),
+                }
+            }
+            self.add_rows(i, 4 * fours.len(), rest, motion);
         }
+    }
+
+    /// Adds to those of state i the derivatives of states from `first` on, so many times each.
+    #[inline(always)]
+    fn add_rows(&mut self, i: usize, first: usize, factors: &[f64], motion: &Self) {
+        for (j, &entry) in (first..).zip(factors) {
+            if N >= SPARSE && entry == 0.0 {
+                continue;
+            }
+            self.tangent[i].add(entry, &motion.tangent[j]);
+            self.design[i] += entry * motion.design[j];
+        }
+    }
+
+    /// The same of four states at once: what they are added to is fetched once.
+    #[inline(always)]
+    fn add_four(&mut self, i: usize, first: usize, [a, b, c, d]: &[f64; 4], motion: &Self) {
+        let [e, f, g, h] = crate::scalar::filled(|k: usize| &motion.tangent[first + k]);
+        for (l, sum) in self.tangent[i].iter_mut().enumerate() {
+            *sum += a * e[l] + b * f[l] + (c * g[l] + d * h[l]);
+        }
+        let [e, f, g, h] = crate::scalar::filled(|k: usize| motion.design[first + k]);
+        self.design[i] += a * e + b * f + (c * g + d * h);
     }
 
     /// Sets Φ = I and leaves the rest.

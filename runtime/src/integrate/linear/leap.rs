@@ -1,6 +1,6 @@
 //! How the end of a motion depends on its beginning: of many steps on end found by doubling the map of one.
 
-use super::series::{Series, add, design, unit};
+use super::series::add;
 use crate::field::{LinearField, Point, Strip};
 use crate::integrate::Propagator;
 use crate::scalar::{dot, filled, mapped};
@@ -75,31 +75,12 @@ impl<const N: usize> Leap<N> {
     }
 }
 
-/// The same of a single motion of this length, not longer than a step, by series with so many terms.
-pub(super) fn once<const N: usize>(
-    field: &LinearField<N>,
-    start: &Point<N>,
-    length: f64,
-    degree: usize,
-) -> Propagator<N> {
-    let turn = field.turn(&start.1);
-    let rises: [[f64; N]; N] = filled(|j| {
-        let wave = turn.filter(|(phase, _)| *phase == j);
-        let wave = wave.map_or([0.0; 3], |(_, turn)| turn);
-        Series::new(field, &(unit(j), wave), length, degree).rise()
-    });
-    Propagator {
-        state: filled(|i| filled(|j| f64::from(i == j) + rises[j][i])),
-        design: match field.is_designed() {
-            true => design(field, start, length, degree),
-            false => [0.0; N],
-        },
-        time: [0.0; N],
-        trace: field.trace() * length,
-    }
-}
-
 impl<const N: usize> Map<N> {
+    pub(super) const NOTHING: Self = Self {
+        states: [Strip::ZERO; N],
+        waves: [[0.0; 3]; N],
+    };
+
     /// What it adds to a point.
     fn of(&self, (state, wave): &Point<N>) -> [f64; N] {
         filled(|i| self.states[i].dot(state) + dot(&self.waves[i], wave))
@@ -107,10 +88,7 @@ impl<const N: usize> Map<N> {
 
     /// This after another one.
     fn times(&self, other: &Self) -> Self {
-        let mut product = Self {
-            states: [Strip::ZERO; N],
-            waves: [[0.0; 3]; N],
-        };
+        let mut product = Self::NOTHING;
         for (i, row) in self.states.iter().enumerate() {
             for (j, factor) in row.iter().filter(|(_, factor)| *factor != 0.0) {
                 other.states[j].add_to_strip(&mut product.states[i], factor);
@@ -121,11 +99,16 @@ impl<const N: usize> Map<N> {
     }
 
     fn plus(mut self, other: &Self) -> Self {
-        for i in 0..N {
-            other.states[i].add_to_strip(&mut self.states[i], 1.0);
-            add(&mut self.waves[i], 1.0, &other.waves[i]);
-        }
+        self.add(1.0, other);
         self
+    }
+
+    /// Adds so many times another one.
+    pub(super) fn add(&mut self, factor: f64, other: &Self) {
+        for i in 0..N {
+            other.states[i].add_to_strip(&mut self.states[i], factor);
+            add(&mut self.waves[i], factor, &other.waves[i]);
+        }
     }
 
     /// The same of a wave that has gone on.

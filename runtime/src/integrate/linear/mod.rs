@@ -9,6 +9,7 @@ mod jump;
 mod leap;
 mod past;
 mod piece;
+mod powers;
 mod series;
 mod stepper;
 
@@ -19,6 +20,7 @@ use super::Tolerance;
 use crate::field::{LinearField, Point};
 use jump::Jump;
 use leap::Leap;
+use powers::Powers;
 use series::degree;
 pub(crate) use stepper::LinearStepper;
 
@@ -69,6 +71,8 @@ pub(crate) struct LinearFlow<const N: usize> {
     whole: Option<Box<Jump<N>>>,
     /// What motions of a quarter of it, half of it, all of it, two of it and so on do, as they are needed.
     leaps: Box<[OnceLock<Box<Leap<N>>>; LEAPS]>,
+    /// What any part of a step does, once that is needed.
+    powers: OnceLock<Powers<N>>,
 }
 
 impl<const N: usize> LinearFlow<N> {
@@ -93,6 +97,7 @@ impl<const N: usize> LinearFlow<N> {
             degree,
             whole,
             leaps: Box::new([const { OnceLock::new() }; LEAPS]),
+            powers: OnceLock::new(),
         })
     }
 
@@ -120,6 +125,16 @@ impl<const N: usize> LinearFlow<N> {
                 (None, _) => self.leap(number - 1).doubled(&self.field),
             })
         })
+    }
+
+    /// What parts of a step do; where any step is true, of one of this length.
+    fn powers(&self, length: f64) -> &Powers<N> {
+        let whole = match self.longest.is_finite() {
+            true => self.longest,
+            false => length,
+        };
+        self.powers
+            .get_or_init(|| Powers::new(&self.field, whole, self.degree))
     }
 
     /// How often a step may be doubled and be no longer than this.

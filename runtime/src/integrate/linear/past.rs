@@ -1,7 +1,6 @@
 //! How a stretch depends on where it began: asked for once, at its end, and not at each of its steps.
 
 use super::LinearFlow;
-use super::leap::once;
 use super::piece::Piece;
 use crate::field::Point;
 use crate::integrate::{Motion, Propagator, Tracked};
@@ -68,7 +67,7 @@ impl<const N: usize> Past<N> {
             point = flow.at(leap.end(&point));
         }
         if rest > 0.0 {
-            pass(once(&flow.field, &point, rest, flow.degree));
+            pass(flow.powers(rest).propagator(&flow.field, &point, rest));
         }
         Passed {
             before: point,

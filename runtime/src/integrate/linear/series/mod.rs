@@ -60,6 +60,11 @@ impl<const N: usize> Series<N> {
         state
     }
 
+    /// yₖ.
+    pub(super) fn term(&self, k: usize) -> &[f64; N] {
+        &self.terms[k]
+    }
+
     /// y(h) − y(0).
     pub(super) fn rise(&self) -> [f64; N] {
         let mut rise = [0.0; N];
