@@ -27,6 +27,9 @@ pub(super) const TIGHTER: f64 = 0.1;
 /// How often the tolerance is tightened beyond that, and how far off the accuracy the estimate is to be for it.
 const TIGHTENINGS: usize = 3;
 const SLACK: f64 = 10.0;
+/// Error of an orbit of which no digit is known: with a multiplier that may be 1 it is none that stands alone, as where a motion
+/// has crept to where friction holds it.
+const UNKNOWN: f64 = 1.0;
 
 /// Newton from a guess: on the section if the guess lies there, then to the minimal period, then with
 /// a tighter tolerance, which gives the error estimate.
@@ -176,7 +179,7 @@ pub(super) fn from(
         return from(family, r, &least, search, anchor);
     }
     let solution = Solution {
-        shot: &tight.linearisation.extra,
+        shot,
         z: &tight.z,
         r,
         residual: tight.residual,
@@ -195,7 +198,17 @@ pub(super) fn from(
     // Extrema are those of the last motion, one correction away from the orbit.
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * (share * orbit.error_estimate).max(least).max(last);
-    Ok(orbit)
+    let is_known = orbit.error_estimate < UNKNOWN || orbit.floquet.growths.marginal() == 0;
+    match is_known {
+        true => Ok(orbit),
+        false => Err(OrbitError::NotIsolated {
+            state: flow
+                .at(r)?
+                .values(&shot.start.state)
+                .within(long.shares(accuracy)),
+            period: shot.period,
+        }),
+    }
 }
 
 /// Whether Newton's method came so near that what it failed by may be the errors of the motion: those of a copy differ with its

@@ -154,11 +154,13 @@ fn onwards(
             continue;
         }
         nearest = (distance, Beyond::Onwards(Box::new(started)));
-        // Where it is hit, one multiplier is unbounded at the border.
         let leaves = direction[direction.len() - 1];
         let passes = || passes(found, last, (&first, leaves));
-        let skips = || passes() || skips(found, branch, last, &first);
-        if hit.is_some() || !skips() {
+        let leaps = match hit {
+            Some(_) => turns(&first, leaves),
+            None => passes() || skips(found, branch, last, &first),
+        };
+        if !leaps {
             break;
         }
     }
@@ -181,6 +183,11 @@ fn passes(found: &Edge, last: &Orbit, (first, leaves): (&Orbit, f64)) -> bool {
     certain != [true; 2]
         || beyond.floquet.unstable != first.floquet.unstable
         || at.into_iter().zip(next).any(|(at, next)| changes(at, next))
+}
+
+/// Whether the same holds of an orbit that is hit: one multiplier is unbounded at the border there.
+fn turns(first: &Orbit, leaves: f64) -> bool {
+    first.floquet.unstable == 0 || changes(leaves, first.heading.slope)
 }
 
 /// Whether another border may lie between this one and the first orbit beyond it: what is short on one side of this one is
@@ -236,7 +243,9 @@ fn first((branch, point): &Started<OrbitProblem>, accuracy: f64) -> Orbit {
         r: point.r,
         residual: point.residual,
     };
-    Orbit::read(&branch.problem.family, solution, accuracy, Work::default())
+    let mut orbit = Orbit::read(&branch.problem.family, solution, accuracy, Work::default());
+    orbit.heading.follow(&point.tangent, point.r_scale);
+    orbit
 }
 
 fn set_out(
