@@ -75,7 +75,7 @@ pub(super) struct Way {
 /// Whether a special point of the branch is followed in a second parameter.
 #[derive(Debug, Clone, Args)]
 pub(super) struct Curve {
-    /// Follow a special point of the branch in this parameter too, from C to D: a fold, flip, torus or grazing point of orbits, a fold or Hopf point of equilibria
+    /// Follow a special point of the branch in this parameter too, from C to D: a fold, flip, torus, grazing or sliding point of orbits, a fold or Hopf point of equilibria
     #[arg(long, value_name = "NAME=C..D", value_parser = Reading(Range::read))]
     pub(super) and: Option<Range>,
     /// Which one, for instance PD1; the first without --of

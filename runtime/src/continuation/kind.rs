@@ -66,6 +66,19 @@ words! {
 }
 
 impl Kind {
+    /// Whether orbits are there on the border between two orders of events, met by equations of its own.
+    #[must_use]
+    pub const fn is_border(self) -> bool {
+        matches!(
+            self,
+            Self::CrossingSliding
+                | Self::GrazingSliding
+                | Self::Grazing
+                | Self::SwitchingSliding
+                | Self::AddingSliding
+        )
+    }
+
     /// The letters of its label: LP1, PD1, ...
     #[must_use]
     pub const fn letters(self) -> &'static str {

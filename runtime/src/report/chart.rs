@@ -174,18 +174,9 @@ impl Vertex {
     }
 
     /// Whether a branch may have a corner there: where orbits touch what they have not met before.
-    const fn is_corner(&self) -> bool {
-        matches!(
-            self.kind,
-            Some(
-                Kind::CrossingSliding
-                    | Kind::GrazingSliding
-                    | Kind::Grazing
-                    | Kind::SwitchingSliding
-                    | Kind::AddingSliding
-                    | Kind::BoundaryEquilibrium
-            )
-        )
+    fn is_corner(&self) -> bool {
+        self.kind
+            .is_some_and(|kind| kind.is_border() || kind == Kind::BoundaryEquilibrium)
     }
 }
 

@@ -63,7 +63,7 @@ pub enum StudyError {
     },
     /// A special point that has no curve here.
     #[error(
-        "{label} is a {kind} point, and only folds, flips, torus and grazing-sliding points of orbits, and folds and Hopf points of \
+        "{label} is a {kind} point, and only folds, flips, torus, grazing and sliding points of orbits, and folds and Hopf points of \
          equilibria can be followed in two parameters"
     )]
     NotFollowed {

@@ -23,7 +23,7 @@ model! {
 
 model! {
     /// A plate between two belts that run against each other.
-    struct Torn {
+    pub(crate) struct Torn {
         state x = 0.2;
         state v = 0.0;
         param above = 1.0;

@@ -3,6 +3,7 @@
 mod alike;
 mod atlas;
 mod bands;
+mod border_curves;
 mod borders;
 mod branch;
 mod canard;

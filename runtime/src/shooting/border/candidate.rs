@@ -156,8 +156,15 @@ impl Border {
         own.copied().unwrap_or(Mode::Stick)
     }
 
+    /// Whether it may be called so.
+    #[must_use]
+    pub fn may_be(&self, kind: Kind) -> bool {
+        [-1.0, 1.0].iter().any(|rate| self.kind(*rate) == kind)
+    }
+
     /// What it is called; `rate` is that of the force's way to its limit, at an edge.
-    pub(super) fn kind(&self, rate: f64) -> Kind {
+    #[must_use]
+    pub fn kind(&self, rate: f64) -> Kind {
         match (self.condition, self.before()) {
             (Condition::Touch, Mode::Stick) => Kind::AddingSliding,
             (Condition::Touch, mode) if mode.is_of_press() => Kind::Grazing,

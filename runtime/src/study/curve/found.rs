@@ -6,7 +6,7 @@ use super::choice::{choose, not_followed};
 use super::reader::Reader;
 use super::record::{CurveFinding, CurvePointRecord, CurveScope, Curved};
 use crate::continuation::{Kind, Settings};
-use crate::curve::{Condition, CurvePoint, GrazingPoint, Plane, follow, follow_graze};
+use crate::curve::{BorderPoint, Condition, CurvePoint, Plane, follow, follow_border};
 use crate::integrate::Tolerance;
 use crate::shooting::Orbit;
 use crate::study::branch::{BranchRecord, Hopf, numbered};
@@ -79,8 +79,8 @@ impl Sought<'_> {
         }
         let labels = branch.special.iter().map(|special| special.label.clone());
         let all: Vec<(String, Kind)> = labels.zip(located.iter().map(|one| one.kind)).collect();
-        let known = |kind| kind == Kind::GrazingSliding || Condition::of_orbits(kind).is_some();
-        let known = ("fold, flip, torus or grazing", known);
+        let known = |kind: Kind| kind.is_border() || Condition::of_orbits(kind).is_some();
+        let known = ("fold, flip, torus, grazing or sliding", known);
         let place = choose(&all, scope.of.as_deref(), known)?;
         let (label, kind) = (&all[place].0, all[place].1);
         let (and_from, and_to) = scope.and.span();
@@ -100,11 +100,11 @@ impl Sought<'_> {
         };
         let (located, window) = (&located[place], [from, to]);
         let mut see = |point: &CurvePointRecord| watch(CurveFinding::Point(point));
-        let curve = if kind == Kind::GrazingSliding {
-            let mut seen = |point: &GrazingPoint| see(&read.graze(point));
-            let (orbit, r) = (&located.point, located.r);
-            let found = follow_graze(&plane, orbit, r, window, settings, &mut seen);
-            found.map(|found| found.map(|found| read.curve(found, Reader::graze, |_| None)))
+        let curve = if kind.is_border() {
+            let mut seen = |point: &BorderPoint| see(&read.border(point));
+            let (orbit, r) = ((kind, &located.point), located.r);
+            let found = follow_border(&plane, orbit, r, window, settings, &mut seen);
+            found.map(|found| found.map(|found| read.curve(found, Reader::border, |_| None)))
         } else {
             let mut seen = |point: &CurvePoint<Orbit>| see(&read.orbit(point));
             let found = follow(&plane, kind, &located.point, window, settings, &mut seen);

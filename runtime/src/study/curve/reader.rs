@@ -2,7 +2,7 @@
 
 use super::record::{CurvePointRecord, CurveRecord, SpecialCurvePoint};
 use crate::continuation::Kind;
-use crate::curve::{self, CriticalEquilibrium, CurvePoint, GrazingPoint};
+use crate::curve::{self, BorderPoint, CriticalEquilibrium, CurvePoint};
 use crate::field::Work;
 use crate::shooting::Orbit;
 use crate::study::ended::Ended;
@@ -94,7 +94,7 @@ impl Reader {
     }
 
     /// Multipliers do not exist where the last event is a touch.
-    pub(super) fn graze(&self, point: &GrazingPoint) -> CurvePointRecord {
+    pub(super) fn border(&self, point: &BorderPoint) -> CurvePointRecord {
         let at = self.at([point.p, point.q]);
         let met = [point.residual, point.shot.rate];
         CurvePointRecord {
