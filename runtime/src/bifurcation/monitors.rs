@@ -24,7 +24,7 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
     accuracy: f64,
 ) -> Vec<Monitor<'a, P>> {
     let branch_point = Monitor::new(Kind::BranchPoint, closed)
-        .only_if(move |ends| !turns(ends) && !stand(ends, accuracy))
+        .only_if(move |ends| alike(ends) && !turns(ends) && !stand(ends, accuracy))
         .judged(move |ends, at: &P| {
             // So near a meeting a multiplier is 1 but for its digits.
             let halves = at.asymmetry();
@@ -43,7 +43,8 @@ pub fn monitors<'a, P: PeriodicPoint + 'a>(
         })
         .steady_if(|ends| !asymmetry(ends).is_finite() && stays_off(ends))
         .judged(turn);
-    let mut named = vec![branch_point, Monitor::new(Kind::Flip, opened), turn];
+    let doubling = Monitor::new(Kind::Flip, opened).only_if(alike);
+    let mut named = vec![branch_point, doubling, turn];
     for k in 0..multipliers {
         named.extend([torus(k), krein(k)]);
     }
@@ -92,8 +93,15 @@ fn turns<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
 }
 
 /// Whether a multiplier passes through 1.
-fn critical<P: PeriodicPoint>([from, to]: [&P; 2]) -> bool {
-    changes(closed(from), closed(to))
+fn critical<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
+    let [from, to] = ends.map(closed);
+    alike(ends) && changes(from, to)
+}
+
+/// Whether as many multipliers are known at both: one of which nothing is known any more passes through nothing.
+fn alike<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
+    let [from, to] = ends.map(|end| end.floquet().known().len());
+    from == to
 }
 
 /// Whether one is 1 at both, as far as its errors tell: where another is large, only the turn of r tells a fold.
