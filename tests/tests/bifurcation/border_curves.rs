@@ -6,10 +6,10 @@ use stickslip::model;
 use stickslip::model::Model;
 use stickslip::study::{Case, CurveRecord, CurveScope, Dynamics, Kind, System};
 use stickslip_models::friction::Coulomb;
-use stickslip_models::press::Rigid;
+use stickslip_models::press::{Compliant, Rigid};
 use stickslip_tests::range::{place, range};
 
-use crate::borders::{Torn, branch};
+use crate::borders::{Torn, branch, named};
 
 model! {
     /// A mass on a damped spring, shaken, beside a wall.
@@ -36,6 +36,26 @@ model! {
         drive phi at 1.7;
         friction F = Coulomb { level } opposing v;
         der(v) = push * cos(phi) + F;
+    }
+}
+
+model! {
+    /// A head that rubs in its frame below a wire of periodic stiffness.
+    struct Pantograph {
+        state x = 0.1;
+        state v = 0.0;
+        state y = 0.1;
+        state w = 0.0;
+        param alpha = 0.4;
+        param omega = 0.6 where omega > 0.0;
+        drive phi at omega;
+        press N = Compliant { stiffness: 1.0, damping: 0.02 } closing -x;
+        friction F = Coulomb { level: 0.03 } opposing v - w;
+        let spring = 2.0 * (x - y);
+        der(x) = v;
+        der(v) = (-spring - 0.05 * v + F - (1 - alpha * cos(phi)) * N) / 0.3;
+        der(y) = w;
+        der(w) = 0.2 + spring - F - 0.1 * w;
     }
 }
 
@@ -106,4 +126,22 @@ fn where_a_plate_switches_follows_the_other_belt() {
     let (on, off) = (there.special[0].r, last.p);
     assert_eq!(there.special[0].kind, Kind::SwitchingSliding);
     assert!((on / off - 1.0).abs() < 1e-8, "{on} {off}");
+}
+
+/// On its way along the curve the contact begins to leave the wire, at first next to the border: it is not held on there.
+#[test]
+fn a_curve_goes_on_where_another_contact_comes_between() {
+    let found = curve::<Pantograph, _>("GS1", ("omega", 0.6, 0.72), ("alpha", 0.4, 0.31), 1e-9);
+    assert_eq!(found.kind, Kind::GrazingSliding);
+    assert!(found.ended.is_located(), "{}", found.ended.reason);
+    let last = found.points.last().expect("points");
+    let alpha = [(Pantograph::alpha, last.q)];
+    let there = branch(&alpha, Pantograph::omega, (0.6, 0.8), |_| {});
+    let off = |r: f64| (r / last.p - 1.0).abs();
+    let nearest = there
+        .special
+        .iter()
+        .map(|one| off(one.r))
+        .fold(1.0, f64::min);
+    assert!(nearest < 1e-8, "{} {:?}", last.p, named(&there));
 }

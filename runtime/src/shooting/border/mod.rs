@@ -12,6 +12,7 @@ mod centred;
 mod change;
 mod crossing;
 mod doubling;
+mod held;
 mod hit;
 mod image;
 mod located;

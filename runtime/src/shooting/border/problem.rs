@@ -220,25 +220,25 @@ impl<S: Sheet> ZeroProblem for BorderProblem<S> {
         z: &DVector<f64>,
         q: f64,
     ) -> Result<Linearisation<BorderShot>, FlowError> {
-        let order = self.magnitude.len();
+        let (order, n) = (z.len() - 2, z.len());
         let state = &z.as_slice()[..order];
         let (period, p) = (z[order], z[order + 1]);
         if !(period > 0.0 && period.is_finite()) {
             return Err(FlowError::BadTime { time: period });
         }
         let flow = self.sheet.along_p(q).at(p)?;
+        let along = self.sheet.along_q(p);
+        if along.is_some() {
+            self.work += self.border.hold_less(&*flow, state, period)?;
+        }
         let round = self.round(&*flow, state, period)?;
-        let across = match self.sheet.along_q(p) {
-            Some(along) => {
-                self.round(&*along.at(q)?, state, period)?
-                    .derivatives()
-                    .design
-            }
+        let across = along.map(|along| self.round(&*along.at(q)?, state, period));
+        let across = match across.transpose()? {
+            Some(across) => across.derivatives().design,
             None => DVector::zeros(order),
         };
         let (touch, slopes) = self.touches(z, q)?;
         let (least, inwards) = self.beyond(&*flow, state, period)?;
-        let n = order + 2;
         let mut linearisation = Linearisation {
             residual: DVector::zeros(n),
             jacobian: DMatrix::zeros(n, n),
