@@ -199,16 +199,11 @@ pub(super) fn from(
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * (share * orbit.error_estimate).max(least).max(last);
     let is_known = orbit.error_estimate < UNKNOWN || orbit.floquet.growths.marginal() == 0;
-    match is_known {
-        true => Ok(orbit),
-        false => Err(OrbitError::NotIsolated {
-            state: flow
-                .at(r)?
-                .values(&shot.start.state)
-                .within(long.shares(accuracy)),
-            period: shot.period,
-        }),
+    if !is_known {
+        let (motion, errors) = ((&*shot.start.state, shot.period), guess.shares(accuracy));
+        return Err(OrbitError::one_of_many(&*flow.at(r)?, motion, errors));
     }
+    Ok(orbit)
 }
 
 /// Whether Newton's method came so near that what it failed by may be the errors of the motion: those of a copy differ with its

@@ -4,6 +4,7 @@ use crate::continuation::Failure;
 use crate::flow::FlowError;
 use crate::lyapunov::Lyapunov;
 use crate::model::Values;
+use crate::motion::Flow;
 
 /// Why no orbit was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -67,6 +68,20 @@ pub enum OrbitError {
     /// The motion cannot be followed.
     #[error(transparent)]
     Flow(#[from] FlowError),
+}
+
+impl OrbitError {
+    /// That the motion through this state, known up to these errors, is one of a family.
+    pub(super) fn one_of_many(
+        flow: &dyn Flow,
+        (state, period): (&[f64], f64),
+        errors: Vec<f64>,
+    ) -> Self {
+        Self::NotIsolated {
+            state: flow.values(state).within(errors),
+            period,
+        }
+    }
 }
 
 /// How fast motions part, with the standard error.

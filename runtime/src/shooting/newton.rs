@@ -62,11 +62,11 @@ pub(super) fn newton(
     let found = found.map_err(OrbitError::Newton)?;
     let shot = &found.linearisation.extra;
     if !shot.pins.is_empty() && shot.closure > UNCLOSED * effort.accuracy {
-        let errors = guess.shares(effort.accuracy);
-        return Err(OrbitError::NotIsolated {
-            state: flow.values(&shot.start.state).within(errors),
-            period: shot.period,
-        });
+        let (motion, errors) = (
+            (&*shot.start.state, shot.period),
+            guess.shares(effort.accuracy),
+        );
+        return Err(OrbitError::one_of_many(&*flow, motion, errors));
     }
     if is_flat(shot, &guess.magnitude) {
         let state = flow.values(&shot.start.state);

@@ -162,10 +162,9 @@ impl Failed {
 fn of_a_family(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<OrbitError> {
     let one = neutral(family, r, guess)?;
     let flow = family.at(r).ok()?;
-    Some(OrbitError::NotIsolated {
-        state: flow
-            .values(&one.place.state)
-            .within(guess.shares(search.accuracy)),
-        period: one.period,
-    })
+    let (motion, errors) = (
+        (&*one.place.state, one.period),
+        guess.shares(search.accuracy),
+    );
+    Some(OrbitError::one_of_many(&*flow, motion, errors))
 }

@@ -4,12 +4,12 @@ use std::f64::consts::FRAC_PI_2;
 
 use stickslip::model;
 use stickslip::model::Model;
-use stickslip::study::{Case, CurveRecord, CurveScope, Dynamics, Kind, System};
+use stickslip::study::{CurveRecord, Dynamics, Kind, System};
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::{Compliant, Rigid};
-use stickslip_tests::range::{place, range};
 
 use crate::borders::{Torn, branch, named};
+use crate::curves::question;
 
 model! {
     /// A mass on a damped spring, shaken, beside a wall.
@@ -67,17 +67,9 @@ fn curve<M: Model<N>, const N: usize>(
     accuracy: f64,
 ) -> CurveRecord {
     let system = System::of::<M, N>();
-    let mut case = Case::declared(system.info(), Dynamics::Exact);
-    case.accuracy = accuracy;
-    case.parameters[place(&system, along.0)] = along.1;
-    case.parameters[place(&system, and.0)] = and.1;
-    let [first, second] = [along, and].map(|one| range(&system, one.0, one.1, one.2));
-    case.along = Some(first);
-    let scope = CurveScope {
-        and: second,
-        of: Some(of.to_owned()),
-    };
-    let found = system.curve(&case.at(first.from), &scope);
+    let (mut case, mut scope) = question(&system, Dynamics::Exact, along, and);
+    (case.accuracy, scope.of) = (accuracy, Some(of.to_owned()));
+    let found = system.curve(&case, &scope);
     found.expect("a curve").followed().expect("all of it")
 }
 

@@ -76,7 +76,7 @@ model! {
 }
 
 /// The case at the beginning of both ranges, and what is followed.
-fn question(
+pub(crate) fn question(
     model: &System,
     dynamics: Dynamics,
     along: (&str, f64, f64),

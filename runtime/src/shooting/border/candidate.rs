@@ -67,8 +67,7 @@ impl Border {
     }
 
     /// Whether a sliding contact comes to rest for a moment there.
-    #[must_use]
-    pub fn is_graze(&self) -> bool {
+    pub(super) fn is_graze(&self) -> bool {
         self.condition == Condition::Touch
             && self.before() != Mode::Stick
             && !self.before().is_of_press()
