@@ -109,3 +109,17 @@ pub fn rests([a, b]: [f64; 2]) -> bool {
 pub fn changes(from: f64, to: f64) -> bool {
     !(from.is_nan() || to.is_nan()) && (from < 0.0) != (to < 0.0)
 }
+
+/// Whether the parabola through three values, the outer ones of one sign, passes zero between them.
+pub(super) fn dips([a, m, b]: [f64; 3]) -> bool {
+    let sign = if a < 0.0 || b < 0.0 { -1.0 } else { 1.0 };
+    let [a, m, b] = [a, m, b].map(|value| sign * value);
+    let (slope, bend) = (0.5 * (b - a), 0.5 * (a + b) - m);
+    let inside = bend > 0.0 && slope.abs() < 2.0 * bend;
+    let least = if inside {
+        m - slope * slope / (4.0 * bend)
+    } else {
+        m
+    };
+    least < 0.0
+}

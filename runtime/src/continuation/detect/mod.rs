@@ -11,7 +11,7 @@ use super::change::change;
 use super::kind::Kind;
 use super::located::{Findings, Located, Unexplained};
 use super::margin;
-use super::monitor::{Monitor, Verdict, changes, rests};
+use super::monitor::{Monitor, Verdict, changes, dips, rests};
 use super::path::{Path, Spot, Watched};
 use super::root::{DOUBT, zero};
 
@@ -21,6 +21,9 @@ const MIDDLES: [f64; 2] = [0.5, 0.4];
 const HALVINGS: u32 = 12;
 /// Divisions of a step up to which each part of it is looked at in its middle.
 const GLANCES: u32 = 3;
+/// Changes of regime on one step beyond which it is not known: where two events happen at once all along, rounding puts them
+/// in order.
+const CHANGES: usize = 50;
 /// Sides of a change of regime, from each of which an orbit that is known to the accuracy comes to it.
 const SIDES: f64 = 2.0;
 /// Distance between two changes of regime, in units of the accuracy, below which they are one.
@@ -41,6 +44,7 @@ pub fn detect<Q: Path>(
         located: Vec::new(),
         unexplained: Vec::new(),
         bound: None,
+        changes: 0,
     };
     hunt.step(&Spot::new(0.0, from), &Spot::new(1.0, to), HALVINGS);
     hunt.findings()
@@ -53,6 +57,8 @@ struct Hunt<'a, 'm, Q: Path> {
     located: Vec<Located<Q::Point>>,
     unexplained: Vec<Unexplained>,
     bound: Option<Spot<Q::Point>>,
+    /// Changes of regime that were met.
+    changes: usize,
 }
 
 /// What the monitors show on one stretch.
@@ -176,6 +182,10 @@ impl<Q: Path> Hunt<'_, '_, Q> {
 
     /// A step on which the regime changes: up to the change, the change, and what lies beyond.
     fn change(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>, halvings: u32) {
+        self.changes += 1;
+        if self.changes > CHANGES {
+            return self.give_up(from, to, "the events change too often");
+        }
         let (accuracy, monitors) = (self.accuracy, self.monitors);
         let mut found = change(self.path, [from, to], accuracy);
         let beside = found.beside(self.path, |ends| passes(monitors, ends));
@@ -279,20 +289,6 @@ impl<Q: Path> Hunt<'_, '_, Q> {
 fn passes<P: Watched>(monitors: &[Monitor<'_, P>], ends: [&P; 2]) -> bool {
     let crosses = monitors.iter().any(|monitor| monitor.crosses(ends));
     crosses || ends[0].unstable() != ends[1].unstable()
-}
-
-/// Whether the parabola through three values, the outer ones of one sign, passes zero between them.
-fn dips([a, m, b]: [f64; 3]) -> bool {
-    let sign = if a < 0.0 || b < 0.0 { -1.0 } else { 1.0 };
-    let [a, m, b] = [a, m, b].map(|value| sign * value);
-    let (slope, bend) = (0.5 * (b - a), 0.5 * (a + b) - m);
-    let inside = bend > 0.0 && slope.abs() < 2.0 * bend;
-    let least = if inside {
-        m - slope * slope / (4.0 * bend)
-    } else {
-        m
-    };
-    least < 0.0
 }
 
 #[cfg(test)]

@@ -36,8 +36,9 @@ impl Watched for Point {
     }
 
     fn same_regime(&self, other: &Self) -> bool {
-        let [own, others] = [self, other].map(|point| point.multipliers[2]);
-        (own < 0.25) == (others < 0.25)
+        let regime = |mu: f64| if mu < 2.0 { f64::from(mu >= 0.25) } else { mu };
+        let [own, others] = [self, other].map(|point| regime(point.multipliers[2]));
+        own == others
     }
 }
 
@@ -169,4 +170,35 @@ fn a_change_that_cannot_be_looked_into_is_reported() {
     };
     assert_eq!((change.between, change.unstable), ([0.0, 1.0], [0, 2]));
     assert_eq!(change.reason, "nobody knows what lies here");
+}
+
+/// A path on which each look finds a regime of its own.
+struct Wavering(f64);
+
+impl Wavering {
+    fn point(&mut self, r: f64) -> Point {
+        self.0 += 1.0;
+        Point {
+            r,
+            multipliers: [0.0, 0.0, self.0],
+        }
+    }
+}
+
+impl Path for Wavering {
+    type Point = Point;
+    type Error = &'static str;
+
+    fn at(&mut self, share: f64) -> Result<Point, &'static str> {
+        Ok(self.point(share))
+    }
+}
+
+#[test]
+fn regimes_that_change_without_end_are_reported() {
+    let mut path = Wavering(2.0);
+    let ends = [0.0, 1.0].map(|r| path.point(r));
+    let found = detect(&mut path, &[], [&ends[0], &ends[1]], 1e-9);
+    let last = found.unexplained.last().map(|one| one.reason.as_str());
+    assert_eq!(last, Some("the events change too often"));
 }
