@@ -11,8 +11,6 @@ use stickslip_tests::row::Row;
 
 use crate::answer::Answer;
 
-/// Points after which a branch is left.
-const MOST: usize = 600;
 const ACCURACY: f64 = 1e-9;
 
 /// A branch that is asked for.
@@ -21,11 +19,13 @@ pub(crate) struct Question {
     system: System,
     case: Case,
     along: Along,
+    /// Points after which the branch is left.
+    most: usize,
 }
 
 impl Question {
-    /// Random parameters of a random system, one of them followed.
-    pub(crate) fn random(dice: &mut Random) -> Self {
+    /// Random parameters of a random system, one of them followed for so many points at most.
+    pub(crate) fn random(dice: &mut Random, most: usize) -> Self {
         let systems = [
             systems::van_der_pol,
             systems::belt_oscillator,
@@ -59,6 +59,7 @@ impl Question {
             system,
             case,
             along,
+            most,
         }
     }
 
@@ -71,7 +72,7 @@ impl Question {
         let mut points = 0;
         let found = self.system.branch_watched(&case, &mut |_| {
             points += 1;
-            if points < MOST {
+            if points < self.most {
                 ControlFlow::Continue(())
             } else {
                 ControlFlow::Break(())
@@ -90,11 +91,12 @@ impl Question {
         other
     }
 
-    /// The same, up to this share of the way.
-    pub(crate) fn up_to(&self, share: f64) -> Self {
-        let mut other = self.clone();
+    /// The same, up to this share of the way; begun with the orbit that was found, as the search for it knows no far end.
+    pub(crate) fn up_to(&self, answer: &Answer, share: f64) -> Option<Self> {
+        let first = answer.record.points.first()?;
+        let mut other = self.begin(&first.state, first.period);
         other.along.to = self.along.from + share * (self.along.to - self.along.from);
-        other
+        Some(other)
     }
 
     /// The same the other way round, if the branch went all the way.
