@@ -1,6 +1,7 @@
 //! The same questions asked of every reference system.
 
 pub mod bisected;
+pub mod branches;
 pub mod chain;
 pub mod exact;
 pub mod hand_written;

@@ -12,7 +12,7 @@ use stickslip_models::{BeltOscillator, DrillString};
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{self, Subject};
 
-use crate::borders::branch;
+use stickslip_tests::branches::branch;
 
 model! {
     /// A mass that is driven by its own speed and held back by the ground.

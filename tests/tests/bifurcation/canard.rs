@@ -6,7 +6,7 @@ use stickslip::study::Dynamics;
 use stickslip_models::DrillString;
 use stickslip_models::friction::Gaussian;
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// A hydraulic cylinder at a low flow: a piston whose friction falls with its speed, and the pressure that moves it.

@@ -6,11 +6,11 @@ use std::f64::consts::TAU;
 use stickslip::model;
 use stickslip::model::Model;
 use stickslip::study::{
-    Along, Beginning, Case, CurveRecord, CurveScope, Dynamics, SpecialCurvePoint, StudyError,
-    System,
+    Along, Beginning, Case, CurveRecord, Dynamics, SpecialCurvePoint, StudyError, System,
 };
 use stickslip_models::{DrillString, closed_form, systems};
-use stickslip_tests::range::{place, range};
+use stickslip_tests::branches::question;
+use stickslip_tests::range::place;
 use stickslip_tests::rotating::Rotating;
 
 model! {
@@ -73,26 +73,6 @@ model! {
         der(u) = rate * u - (1.3 + q) * w;
         der(w) = (1.3 + q) * u + rate * w;
     }
-}
-
-/// The case at the beginning of both ranges, and what is followed.
-pub(crate) fn question(
-    model: &System,
-    dynamics: Dynamics,
-    along: (&str, f64, f64),
-    and: (&str, f64, f64),
-) -> (Case, CurveScope) {
-    let mut case = Case::declared(model.info(), dynamics);
-    let second = range(model, and.0, and.1, and.2);
-    case.along = Some(second);
-    case = case.at(second.from);
-    let first = range(model, along.0, along.1, along.2);
-    case.along = Some(first);
-    let scope = CurveScope {
-        and: second,
-        of: None,
-    };
-    (case.at(first.from), scope)
 }
 
 fn circle(

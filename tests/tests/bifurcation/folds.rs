@@ -9,7 +9,7 @@ use stickslip_models::BeltPair;
 use stickslip_models::friction::{Coulomb, Tustin, Weakening};
 use stickslip_models::press::Hertz;
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// A weak motor that turns an unbalance on a foundation that rubs: Sommerfeld.

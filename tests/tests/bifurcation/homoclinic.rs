@@ -5,7 +5,7 @@ use stickslip::model;
 use stickslip::study::{BranchRecord, Dynamics};
 use stickslip_models::friction::Coulomb;
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// Between two wells and around them, orbits keep to the energy m − 1: that of the saddle between them where m is 1.

@@ -1,34 +1,19 @@
-//! Branches, what happens on them, and where else motions end.
+//! Branches of orbits, and what happens on them.
 
 mod alike;
 mod atlas;
 mod bands;
-mod border_curves;
-mod borders;
 mod branch;
 mod canard;
-mod carriage;
-mod carried;
-mod corner;
 mod curves;
 mod diagram;
-mod ends;
-mod equilibria;
-mod equilibrium_curves;
 mod family;
 mod flips;
 mod folds;
-mod grazing;
-mod held;
 mod homoclinic;
-mod kinked;
-mod margins;
 mod mirrored;
-mod onset;
 mod orbits;
 mod scales;
-mod starts;
-mod still;
 mod symmetric;
 mod symmetry;
 mod unstable;

@@ -8,7 +8,7 @@ use stickslip::study::{OrbitRecord, Stability};
 use stickslip_models::friction::{Coulomb, CoulombStatic, Stribeck};
 use stickslip_models::{BeltPair, ForcedBelt};
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// Two masses on a belt, joined by a spring.

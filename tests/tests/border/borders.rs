@@ -2,12 +2,11 @@
 
 use stickslip::bifurcation::Kind;
 use stickslip::continuation::Ending;
-use stickslip::field::Design;
 use stickslip::model;
-use stickslip::model::{Model, ParamId};
-use stickslip::study::{Along, Beginning, BranchRecord, Case, Dynamics, System};
+use stickslip::study::{Beginning, BranchRecord, Case};
 use stickslip_models::friction::{CoulombStatic, Tustin};
 use stickslip_models::{BeltPair, DrillString, ForcedBelt};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// A pendulum on a turning shaft: Froude, after Rayleigh 1877.
@@ -48,31 +47,6 @@ model! {
         der(x) = v;
         der(v) = cos(phi) - x + F;
     }
-}
-
-/// The branch along a parameter, others as given.
-pub(crate) fn branch<M: Model<N>, const N: usize>(
-    given: &[(ParamId<M>, f64)],
-    along: ParamId<M>,
-    (from, to): (f64, f64),
-    adapt: impl Fn(&mut Case),
-) -> BranchRecord {
-    let system = System::of::<M, N>();
-    let mut case = Case::declared(system.info(), Dynamics::Exact);
-    for (parameter, value) in given {
-        case.parameters[parameter.index] = *value;
-    }
-    let design = Design::Parameter(along.index);
-    case.parameters[along.index] = from;
-    case.along = Some(Along { design, from, to });
-    adapt(&mut case);
-    let found = system.branch(&case);
-    found.expect("a branch")
-}
-
-pub(crate) fn named(branch: &BranchRecord) -> Vec<(&str, f64)> {
-    let all = branch.special.iter();
-    all.map(|one| (one.label.as_str(), one.r)).collect()
 }
 
 /// Names in their order, and values to this share of themselves.

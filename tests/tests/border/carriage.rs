@@ -6,7 +6,7 @@ use stickslip::study::BranchRecord;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// Two bodies joined by a spring, pushed apart in turn over ground that holds the second one more.

@@ -5,7 +5,7 @@ use stickslip::study::BranchRecord;
 use stickslip::{friction_law, model};
 use stickslip_models::friction::Tustin;
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 friction_law! {
     /// A rope around a drum: its tight end holds exp(μφ) times what its slack one does, and μ falls with the speed.

@@ -4,7 +4,7 @@ use stickslip::model;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
 
-use crate::borders::{branch, named};
+use stickslip_tests::branches::{branch, named};
 
 model! {
     /// A check valve: a disc on a spring, between a damped seat and a stop, which rubs in its guide.

@@ -10,7 +10,7 @@ use stickslip_models::friction::Coulomb;
 use stickslip_models::press::{Compliant, Rigid};
 use stickslip_tests::row::Row;
 
-use crate::borders::branch;
+use stickslip_tests::branches::branch;
 
 model! {
     /// A hammer on a slider that gives way: after E. Pavlovskaia, M. Wiercigroch, C. Grebogi, Phys. Rev. E 64 (2001) 056224.

@@ -7,9 +7,9 @@ use stickslip::model::Model;
 use stickslip::study::{CurveRecord, Dynamics, Kind, System};
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::{Compliant, Rigid};
+use stickslip_tests::branches::{branch, named, question};
 
-use crate::borders::{Torn, branch, named};
-use crate::curves::question;
+use crate::borders::Torn;
 
 model! {
     /// A mass on a damped spring, shaken, beside a wall.

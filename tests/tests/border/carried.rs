@@ -4,7 +4,7 @@ use stickslip::model;
 use stickslip::study::{Case, Kind, OrbitRecord, System};
 use stickslip_models::friction::Coulomb;
 
-use crate::borders::branch;
+use stickslip_tests::branches::branch;
 
 model! {
     /// Torsion behind a cardan joint (after Asokanthan and Meehan 2000): the shaft sticks to a joint that swings.

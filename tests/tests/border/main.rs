@@ -1,0 +1,13 @@
+//! Where the events of orbits change: borders, what lies beyond them, and their curves.
+
+mod borders;
+mod carriage;
+mod carried;
+mod corner;
+mod curves;
+mod ends;
+mod grazing;
+mod held;
+mod kinked;
+mod starts;
+mod still;
