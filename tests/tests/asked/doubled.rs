@@ -7,8 +7,6 @@ use crate::question::Question;
 
 /// Random branches of which some have flips.
 const BRANCHES: u64 = 40;
-/// Points after which a branch is left.
-const MOST: usize = 600;
 /// Relative difference of two orbits that are one.
 const SAME: f64 = 1e-6;
 
@@ -32,7 +30,7 @@ fn twice(branch: &BranchRecord) -> Option<[&Special; 2]> {
 fn doubled_branches_do_not_walk_back() {
     let mut seen = 0;
     for seed in 0..BRANCHES {
-        let question = Question::random(&mut Random::new(seed), MOST).with_doubled();
+        let question = Question::random(&mut Random::new(seed)).with_doubled();
         let Some(answer) = question.answer() else {
             continue;
         };

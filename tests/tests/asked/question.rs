@@ -11,6 +11,8 @@ use stickslip_tests::row::Row;
 
 use crate::answer::Answer;
 
+/// Points after which a branch is left, if nothing else is said.
+const MOST: usize = 600;
 const ACCURACY: f64 = 1e-9;
 
 /// A branch that is asked for.
@@ -24,8 +26,8 @@ pub(crate) struct Question {
 }
 
 impl Question {
-    /// Random parameters of a random system, one of them followed for so many points at most.
-    pub(crate) fn random(dice: &mut Random, most: usize) -> Self {
+    /// Random parameters of a random system, one of them followed.
+    pub(crate) fn random(dice: &mut Random) -> Self {
         let systems = [
             systems::van_der_pol,
             systems::belt_oscillator,
@@ -59,7 +61,7 @@ impl Question {
             system,
             case,
             along,
-            most,
+            most: MOST,
         }
     }
 
@@ -82,6 +84,11 @@ impl Question {
             .ok()
             .filter(|found| !found.is_interrupted())
             .map(Answer::of)
+    }
+
+    /// The same, left after so many points.
+    pub(crate) fn left_after(self, most: usize) -> Self {
+        Self { most, ..self }
     }
 
     /// The same at another accuracy.

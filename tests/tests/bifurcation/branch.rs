@@ -9,10 +9,9 @@ use stickslip::model::Model;
 use stickslip::shooting::{Orbit, OrbitBranch, OrbitError, Search, closest};
 use stickslip_models::friction::Coulomb;
 use stickslip_models::{BeltOscillator, DrillString};
+use stickslip_tests::branches::branch;
 use stickslip_tests::on_every_reference_system;
 use stickslip_tests::subject::{self, Subject};
-
-use stickslip_tests::branches::branch;
 
 model! {
     /// A mass that is driven by its own speed and held back by the ground.

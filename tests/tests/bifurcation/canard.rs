@@ -5,7 +5,6 @@ use stickslip::model;
 use stickslip::study::Dynamics;
 use stickslip_models::DrillString;
 use stickslip_models::friction::Gaussian;
-
 use stickslip_tests::branches::{branch, named};
 
 model! {

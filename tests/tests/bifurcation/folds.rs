@@ -8,7 +8,6 @@ use stickslip::study::{Case, Dynamics, OrbitRecord, Special, System};
 use stickslip_models::BeltPair;
 use stickslip_models::friction::{Coulomb, Tustin, Weakening};
 use stickslip_models::press::Hertz;
-
 use stickslip_tests::branches::{branch, named};
 
 model! {

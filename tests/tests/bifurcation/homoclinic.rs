@@ -4,7 +4,6 @@ use stickslip::continuation::Ending;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Dynamics};
 use stickslip_models::friction::Coulomb;
-
 use stickslip_tests::branches::{branch, named};
 
 model! {

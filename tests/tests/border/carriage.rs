@@ -5,7 +5,6 @@ use stickslip::model;
 use stickslip::study::BranchRecord;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
-
 use stickslip_tests::branches::{branch, named};
 
 model! {

@@ -3,7 +3,6 @@
 use stickslip::model;
 use stickslip::study::{Case, Kind, OrbitRecord, System};
 use stickslip_models::friction::Coulomb;
-
 use stickslip_tests::branches::branch;
 
 model! {

@@ -7,7 +7,6 @@ use stickslip::model;
 use stickslip::study::{OrbitRecord, Stability};
 use stickslip_models::friction::{Coulomb, CoulombStatic, Stribeck};
 use stickslip_models::{BeltPair, ForcedBelt};
-
 use stickslip_tests::branches::{branch, named};
 
 model! {

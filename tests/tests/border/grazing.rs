@@ -4,7 +4,6 @@ use stickslip::bifurcation::Kind;
 use stickslip::study::BranchRecord;
 use stickslip::{friction_law, model};
 use stickslip_models::friction::Tustin;
-
 use stickslip_tests::branches::{branch, named};
 
 friction_law! {

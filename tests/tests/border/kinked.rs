@@ -8,9 +8,8 @@ use stickslip::study::{BranchRecord, Case, Stability, System};
 use stickslip_models::ForcedBelt;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::{Compliant, Rigid};
-use stickslip_tests::row::Row;
-
 use stickslip_tests::branches::branch;
+use stickslip_tests::row::Row;
 
 model! {
     /// A hammer on a slider that gives way: after E. Pavlovskaia, M. Wiercigroch, C. Grebogi, Phys. Rev. E 64 (2001) 056224.

@@ -3,7 +3,6 @@
 use stickslip::model;
 use stickslip_models::friction::Coulomb;
 use stickslip_models::press::Compliant;
-
 use stickslip_tests::branches::{branch, named};
 
 model! {

@@ -21,8 +21,8 @@ const MIDDLES: [f64; 2] = [0.5, 0.4];
 const HALVINGS: u32 = 12;
 /// Divisions of a step up to which each part of it is looked at in its middle.
 const GLANCES: u32 = 3;
-/// Changes of regime on one step beyond which it is not known: where two events happen at once all along, rounding puts them
-/// in order.
+/// Changes of regime on one step beyond which it is given up: where two orbits lie in one place, each look may find the other, and
+/// changes never end.
 const CHANGES: usize = 50;
 /// Sides of a change of regime, from each of which an orbit that is known to the accuracy comes to it.
 const SIDES: f64 = 2.0;
