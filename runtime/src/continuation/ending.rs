@@ -4,6 +4,17 @@ use super::kind::Kind;
 use super::located::Unexplained;
 use super::range::Stop;
 
+/// How a point is not any more what was followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Lost {
+    /// Its condition is off by this.
+    Off(f64),
+    /// It has become another kind: points of both kinds are one between it and the last.
+    Becomes(Kind),
+    /// What vanishes there is largest, and not least.
+    Largest,
+}
+
 /// Why a branch ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending<E> {
@@ -29,8 +40,8 @@ pub enum Ending<E> {
     Homoclinic(f64),
     /// It goes on changing at this value of r, any of it as good as the rest.
     Family(f64),
-    /// It is not any more what was followed: off by this.
-    Lost(f64),
+    /// It is not any more what was followed.
+    Lost(Lost),
     /// Whoever watched wanted no more.
     Interrupted,
     /// A change that no special point explains.

@@ -39,7 +39,7 @@ pub use corrector::{Corrected, Failure, correct, correct_at};
 pub use crossing::{Beyond, Crossing};
 pub(crate) use damped::{approach, damped};
 pub use detect::detect;
-pub use ending::Ending;
+pub use ending::{Ending, Lost};
 pub use kind::Kind;
 pub use link::Link;
 pub use located::{Findings, Located, Unexplained};

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::ZeroProblem;
 use super::branch::{Branch, Started};
 use super::crossing::Crossing;
-use super::ending::Ending;
+use super::ending::{Ending, Lost};
 use super::kind::Kind;
 use super::located::Located;
 use super::monitor::Monitor;
@@ -162,8 +162,8 @@ pub trait Reader: Clone {
         false
     }
 
-    /// How far a point is from what was followed, if it is that no more.
-    fn lost(&self, _point: &Self::Point) -> Option<f64> {
+    /// How a point is not what was followed, if it is that no more.
+    fn lost(&self, _point: &Self::Point) -> Option<Lost> {
         None
     }
 

@@ -8,13 +8,15 @@ use super::critical::{Critical, CriticalProblem, joined, split};
 use super::isola::Unfolding;
 use super::plane::Plane;
 use super::point::CurvePoint;
-use crate::continuation::{self, Branch, Failure, Kind, Monitor, Point, Reader, Settings, Walked};
+use crate::continuation::{
+    self, Branch, Failure, Kind, Lost, Monitor, Point, Reader, Settings, Walked,
+};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::shooting::{Orbit, OrbitProblem, Shot, Solution, problem};
 
 /// A multiplier this far off has left the condition.
-const LOST: f64 = 1e-3;
+const OFF: f64 = 1e-3;
 
 /// A curve that has been followed, and what it cost.
 pub type Curve<P> = (Walked<P, FlowError>, Work);
@@ -113,9 +115,9 @@ impl Reader for Orbits {
     }
 
     /// Whether the multipliers do not say what the condition does any more.
-    fn lost(&self, point: &CurvePoint<Orbit>) -> Option<f64> {
+    fn lost(&self, point: &CurvePoint<Orbit>) -> Option<Lost> {
         let off = Condition::of_orbits(self.kind)?.distance(&point.floquet().multipliers);
-        (off.is_nan() || off > LOST).then_some(off)
+        (off.is_nan() || off > OFF).then_some(Lost::Off(off))
     }
 
     fn work(problem: &CriticalProblem<OrbitProblem>) -> Work {

@@ -7,7 +7,7 @@ use super::follow::Curve;
 use super::plane::Plane;
 use super::point::moved;
 use crate::continuation::{
-    self, Branch, Failure, Kind, Monitor, Point, Reader, Settings, Started, Watched,
+    self, Branch, Failure, Kind, Lost, Monitor, Point, Reader, Settings, Started, Watched,
 };
 use crate::field::Work;
 use crate::flow::FlowError;
@@ -125,10 +125,9 @@ impl Reader for Along {
     }
 
     /// What touches is largest there, and not least, or the force that could hold the contact goes the other way.
-    fn lost(&self, point: &BorderPoint) -> Option<f64> {
-        let shot = &point.shot;
-        let turned = (point.kind != self.kind).then(|| shot.inwards.abs());
-        turned.or_else(|| (!shot.least).then(|| shot.rate.abs()))
+    fn lost(&self, point: &BorderPoint) -> Option<Lost> {
+        let other = (point.kind != self.kind).then_some(Lost::Becomes(point.kind));
+        other.or_else(|| (!point.shot.least).then_some(Lost::Largest))
     }
 
     fn work(problem: &BorderProblem<Plane>) -> Work {

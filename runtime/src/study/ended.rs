@@ -1,6 +1,6 @@
 //! Why something that was followed ended, as it is reported.
 
-use crate::continuation::{Ending, Kind, Stop, Unexplained};
+use crate::continuation::{Ending, Kind, Lost, Stop, Unexplained};
 use crate::flow::FlowError;
 use crate::study::question::Along;
 
@@ -166,9 +166,20 @@ fn reason(ending: &Ending<FlowError>, along: Along) -> String {
             "at {} it stands still while its orbits go on changing: there they are a family, each as good as the others",
             value(r)
         ),
-        Ending::Lost(off) => {
-            format!("what was followed is no such bifurcation any more: off by {off:.1e}")
-        }
+        Ending::Lost(lost) => match lost {
+            Lost::Off(off) => {
+                format!("what was followed is no such bifurcation any more: off by {off:.1e}")
+            }
+            Lost::Becomes(kind) => format!(
+                "what was followed becomes {} next to its last point: there both kinds are one",
+                kind.name()
+            ),
+            Lost::Largest => {
+                "what vanishes along it is least no more next to its last point, but largest: \
+                              beyond, no orbit comes to this border"
+                    .to_owned()
+            }
+        },
         Ending::Interrupted => "it was interrupted".to_owned(),
         Ending::Unexplained(change) => unexplained(change, along),
     }
