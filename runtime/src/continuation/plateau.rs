@@ -1,4 +1,5 @@
-//! Where a branch turns while its design variable stands still, as far as errors tell.
+//! Where a branch turns and no multiplier says so: its design variable stands still, as far as errors tell, or a multiplier comes
+//! to 1 and goes back, as where orbits become the images of themselves.
 
 use std::ops::Range;
 
@@ -35,6 +36,8 @@ impl<R: Reader> Walk<'_, R> {
         let r = self.points[at].r();
         let mut fold = Located::at(Kind::Fold, r, self.points[at].clone());
         (fold.error, fold.after) = (DOUBT * accuracy * r.abs(), at);
+        let reading = &*self.followed;
+        reading.reader.refine(&reading.branch.problem, &mut fold);
         let before = self.located.partition_point(|one| one.after <= at);
         self.located.insert(before, fold);
     }
@@ -48,8 +51,8 @@ impl<R: Reader> Walk<'_, R> {
     }
 }
 
-/// The points among which r stands still, if with the last one a branch leaves them the way it came: of two that are so near to
-/// each other neither the sign of their step nor a multiplier tells that r turns, but those before and behind do.
+/// The points among which r stands still, at least one, if with the last one a branch leaves them the way it came: of two that are
+/// so near to each other neither the sign of their step nor a multiplier tells that r turns, but those before and behind do.
 fn turned<P: Watched>(points: &[P], accuracy: f64) -> Option<Range<usize>> {
     let step = |i: usize| points[i].r() - points[i - 1].r();
     let certain = |i: &usize| step(*i).abs() > accuracy * points[*i].r().abs();
@@ -58,7 +61,7 @@ fn turned<P: Watched>(points: &[P], accuracy: f64) -> Option<Range<usize>> {
         .checked_sub(1)
         .filter(|i| *i > 0 && certain(i))?;
     let came = (1..left).rev().find(certain)?;
-    (left - came > 1 && step(came) * step(left) < 0.0).then_some(came..left)
+    (step(came) * step(left) < 0.0).then_some(came..left)
 }
 
 #[cfg(test)]
@@ -86,9 +89,9 @@ mod tests {
         };
         let flat = 1.0 + 1e-7;
         assert_eq!(plateau(&[0.8, 0.9, 1.0, flat, 1.0, 0.9]), Some(2..5));
-        // It goes on as it came, has not been left yet, or turns between two points that tell so themselves.
+        assert_eq!(plateau(&[0.8, 0.9, 1.0, 0.9]), Some(2..3));
+        // It goes on as it came, or has not been left yet.
         assert_eq!(plateau(&[0.8, 0.9, 1.0, flat, 1.0, 1.1]), None);
         assert_eq!(plateau(&[0.8, 0.9, 1.0, flat, 1.0]), None);
-        assert_eq!(plateau(&[0.8, 0.9, 1.0, 0.9]), None);
     }
 }

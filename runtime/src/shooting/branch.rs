@@ -152,7 +152,7 @@ impl Reader for Orbits {
     }
 
     fn refine(&self, problem: &OrbitProblem, found: &mut Located<Orbit>) {
-        if found.kind == Kind::BranchPoint {
+        if matches!(found.kind, Kind::BranchPoint | Kind::Fold) {
             refine(&problem.family, found, self.accuracy);
         }
     }

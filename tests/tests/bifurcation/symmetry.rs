@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use stickslip::continuation::Kind;
 use stickslip::model;
 use stickslip::study::{BranchRecord, Case, System};
-use stickslip_models::friction::Coulomb;
+use stickslip_models::friction::{Coulomb, CoulombStatic};
 use stickslip_models::press::Compliant;
 
 model! {
@@ -47,6 +47,27 @@ model! {
         der(v) = (force * cos(phi) - k * x - c * v + ka * d - F + A - B) / m;
         der(d) = w;
         der(w) = (-ka * d + F - A + B) / small - (force * cos(phi) - k * x - c * v + ka * d - F + A - B) / m;
+    }
+}
+
+model! {
+    /// A motor that turns a load to and fro through a joint with play, both rubbing.
+    struct Play {
+        state qm = 0.01;
+        state wm = 0.0;
+        state ql = 0.0;
+        state wl = 0.0;
+        param omega = 40.0 where omega > 0.0;
+        drive phi at omega;
+        let d = qm - ql;
+        press P = Compliant { stiffness: 20.0, damping: 0.002 } closing 0.004 - d;
+        press M = Compliant { stiffness: 20.0, damping: 0.002 } closing 0.004 + d;
+        friction Fm = CoulombStatic { static_level: 0.03, kinetic_level: 0.02 } opposing wm;
+        friction Fl = Coulomb { level: 0.01 } opposing wl;
+        der(qm) = wm;
+        der(ql) = wl;
+        der(wm) = (0.1 * sin(phi) - P + M + Fm - 0.4 * qm) / 2.0e-4;
+        der(wl) = (P - M + Fl - 2.0 * ql - 0.001 * wl) / 1.0e-3;
     }
 }
 
@@ -153,5 +174,35 @@ fn a_symmetric_branch_keeps_its_symmetry_at_borders() {
             let (off, error) = ((found.r - r).abs(), found.error.unwrap());
             assert!(off <= error + 1e-7, "{kind:?} {off:e} {error:e}");
         }
+    }
+}
+
+/// Orbits without the symmetry come to those that have it, and turn there into the images of themselves: a multiplier comes to 1
+/// and goes back. It was told as a fold, or not at all.
+#[test]
+fn a_branch_turns_where_its_orbits_become_the_images_of_themselves() {
+    let system = System::of::<Play, _>();
+    let (from, to) = (40.0, 41.5);
+    let along = |accuracy, range| {
+        let mut case = Case::of(&Play::default()).following(Play::omega, range);
+        case.accuracy = accuracy;
+        case
+    };
+    // From the side of those that have it.
+    let mut case = along(1e-9, to..from);
+    case.parameters[Play::omega.index] = to;
+    let whole = system.branch(&case).unwrap();
+    let broken = |branch: &BranchRecord| {
+        let mut all = branch.special.iter();
+        all.find(|one| one.kind == Kind::SymmetryBreaking)
+            .map(|one| one.r)
+    };
+    let right = broken(&whole).expect("a symmetry is lost");
+    for accuracy in [1e-7, 1e-9] {
+        let half = system.branch(&along(accuracy, from..to)).unwrap();
+        let found = broken(&half).expect("the same place");
+        assert!((found - right).abs() < 1e-8 * right, "{found} {right}");
+        let folds = half.special.iter().filter(|one| one.kind == Kind::Fold);
+        assert_eq!(folds.count(), 0, "{:?}", half.special);
     }
 }

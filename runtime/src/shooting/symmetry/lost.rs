@@ -25,6 +25,8 @@ use crate::shooting::given::closed;
 use crate::shooting::guess::Guess;
 use crate::shooting::orbit::{Heading, Orbit};
 
+/// How near, relatively, r turns to where a symmetry is lost.
+const TURNED: f64 = 1e-6;
 /// Most steps of Newton's method to an orbit, and of the secant to where its symmetry is lost.
 const STEPS: usize = 10;
 /// First step of the secant, as a share of the size of r.
@@ -37,17 +39,24 @@ const FREE: f64 = 1e-9;
 /// Shares of the accuracy to which motions are followed: the second tells the error of the first.
 const SHARPEST: [f64; 2] = [0.02, 0.002];
 
-/// Tells a branch point from one at which a symmetry is lost, which orbits that have it tell better where it is.
+/// Tells a branch point from one at which a symmetry is lost, which orbits that have it tell better where it is. To a branch of
+/// those that have none it is a place at which r turns, and they become the images of themselves.
 pub(in crate::shooting) fn refine(family: &Family, found: &mut Located<Orbit>, accuracy: f64) {
     // An orbit that cannot be gone around once more has no symmetry that could be told.
     let Ok(Some(symmetry)) = found.point.lost_symmetry(family) else {
         return;
     };
-    found.kind = Kind::SymmetryBreaking;
-    let ends = found.sides.map(|(r, _)| r);
-    let Some(lost) = lost(family, &found.point, symmetry, ends, accuracy) else {
-        return;
+    let turns = found.kind == Kind::Fold;
+    let reach = found.error.max(TURNED * found.r.abs());
+    let ends = match turns {
+        true => [found.r - reach, found.r + reach],
+        false => found.sides.map(|(r, _)| r),
     };
+    let lost = lost(family, &found.point, symmetry, ends, accuracy);
+    if !turns || lost.is_some() {
+        found.kind = Kind::SymmetryBreaking;
+    }
+    let Some(lost) = lost else { return };
     (found.r, found.error) = (lost.r, lost.error);
     if let Some(orbit) = lost.orbit(family, &found.point, accuracy) {
         (found.point, found.lasting) = (orbit, lost.lasting);
