@@ -165,7 +165,10 @@ impl OrbitProblem {
         let order = self.magnitude.len();
         for turn in swing.turns(flow, shot)? {
             let start = self.start(z, turn.segment);
-            let passage = flow.advance(&start, turn.time, Want::DERIVATIVES)?;
+            let mut passage = flow.advance(&start, turn.time, Want::DERIVATIVES)?;
+            if let (Some(instant), Some(at)) = (&turn.instant, &mut passage.derivatives) {
+                instant.carry(flow, &passage.end.state, at)?;
+            }
             let row = swing.row(flow, &passage.end.state, &turn)?;
             middle.value += row.value;
             middle.design += row.design;
@@ -201,6 +204,7 @@ fn centred(
             value: 0.0,
             told: 0.0,
             direction: None,
+            driven: false,
             centred: Some(Swing::State(*state)),
             left,
         })

@@ -35,22 +35,45 @@ pub(super) fn is_conserved(
     let rounding = VANISHING * most;
     let none =
         |terms: &Vec<f64>| terms.iter().sum::<f64>().abs() <= rounding.max(ROUNDING * size(terms));
-    let flat = |(place, at): &(Place, Contacts)| is_flat(combination, at, &place.modes, magnitude);
+    let flat =
+        |(place, at): &(Place, Contacts)| is_flat(combination, at, &place.modes, magnitude, None);
     rates.iter().all(none) && all.iter().all(flat)
 }
 
-/// Whether the rate of a combination is the same in all states beside this one in which the same contacts stick: its slopes
-/// are sums of those of their speeds.
-fn is_flat(combination: &[f64], at: &Contacts, modes: &Modes, magnitude: &[f64]) -> bool {
+/// Whether the rate of a combination depends on the phase of a drive alone, all along the way and beside it: what friction holds
+/// to a shaken ground. Of a motion that closes it gains nothing in a period, wherever it begins.
+pub(super) fn is_driven(
+    flow: &dyn Flow,
+    combination: &[f64],
+    shot: &Shot,
+    magnitude: &[f64],
+) -> bool {
+    let phase = flow.phase();
+    let flat =
+        |(place, at): &(Place, Contacts)| is_flat(combination, at, &place.modes, magnitude, phase);
+    let all = along(shot, |place| flow.contacts(place));
+    phase.is_some() && all.is_some_and(|all| all.iter().all(flat))
+}
+
+/// Whether the rate of a combination is the same in all states beside this one in which the same contacts stick, and a drive is
+/// where it is: its slopes are sums of those of their speeds.
+fn is_flat(
+    combination: &[f64],
+    at: &Contacts,
+    modes: &Modes,
+    magnitude: &[f64],
+    phase: Option<usize>,
+) -> bool {
     let order = magnitude.len();
-    let term = |i: usize, j: usize| combination[i] * at.jacobian[(i, j)] * magnitude[j];
+    let unit = |j: usize| if Some(j) == phase { 0.0 } else { magnitude[j] };
+    let term = |i: usize, j: usize| combination[i] * at.jacobian[(i, j)] * unit(j);
     let mut slopes = DVector::from_fn(order, |j, _| (0..order).map(|i| term(i, j)).sum());
     let terms = (0..order).flat_map(|i| (0..order).map(move |j| (i, j)));
     let size: f64 = terms.map(|(i, j)| term(i, j).abs()).sum();
     let mut known: Vec<DVector<f64>> = Vec::new();
     for contact in (0..modes.len()).filter(|&i| modes[i].binds()) {
         let speed = &at.all[contact].speed.slopes;
-        let mut speed = DVector::from_fn(order, |j, _| speed[j] * magnitude[j]);
+        let mut speed = DVector::from_fn(order, |j, _| speed[j] * unit(j));
         let whole = speed.norm();
         known.iter().for_each(|known| take_out(known, &mut speed));
         if speed.normalize_mut() > ROUNDING * whole {

@@ -44,7 +44,7 @@ pub fn converge(
     guess: &Guess,
     search: &Search,
 ) -> Result<Orbit, OrbitError> {
-    let crossing = from(family, r, guess, search, anchored);
+    let crossing = from(family, r, guess, search, &anchored);
     match crossing {
         Err(OrbitError::Newton(_)) => calmly(family, r, guess, search).unwrap_or(crossing),
         _ => crossing,
@@ -59,7 +59,7 @@ pub(super) fn calmly(
     search: &Search,
 ) -> Option<Result<Orbit, OrbitError>> {
     let calm = calm(family, r, guess, search)?;
-    let found = from(family, r, &calm, search, |family, r, found, usual| {
+    let found = from(family, r, &calm, search, &|family, r, found, usual| {
         let shot = &found.linearisation.extra;
         let (period, magnitude) = once_around(family.at(r)?.as_ref(), shot, usual);
         // What was found to be neutral on the way is held.
@@ -105,13 +105,16 @@ fn calm(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Guess
     })
 }
 
+/// What makes a guess of a rough orbit at r, given the usual magnitudes of its states.
+type Anchor<'a> = dyn Fn(&Family, f64, &Found, &[f64]) -> Result<Guess, FlowError> + 'a;
+
 /// Newton from a guess, thrice; `anchor` makes the second guess of the first, rough, orbit.
 pub(super) fn from(
     family: &Family,
     r: f64,
     guess: &Guess,
     search: &Search,
-    anchor: impl Fn(&Family, f64, &Found, &[f64]) -> Result<Guess, FlowError>,
+    anchor: &Anchor<'_>,
 ) -> Result<Orbit, OrbitError> {
     let accuracy = search.accuracy;
     let newton = |guess: &_, accuracy: f64, tolerance: Tolerance, factors: bool| {
@@ -171,6 +174,12 @@ pub(super) fn from(
         blur = between(&guess.moved(&loose.0), &guess.moved(&tight.0));
     }
     let (tight, problem) = tight;
+    if error > SLACK * accuracy
+        && let Some(held) = problem.inside(r, &tight, &guess)?
+        && let Ok(held) = from(family, r, &held, search, anchor)
+    {
+        return Ok(held);
+    }
     let long = guess.moved(&tight);
     let flow = family.with_tolerance(fine).with_magnitude(&guess.magnitude);
     let again = |guess: &Guess| Some(newton(guess, accuracy, fine, false).ok()?.0);

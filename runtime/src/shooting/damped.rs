@@ -17,7 +17,7 @@ use crate::motion::Family;
 /// Of a motion that repeats nowhere, it is arbitrary to which of many unstable orbits they would lead.
 pub(super) fn damped(family: &Family, r: f64, guess: &Guess, search: &Search) -> Option<Orbit> {
     let guess = nearer(family, r, guess, search)?;
-    let orbit = from(family, r, &guess, search, anchored).ok()?;
+    let orbit = from(family, r, &guess, search, &anchored).ok()?;
     let attracts = orbit.floquet.stability == Stability::Stable;
     (attracts && orbit.pins.is_empty()).then_some(orbit)
 }

@@ -26,6 +26,8 @@ mod grip;
 mod guess;
 mod homoclinic;
 mod hopf;
+mod inside;
+mod instant;
 mod least;
 mod lows;
 mod moved;

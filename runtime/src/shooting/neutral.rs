@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DVector};
 
 use super::anchor::problem;
-use super::conserved::{is_conserved, is_free};
+use super::conserved::{is_conserved, is_driven, is_free};
 use super::echelon::{Echelon, Free};
 use super::guess::Guess;
 use super::pin::Pin;
@@ -29,7 +29,7 @@ const CORRECTIONS: usize = 3;
 /// Singular values below this share of the largest are zero; a multiplier so near to 1 singles out no orbit.
 const NEUTRAL: f64 = 1e-7;
 /// The same for a matrix that is known roughly.
-const SUSPECT: f64 = 1e-4;
+pub(super) const SUSPECT: f64 = 1e-4;
 /// A motion that misses closing by more than this, sharply followed, does not close.
 const DRIFT: f64 = 1e-9;
 /// Periods after which a motion that closes is looked at again, and how many times as far as after one, for each of them, it may
@@ -165,7 +165,9 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
         |(_, direction): &Free| !stops(direction) && slides(flow.as_ref(), direction, magnitude);
     let held = |c: &Vec<f64>| is_conserved(flow.as_ref(), c, &at.extra, magnitude);
     let conserved = || constant.iter().all(held) && !(free && directions.iter().all(runs));
-    let (chosen, directions): (_, Vec<_>) = if conserved() {
+    let driven = |c: &Vec<f64>| is_driven(flow.as_ref(), c, &at.extra, magnitude);
+    let driven = !conserved() && !free && constant.iter().all(driven);
+    let (chosen, directions): (_, Vec<_>) = if driven || conserved() {
         let directions = constant.iter().map(|_| None).collect();
         (constant, directions)
     } else if free {
@@ -177,12 +179,16 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let chosen = chosen.into_iter().zip(directions);
     let pins: Vec<Pin> = chosen
         .zip(left)
-        .map(|((combination, direction), left)| {
+        .map(|((mut combination, direction), left)| {
+            if let Some(phase) = flow.phase().filter(|_| driven) {
+                combination[phase] = 0.0;
+            }
             let pin = Pin {
                 combination,
                 value: 0.0,
                 told: 0.0,
                 direction,
+                driven,
                 centred: None,
                 left,
             };
@@ -234,9 +240,18 @@ pub(super) struct Null {
 impl Null {
     /// `None` where h_z is regular.
     pub(super) fn of(at: &Linearisation<Shot>, scale: &DVector<f64>) -> Option<Self> {
+        Self::within(at, scale, NEUTRAL)
+    }
+
+    /// The same of what it takes to less than this share of what it makes of others.
+    pub(super) fn within(
+        at: &Linearisation<Shot>,
+        scale: &DVector<f64>,
+        share: f64,
+    ) -> Option<Self> {
         let svd = svd(at.scaled(scale))?;
         let (u, vt) = (svd.u?, svd.v_t?);
-        let limit = NEUTRAL * svd.singular_values.max();
+        let limit = share * svd.singular_values.max();
         let null = |i: &usize| svd.singular_values[*i] <= limit;
         let null: Vec<usize> = (0..scale.len()).filter(null).collect();
         let left = null.iter().map(|&i| u.column(i).into_owned()).collect();

@@ -48,7 +48,7 @@ pub(super) fn swung_about(
 ) -> Option<Orbit> {
     let flow = family.with_magnitude(&guess.magnitude).at(r).ok()?;
     let midway = midway(flow.as_ref(), guess).ok()??;
-    from(family, r, &midway, search, anchored).ok()
+    from(family, r, &midway, search, &anchored).ok()
 }
 
 /// Returns of a motion that were no orbits, or not the one that is meant.
@@ -117,7 +117,7 @@ impl Failed {
             self.count += 1;
             return None;
         }
-        let orbit = from(family, r, guess, search, anchored);
+        let orbit = from(family, r, guess, search, &anchored);
         let error = match orbit.and_then(|orbit| self.taken(family, r, guess, (orbit, search))) {
             Ok(orbit) if self.doubts(&orbit) => {
                 self.doubtful = Some(orbit);

@@ -207,9 +207,16 @@ impl Orbit {
             place,
             period: self.period,
             magnitude: self.magnitude(),
-            shift: self.shift.clone(),
+            shift: self.gained(),
             division,
         }
+    }
+
+    /// What it gains once around, if it may gain anything: beyond what friction held in any place, nothing is shifted at will.
+    fn gained(&self) -> Option<Vec<f64>> {
+        let free = self.pins.iter().any(|pin| !pin.conserved());
+        let runs = |shift: &&Vec<f64>| free || shift.iter().any(|gain| *gain != 0.0);
+        self.shift.as_ref().filter(runs).cloned()
     }
 
     /// Whether a state is not where it was when the motion has come back.

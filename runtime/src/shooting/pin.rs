@@ -21,6 +21,8 @@ pub struct Pin {
     pub(super) told: f64,
     /// Where c·x changes along the orbit, the direction in which that may be shifted.
     pub(super) direction: Option<Free>,
+    /// Whether c·x moves with a drive, and gains the same in a period wherever it begins.
+    pub(super) driven: bool,
     /// What swings about the middle of its bounds instead. It meets both at once where it begins to meet any, so that the
     /// orbits go on as those that do.
     pub(super) centred: Option<Swing>,
@@ -48,10 +50,15 @@ pub(crate) fn through(pins: &[Pin], state: &[f64]) -> Vec<Pin> {
 }
 
 impl Pin {
-    /// Whether c·x never changes along the orbit; otherwise that may be shifted.
+    /// Whether c·x never changes along the orbit but with a drive; otherwise that may be shifted.
     #[must_use]
     pub fn conserved(&self) -> bool {
         self.direction.is_none()
+    }
+
+    /// Whether c·x never changes along the orbit at all.
+    pub(crate) fn never_changes(&self) -> bool {
+        self.conserved() && !self.driven
     }
 
     /// The direction in which the orbit may be shifted at will, if c·x changes along it.

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::crawl::Crawl;
 use super::division::{Division, Measure};
 use super::phase::Phase;
-use super::pin::{Pin, through};
+use super::pin::Pin;
 use super::shot::Shot;
 use super::size::Size;
 use crate::continuation::{Linearisation, ZeroProblem};
@@ -118,6 +118,14 @@ impl OrbitProblem {
         Self::unknowns(&division.starts, self.period)
     }
 
+    /// Holds what changes along the orbit where it is in another place of that.
+    fn hold_at(&mut self, state: &[f64]) {
+        let runs = self.shift.is_some();
+        for pin in self.pins.iter_mut().filter(|pin| runs || pin.driven) {
+            *pin = pin.clone().through(state);
+        }
+    }
+
     /// How an orbit is divided at present.
     pub(super) fn division(&self, z: &DVector<f64>, shot: &Shot) -> Division {
         let whole = || Division::whole(self.start(z, 0));
@@ -225,10 +233,8 @@ impl ZeroProblem for OrbitProblem {
         self.others = shot.turns();
         let start = self.start(z, 0);
         let calmer = self.calmer(r, shot)?;
-        if let Some(place) = &calmer
-            && self.shift.is_some()
-        {
-            self.pins = through(&self.pins, &place.state);
+        if let Some(place) = &calmer {
+            self.hold_at(&place.state);
         }
         let moved = calmer.map(Division::whole);
         let present = moved.clone().unwrap_or_else(|| self.division(z, shot));
@@ -245,7 +251,7 @@ impl ZeroProblem for OrbitProblem {
     }
 
     fn ends(why: &FlowError) -> bool {
-        !matches!(why, FlowError::LetsGo)
+        !matches!(why, FlowError::LetsGo | FlowError::Unpinned { .. })
     }
 
     fn elsewhere(&mut self, r: f64, trial: usize) -> Option<DVector<f64>> {
@@ -259,6 +265,7 @@ impl ZeroProblem for OrbitProblem {
         let place = Place::known(flow.as_ref(), state, Some(modes)).ok()?;
         let velocity = flow.velocity(&place).ok()?.f;
         self.phase = Phase::floating(flow.phase(), state.clone(), &velocity, &self.magnitude);
+        self.hold_at(&place.state);
         Some(self.divide(&Division::whole(place)))
     }
 

@@ -9,24 +9,22 @@ use nalgebra::DVector;
 
 use super::begin::begin;
 use super::converge::converge;
-use super::grip::{near, once, passes, reaches, slides};
+use super::grip::{near, once, passes, reaches, slides, way};
 use super::guess::Guess;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
 use super::swing::spare_force;
-use crate::continuation::{Branch, Crossing, Kind, Settings, Started, correct_at};
+use crate::continuation::{Branch, Crossing, Kind, Settings, Started, ZeroProblem, correct_at};
 use crate::field::exact::Mode;
 use crate::flow::Want;
 use crate::math::at_zero;
-use crate::motion::{Family, Flow, Node, Passage, Place, apart};
+use crate::motion::{Family, Flow, Passage, Place, apart};
 
 /// Steps that become shorter than this share of the one before are looked at, where their urge to slide falls below this
 /// share within two of them.
 const SLOWER: f64 = 0.95;
 const LESS: f64 = 0.9;
-/// Panels of a quadrature over an orbit.
-const PANELS: f64 = 50.0;
 /// How far two extrapolations may be apart, as a share of the way to where they lead.
 const APART: f64 = 0.05;
 /// How far beyond orbits are sought that are held, over the same way: next to the point those alone are that strain the contact
@@ -113,14 +111,9 @@ fn rest(family: &Family, orbits: [&Orbit; 3]) -> Option<Rest> {
 /// that is a moment's, and where it lasts.
 fn urge(family: &Family, orbit: &Orbit, contact: usize) -> Option<f64> {
     let flow = family.at(orbit.r).ok()?;
-    let want = Want {
-        panel: orbit.period / PANELS,
-        ..Want::default()
-    };
-    let passage = flow.advance(&orbit.place, orbit.period, want).ok()?;
-    let way = |node: &Node| node.weight * flow.speeds(&node.state)[contact].abs();
+    let way = way(&*flow, (&orbit.place, orbit.period), contact).ok()?;
     let slides = slides(orbit, contact) * orbit.period;
-    Some(passage.nodes.iter().map(way).sum::<f64>() / slides.powi(2))
+    Some(way / slides.powi(2))
 }
 
 impl Rest {
@@ -140,8 +133,8 @@ impl Rest {
             Some((r, held(family, r, (orbits, self.contact), &search)?))
         })?;
         let started = begin(family, &held, &search, settings, (r, way > 0.0)).ok()?;
-        let mut z = started.1.z.clone();
-        let mut closer = |rest: Self, share| rest.sharper(&started, &mut z, share, accuracy);
+        let mut known = (started.1.z.clone(), started.1.r);
+        let mut closer = |rest: Self, share| rest.sharper(&started, &mut known, share, accuracy);
         let seen = closer(self, 1.0)?;
         if (seen.r - self.r).abs() > APART * way.abs() {
             return None;
@@ -163,16 +156,23 @@ impl Rest {
     fn sharper(
         self,
         (branch, point): &Started<OrbitProblem>,
-        z: &mut DVector<f64>,
+        (z, at): &mut (DVector<f64>, f64),
         closer: f64,
         accuracy: f64,
     ) -> Option<Self> {
         let mut spares = [(0.0, 0.0); 3];
+        // Begun as another one began, an orbit that is held would slide.
+        let ahead = point
+            .tangent
+            .rows(0, z.len())
+            .component_mul(&branch.problem.scale());
+        let slope = ahead / (point.tangent[z.len()] * point.r_scale);
         for (spare, share) in spares.iter_mut().zip(NEARER) {
             let r = self.r + closer * share * (point.r - self.r);
             let mut problem = branch.problem.clone();
-            let found = correct_at(&mut problem, z.clone(), r, accuracy).ok()?;
-            z.clone_from(&found.z);
+            let guess = &*z + &slope * (r - *at);
+            let found = correct_at(&mut problem, guess, r, accuracy).ok()?;
+            (*z, *at) = (found.z, r);
             let shot = &found.linearisation.extra;
             let flow = problem.family.at(r).ok()?;
             let all = shot.stretches();

@@ -50,7 +50,7 @@ pub fn settled(family: &Family, r: f64, search: &Search) -> Result<Orbit, OrbitE
 /// See [`OrbitError`].
 pub fn drawn(family: &Family, r: f64, search: &Search, period: f64) -> Result<Orbit, OrbitError> {
     let guess = given(family, r, search, period)?;
-    let orbit = from(family, r, &guess, search, anchored)
+    let orbit = from(family, r, &guess, search, &anchored)
         .or_else(|error| swung_about(family, r, &guess, search).ok_or(error))?;
     let magnitude = half_extents(&orbit.min, &orbit.max, &guess.magnitude);
     let guess = Guess { magnitude, ..guess };

@@ -1,6 +1,7 @@
 //! What swings between two bounds along a motion, so that where it could be as well is told by the middle: an internal
 //! state of a law between its stops, or the force of a contact that sticks all along, over the most that it can bear.
 
+use super::instant::Instant;
 use super::pin::Swing;
 use super::shot::Shot;
 use crate::field::exact::Mode;
@@ -13,6 +14,8 @@ const ON: f64 = 1e-13;
 const SHARPENED: usize = 4;
 /// Part of a stretch within which it is known then: what is left of its value is the square of that.
 const SHARP: f64 = 1e-6;
+/// Part of a period before an event that is not beyond it.
+const SLIGHTLY: f64 = 1e-10;
 /// Panels of a quadrature over a period, at whose nodes forces are looked at.
 const PANELS: f64 = 24.0;
 
@@ -29,6 +32,8 @@ pub(super) struct Turn {
     modes: Option<Modes>,
     /// Its second derivative in time, where the turn is known roughly.
     bend: Option<f64>,
+    /// What happens there, if it turns as contacts switch.
+    pub(super) instant: Option<Instant>,
 }
 
 impl Swing {
@@ -101,6 +106,7 @@ fn farthest(shot: &Shot, state: usize, sign: f64) -> Turn {
         value,
         modes: None,
         bend: None,
+        instant: None,
     };
     let passages = shot.passages.iter().enumerate();
     let turns = passages.flat_map(|(segment, passage)| {
@@ -141,8 +147,13 @@ pub(super) fn peaks(
             looked.push([time, load.value, rate]);
         }
         for (sign, most) in [1.0, -1.0].into_iter().zip(&mut most) {
-            let turn = top(&looked, sign, modes, passage.segments.len() == 1);
-            let turn = sharpened(flow, contact, turn, (start, [begin, end]))?;
+            let around = (passage.segments.len() == 1).then_some(period);
+            let turn = top(&looked, sign, modes, around);
+            let mut turn = sharpened(flow, contact, turn, (start, [begin, end]))?;
+            if turn.bend.is_none() {
+                turn.instant = Instant::of(&passage, turn.time);
+                turn.time -= turn.instant.as_ref().map_or(0.0, |_| SLIGHTLY * period);
+            }
             let further = |old: &Turn| sign * (turn.value - old.value) > 0.0;
             if most.as_ref().is_none_or(further) {
                 *most = Some(turn);
@@ -156,6 +167,7 @@ pub(super) fn peaks(
         value: 0.0,
         modes: Some(start.modes.clone()),
         bend: None,
+        instant: None,
     };
     Ok(most.map(|turn| turn.unwrap_or_else(none)))
 }
@@ -198,9 +210,9 @@ pub(super) fn spare_force(
     Some(1.0 - part(&turns[0])?.max(part(&turns[1])?))
 }
 
-/// The turn next to the greatest, or least, of these times, values and rates, which go all `around` the orbit or are those of
-/// one stretch of it: beyond the end of that there is none.
-fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: bool) -> Turn {
+/// The turn next to the greatest, or least, of these times, values and rates, which go all around an orbit of this period or are
+/// those of one stretch of it: beyond the end of that there is none. Of a force that keeps still, rounding tells a turn anywhere.
+fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: Option<f64>) -> Turn {
     let heights = looked.iter().map(|[_, value, _]| sign * value).enumerate();
     let (i, _) = heights
         .max_by(|a, b| a.1.total_cmp(&b.1))
@@ -210,16 +222,19 @@ fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: bool) -> Turn {
     if sign * rate > 0.0 {
         sides.reverse();
     }
-    let next = sides[0].or(sides[1].filter(|_| around));
+    let next = sides[0].or(sides[1].filter(|_| around.is_some()));
     let bend = next.map(|next| (next[2] - rate) / (next[0] - time));
-    let bend = bend.filter(|bend| sign * bend < 0.0 && bend.is_finite());
+    let beside = next.map_or(0.0, |next| (next[0] - time).abs());
+    let bend = bend.filter(|bend| sign * bend < 0.0 && (rate / bend).abs() <= 2.0 * beside);
     let off = bend.map_or(0.0, |bend| -rate / bend);
+    let turned = time + off;
     Turn {
         segment: 0,
-        time: time + off,
+        time: around.map_or(turned, |period| turned.rem_euclid(period)),
         value: value + 0.5 * off * rate,
         modes: Some(modes.clone()),
         bend,
+        instant: None,
     }
 }
 

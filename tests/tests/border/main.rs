@@ -9,5 +9,6 @@ mod ends;
 mod grazing;
 mod held;
 mod kinked;
+mod lets_go;
 mod starts;
 mod still;

@@ -11,7 +11,7 @@ pub struct Held {
     pub combination: String,
     /// Its value where the orbit begins.
     pub value: f64,
-    /// Whether it never changes along the orbit; otherwise the orbit may be shifted along it.
+    /// Whether it never changes along the orbit; otherwise the orbit may be shifted along it, or moves with a drive.
     pub conserved: bool,
 }
 
@@ -37,7 +37,7 @@ impl Held {
         Self {
             combination,
             value: pin.of(state),
-            conserved: pin.conserved(),
+            conserved: pin.never_changes(),
         }
     }
 }
