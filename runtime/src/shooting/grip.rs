@@ -11,7 +11,7 @@ use super::sought::Search;
 use crate::continuation::{Beyond, Crossing, Kind, Located, Started};
 use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
-use crate::motion::{Flow, Node, Place};
+use crate::motion::{Flow, Node, Passage, Place};
 
 /// A pinned orbit that closes no better than this is none; or than this over the accuracy, where that is loose.
 const CLOSED: f64 = 1e-5;
@@ -130,6 +130,12 @@ pub(super) fn slides(orbit: &Orbit, contact: usize) -> f64 {
     let slides = orbit.segments.iter();
     let slides = slides.filter(|segment| segment.modes[contact] != Mode::Stick);
     slides.map(|segment| segment.duration).sum::<f64>() / orbit.period
+}
+
+/// Whether a contact keeps its mode on a passage.
+pub(super) fn keeps_mode(passage: &Passage, contact: usize) -> bool {
+    let mut own = passage.events.iter().filter(|one| one.contact == contact);
+    !own.any(|event| event.switches())
 }
 
 /// How far a contact slides in this time from a place on.

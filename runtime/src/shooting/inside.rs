@@ -3,6 +3,7 @@
 
 use nalgebra::DVector;
 
+use super::grip::keeps_mode;
 use super::guess::Guess;
 use super::neutral::{Null, SUSPECT};
 use super::newton::Found;
@@ -31,13 +32,7 @@ impl OrbitProblem {
             return Ok(None);
         }
         let flow = self.family.at(r)?;
-        let held = |lap: &Passage| {
-            let mut own = lap
-                .events
-                .iter()
-                .filter(|one| slides.contains(&one.contact));
-            !own.any(|event| event.switches())
-        };
+        let held = |lap: &Passage| slides.iter().all(|contact| keeps_mode(lap, *contact));
         let near = Null::within(&found.linearisation, &self.scale(), SUSPECT);
         let directions = near.map_or_else(Vec::new, |null| null.right);
         let ways = ASIDE.iter().flat_map(|aside| {

@@ -164,10 +164,10 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let runs =
         |(_, direction): &Free| !stops(direction) && slides(flow.as_ref(), direction, magnitude);
     let held = |c: &Vec<f64>| is_conserved(flow.as_ref(), c, &at.extra, magnitude);
-    let conserved = || constant.iter().all(held) && !(free && directions.iter().all(runs));
+    let conserved = constant.iter().all(held) && !(free && directions.iter().all(runs));
     let driven = |c: &Vec<f64>| is_driven(flow.as_ref(), c, &at.extra, magnitude);
-    let driven = !conserved() && !free && constant.iter().all(driven);
-    let (chosen, directions): (_, Vec<_>) = if driven || conserved() {
+    let driven = !conserved && !free && constant.iter().all(driven);
+    let (chosen, directions): (_, Vec<_>) = if driven || conserved {
         let directions = constant.iter().map(|_| None).collect();
         (constant, directions)
     } else if free {

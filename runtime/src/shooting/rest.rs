@@ -9,7 +9,7 @@ use nalgebra::DVector;
 
 use super::begin::begin;
 use super::converge::converge;
-use super::grip::{near, once, passes, reaches, slides, way};
+use super::grip::{keeps_mode, near, once, passes, reaches, slides, way};
 use super::guess::Guess;
 use super::orbit::Orbit;
 use super::problem::OrbitProblem;
@@ -162,11 +162,8 @@ impl Rest {
     ) -> Option<Self> {
         let mut spares = [(0.0, 0.0); 3];
         // Begun as another one began, an orbit that is held would slide.
-        let ahead = point
-            .tangent
-            .rows(0, z.len())
-            .component_mul(&branch.problem.scale());
-        let slope = ahead / (point.tangent[z.len()] * point.r_scale);
+        let ahead = point.way(&branch.problem.scale());
+        let slope = ahead.rows(0, z.len()) / ahead[z.len()];
         for (spare, share) in spares.iter_mut().zip(NEARER) {
             let r = self.r + closer * share * (point.r - self.r);
             let mut problem = branch.problem.clone();
@@ -226,10 +223,7 @@ fn held(
         (held && reaches(&found, period)).then_some(found)
     };
     let clings = clings(family, r, orbits, contact).map(at);
-    let sticks = |lap: &Passage| {
-        let mut own = lap.events.iter().filter(|event| event.contact == contact);
-        !own.any(|event| event.switches())
-    };
+    let sticks = |lap: &Passage| keeps_mode(lap, contact);
     let settles = || settles(flow.as_ref(), &at(guess.place.clone()), sticks).map(at);
     clings.and_then(holds).or_else(|| settles().and_then(holds))
 }

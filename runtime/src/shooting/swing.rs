@@ -16,6 +16,8 @@ const SHARPENED: usize = 4;
 const SHARP: f64 = 1e-6;
 /// Part of a period before an event that is not beyond it.
 const SLIGHTLY: f64 = 1e-10;
+/// How far away a turn is at most, over the way to a place beside it: next to the end of an orbit that may be on the other side.
+const ASIDE: f64 = 2.0;
 /// Panels of a quadrature over a period, at whose nodes forces are looked at.
 const PANELS: f64 = 24.0;
 
@@ -225,7 +227,7 @@ fn top(looked: &[[f64; 3]], sign: f64, modes: &Modes, around: Option<f64>) -> Tu
     let next = sides[0].or(sides[1].filter(|_| around.is_some()));
     let bend = next.map(|next| (next[2] - rate) / (next[0] - time));
     let beside = next.map_or(0.0, |next| (next[0] - time).abs());
-    let bend = bend.filter(|bend| sign * bend < 0.0 && (rate / bend).abs() <= 2.0 * beside);
+    let bend = bend.filter(|bend| sign * bend < 0.0 && (rate / bend).abs() <= ASIDE * beside);
     let off = bend.map_or(0.0, |bend| -rate / bend);
     let turned = time + off;
     Turn {
