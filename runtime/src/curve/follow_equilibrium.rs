@@ -41,7 +41,7 @@ pub fn follow_equilibrium(
         (window[1] - window[0]).abs(),
         (settings.to - settings.from).abs(),
     ];
-    let subject = EquilibriumProblem::new(plane.along_p(q), from.modes.clone(), &from.state);
+    let subject = EquilibriumProblem::new(plane.along_p(q), p, from);
     let unfolding = Unfolding {
         plane: plane.clone(),
         scales,

@@ -75,10 +75,9 @@ impl Unfolds for Orbit {
 
 impl Unfolds for CriticalEquilibrium {
     fn unfolded(&self, at: [f64; 2], unfolding: &Unfolding, still: usize) -> Option<Kind> {
-        let Place { state, modes } = &self.place;
-        unfolding.kind(at, still, |family, _| {
-            let problem = EquilibriumProblem::new(family, modes.clone(), state);
-            Ok((problem, DVector::from_column_slice(state)))
+        unfolding.kind(at, still, |family, r| {
+            let problem = EquilibriumProblem::new(family, r, &self.place);
+            Ok((problem, DVector::from_column_slice(&self.place.state)))
         })
     }
 }

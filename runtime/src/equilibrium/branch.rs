@@ -24,10 +24,11 @@ pub fn follow(
     settings: Settings,
     watch: &mut dyn FnMut(&EquilibriumPoint) -> ControlFlow<()>,
 ) -> Result<Branch, Failure<FlowError>> {
-    let problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
+    let problem = EquilibriumProblem::new(family.clone(), settings.from, from);
     let z = DVector::from_column_slice(&from.state);
+    let neutral = sticking(&from.modes) + problem.kept.len();
+    let order = from.state.len().saturating_sub(neutral);
     let started = continuation::Branch::start(problem, z, settings)?;
-    let order = from.state.len().saturating_sub(sticking(&from.modes));
     Ok(continuation::follow(
         Equilibria { order },
         started,

@@ -2,9 +2,9 @@
 
 use nalgebra::DVector;
 
-use super::corner::sides;
-use super::problem::usual;
-use super::starts::{around, sizes};
+use super::sizes::{largest, sizes_at};
+use super::starts::around;
+use super::unread::unread;
 use super::{EquilibriumProblem, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem, damped};
 use crate::motion::{Family, Modes, Place};
@@ -16,8 +16,12 @@ const LEAST_DAMPING: f64 = 1.0 / 1024.0;
 const CONVERGED: f64 = 1e-13;
 /// A correction that no longer shrinks has converged if it is below this.
 const STALLED: f64 = 1e-9;
-/// Two equilibria closer than this are one, in units of what their states usually are, or of 1 where that is less.
+/// Two equilibria closer than this are one, in units of what their states usually are.
 const SAME_STATE: f64 = 1e-7;
+/// How often Newton begins anew where states turn out to be of other sizes than where it began.
+const ROUNDS: usize = 8;
+/// A state of this share of where it began, or of 1 where that is more, is zero.
+const ZERO: f64 = 1e-20;
 
 /// An equilibrium.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,9 +40,8 @@ pub fn find(
     starts: &[Vec<f64>],
     modes: impl Fn(&[f64]) -> Vec<Modes>,
 ) -> Vec<Equilibrium> {
-    let first = starts.first().map_or(&[][..], Vec::as_slice);
     let mut found = Vec::new();
-    add(&mut found, (family, r), (starts, first), &modes);
+    add(&mut found, (family, r), starts, &modes);
     found
 }
 
@@ -49,21 +52,21 @@ pub fn find_around(
     starts: &[Vec<f64>],
     modes: impl Fn(&[f64]) -> Vec<Modes>,
 ) -> Vec<Equilibrium> {
-    let first = starts.first().map_or(&[][..], Vec::as_slice);
     let mut found = find(family, r, starts, &modes);
     if !found.is_empty() {
-        let states = found.iter().map(|one| one.place.state.as_slice());
-        let around = around(&sizes(states.chain([first])));
-        add(&mut found, (family, r), (&around, first), &modes);
+        let first = starts.first().map(|y| y.iter().map(|y| y.abs()).collect());
+        let sizes = found.iter().map(|one| sizes_at(family, r, &one.place));
+        let around = around(&largest(sizes.chain(first)));
+        add(&mut found, (family, r), &around, &modes);
     }
     found
 }
 
-/// Adds those that are reached from these starts and are none of those before, where states are as large as the first start shows.
+/// Adds those that are reached from these starts and are none of those before.
 fn add(
     found: &mut Vec<Equilibrium>,
     (family, r): (&Family, f64),
-    (starts, first): (&[Vec<f64>], &[f64]),
+    starts: &[Vec<f64>],
     modes: &impl Fn(&[f64]) -> Vec<Modes>,
 ) {
     for start in starts {
@@ -72,7 +75,7 @@ fn add(
             if let Some(new) = settle(family, r, &Place { state, modes })
                 && !found
                     .iter()
-                    .any(|old| same(family, r, [&old.place, &new.place], first))
+                    .any(|old| same(family, r, [&old.place, &new.place]))
             {
                 found.push(new);
             }
@@ -93,19 +96,38 @@ pub fn settle(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
 /// The same whatever its contacts do there: what slides may linger where the equations of sliding rest, though it would stick
 /// there.
 pub(crate) fn rests(family: &Family, r: f64, from: &Place) -> Option<Equilibrium> {
-    let mut problem = EquilibriumProblem::new(family.clone(), from.modes.clone(), &from.state);
-    let z = newton(&mut problem, DVector::from_column_slice(&from.state), r)?;
-    let place = problem.place(&z);
+    let (place, problem) = rested(family, r, from)?;
     let flow = family.at(r).ok()?;
     flow.check(&place).ok()?;
-    let jacobian = flow.velocity(&place).ok()?.jacobian;
-    let sides = sides(flow.as_ref(), &place, problem.magnitude());
-    let spectrum = Spectrum::between(&jacobian, &sides);
+    let velocity = flow.velocity(&place).ok()?;
+    if !problem.rests(&velocity, STALLED) {
+        return None;
+    }
+    let spectrum = problem.spectrum(Some(flow.as_ref()), &place, &velocity);
     Some(Equilibrium { place, spectrum })
 }
 
+/// Where Newton comes to rest: found anew from there, in the sizes that states have there, until it stays.
+fn rested(family: &Family, r: f64, from: &Place) -> Option<(Place, EquilibriumProblem)> {
+    let mut place = from.clone();
+    for _ in 0..ROUNDS {
+        let mut problem = EquilibriumProblem::new(family.clone(), r, &place);
+        let z = newton(&mut problem, DVector::from_column_slice(&place.state), r)?;
+        let before = std::mem::replace(&mut place, problem.place(&z)).state;
+        for (y, began) in place.state.iter_mut().zip(&from.state) {
+            if y.abs() <= ZERO * began.abs().max(1.0) {
+                *y = 0.0;
+            }
+        }
+        if near(&place.state, &before, &sizes_at(family, r, &place)) {
+            return Some((place, problem));
+        }
+    }
+    None
+}
+
 /// Whether two are one; which way a contact slides tells them apart only where it matters.
-fn same(family: &Family, r: f64, [a, b]: [&Place; 2], first: &[f64]) -> bool {
+fn same(family: &Family, r: f64, [a, b]: [&Place; 2]) -> bool {
     let alike = || {
         let margins = family.at(r).map(|flow| flow.margins(a));
         let matters = |i: usize| margins.iter().flatten().any(|(one, _)| *one == i);
@@ -114,13 +136,18 @@ fn same(family: &Family, r: f64, [a, b]: [&Place; 2], first: &[f64]) -> bool {
             a == b || (a.rubs() && b.rubs() && !a.binds() && !b.binds() && !matters(i))
         })
     };
-    near(&a.state, &b.state, first) && (a.modes == b.modes || alike())
+    let [sizes, others] = [a, b].map(|place| sizes_at(family, r, place));
+    let mut sizes: Vec<f64> = sizes.iter().zip(&others).map(|(a, b)| a.min(*b)).collect();
+    for j in unread(family, r, a) {
+        sizes[j] = f64::INFINITY;
+    }
+    near(&a.state, &b.state, &sizes) && (a.modes == b.modes || alike())
 }
 
-/// Whether two equilibria of one mode are one, as far as numbers can tell, where states are as large as this one shows.
-pub(super) fn near(a: &[f64], b: &[f64], like: &[f64]) -> bool {
-    a.iter().zip(b).zip(like).all(|((a, b), like)| {
-        let size = a.abs().max(b.abs()).max(usual(*like).min(1.0));
+/// Whether two equilibria of one mode are one, as far as numbers can tell, where states are of these sizes.
+pub(super) fn near(a: &[f64], b: &[f64], sizes: &[f64]) -> bool {
+    a.iter().zip(b).zip(sizes).all(|((a, b), size)| {
+        let size = a.abs().max(b.abs()).max(*size);
         (a - b).abs() <= SAME_STATE * size
     })
 }

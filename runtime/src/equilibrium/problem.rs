@@ -4,12 +4,14 @@ use nalgebra::{DMatrix, DVector};
 
 use super::corner::sides;
 use super::resting::{Rows, binds, held};
+use super::sizes::sizes_at;
+use super::unread::unread;
 use super::{EquilibriumPoint, Spectrum};
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::FlowError;
 use crate::integrate::IntegrationError;
-use crate::motion::{Family, Flow, Modes, Place, Velocity, sticking};
+use crate::motion::{Family, Flow, Modes, Place, Row, Velocity, sticking};
 
 /// Unknowns are the states; the equations are their rates, and where contacts stick or rest on a press combinations of them
 /// and of what is held.
@@ -21,6 +23,8 @@ pub struct EquilibriumProblem {
     pub modes: Modes,
     /// Evaluations so far.
     pub work: Work,
+    /// States on which no rate depends, and where they are kept.
+    pub(super) kept: Vec<(usize, f64)>,
     magnitude: Vec<f64>,
     rates: Vec<f64>,
     /// Of rates and of what is held, where something is: from the first evaluation.
@@ -28,15 +32,17 @@ pub struct EquilibriumProblem {
 }
 
 impl EquilibriumProblem {
-    /// The problem of an equilibrium near `state`.
+    /// The problem of an equilibrium near this place, where the design variable is r.
     #[must_use]
-    pub fn new(family: Family, modes: Modes, state: &[f64]) -> Self {
+    pub fn new(family: Family, r: f64, near: &Place) -> Self {
+        let unread = unread(&family, r, near).into_iter();
         Self {
+            kept: unread.map(|j| (j, near.state[j])).collect(),
+            magnitude: sizes_at(&family, r, near),
             family,
-            modes,
+            modes: near.modes.clone(),
             work: Work::default(),
-            magnitude: state.iter().map(|y| usual(*y)).collect(),
-            rates: vec![0.0; state.len()],
+            rates: vec![0.0; near.state.len()],
             combinations: None,
         }
     }
@@ -56,7 +62,7 @@ impl EquilibriumProblem {
         place: &Place,
         velocity: &Velocity,
     ) -> Spectrum {
-        match sticking(&self.modes) {
+        match sticking(&self.modes) + self.kept.len() {
             0 => {
                 let sides = flow.map(|flow| sides(flow, place, &self.magnitude));
                 let sides = sides.unwrap_or_default();
@@ -73,6 +79,12 @@ impl EquilibriumProblem {
             state: z.as_slice().to_vec(),
             modes: self.modes.clone(),
         }
+    }
+
+    /// Whether every rate vanishes at a place, where some follow from others: to this share of what usual states make of it.
+    pub(super) fn rests(&self, velocity: &Velocity, share: f64) -> bool {
+        let mut rates = velocity.f.iter().enumerate();
+        self.kept.is_empty() || rates.all(|(i, rate)| rate.abs() <= share * self.rate(i))
     }
 
     /// What errors of the equations weigh, from the first evaluation: how much the usual states change them.
@@ -98,7 +110,12 @@ impl EquilibriumProblem {
 
     fn with_held(&self, rows: Rows, z: &DVector<f64>, r: f64) -> Result<Rows, FlowError> {
         let flow = self.family.at(r)?;
-        let held = held(&*flow, &self.place(z))?;
+        let mut held = held(&*flow, &self.place(z))?;
+        held.extend(self.kept.iter().map(|(j, value)| Row {
+            value: z[*j] - value,
+            slopes: (0..z.len()).map(|i| f64::from(u8::from(i == *j))).collect(),
+            design: 0.0,
+        }));
         Ok(rows.with(&held, &self.magnitude))
     }
 
@@ -128,14 +145,6 @@ fn not_finite(z: &DVector<f64>) -> FlowError {
     IntegrationError::NotFinite { time: 0.0, state }.into()
 }
 
-/// A state below this is rounding error, and its usual magnitude unknown.
-pub(super) const TINY: f64 = 1e-12;
-
-/// The magnitude of a state as far as this value shows it.
-pub(super) fn usual(y: f64) -> f64 {
-    if y.abs() > TINY { y.abs() } else { 1.0 }
-}
-
 impl ZeroProblem for EquilibriumProblem {
     type Error = FlowError;
     type Extra = Velocity;
@@ -146,7 +155,7 @@ impl ZeroProblem for EquilibriumProblem {
         self.work.newton += 1;
         self.weigh(&velocity.jacobian);
         let mut rows = self.rows(&velocity);
-        if binds(&self.modes) {
+        if binds(&self.modes) || !self.kept.is_empty() {
             rows = self.with_held(rows, z, r)?;
             if self.combinations.is_none() {
                 self.combinations = rows.combinations();

@@ -1,6 +1,5 @@
 //! Where equilibria are looked for.
 
-use super::problem::{TINY, usual};
 use crate::math::Spread;
 
 /// Places spread around the origin.
@@ -22,25 +21,11 @@ pub fn starts(first: &[f64]) -> Vec<Vec<f64>> {
         first.iter().map(|y| -y).collect(),
     ];
     places.extend(within(&vec![reach; order]));
-    if first
-        .iter()
-        .any(|y| y.abs() > TINY && y.abs() < SMALL * reach)
-    {
-        places.extend(within(&sizes([first].into_iter())));
+    if first.iter().any(|y| *y != 0.0 && y.abs() < SMALL * reach) {
+        let size = |y: &f64| if *y == 0.0 { 1.0 } else { y.abs() };
+        places.extend(within(&first.iter().map(size).collect::<Vec<f64>>()));
     }
     places
-}
-
-/// How large each state is, as far as these show.
-pub(crate) fn sizes<'a>(states: impl Iterator<Item = &'a [f64]>) -> Vec<f64> {
-    let mut most = Vec::new();
-    for state in states {
-        most.resize(state.len(), 0.0_f64);
-        for (most, y) in most.iter_mut().zip(state) {
-            *most = most.max(y.abs());
-        }
-    }
-    most.into_iter().map(usual).collect()
 }
 
 /// Places spread evenly around the origin, as far as states of these sizes are, and further.

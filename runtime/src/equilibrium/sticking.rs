@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Spectrum;
 use super::free::{modulo_kernel, restricted};
-use super::problem::usual;
 use super::resting::held;
 use super::sticking_equations::{RANK, Sought};
 use crate::field::exact::Mode;
@@ -57,24 +56,27 @@ fn further(
     found: &[StickingSet],
 ) -> Option<StickingSet> {
     let modes = &pinned(flow, modes, start)?;
-    let sizes = start.iter().map(|y| usual(*y)).collect();
-    let sought = Sought { flow, modes, sizes };
+    let sought = Sought::new(flow, modes, start)?;
     if found.iter().any(|set| sought.is_straight(start, set)) {
         return None;
     }
-    let set = sought.set(start)?;
-    (!found.iter().any(|old| old.meets(&set))).then_some(set)
+    let inside = sought.solve(start, &[])?;
+    let sought = Sought::new(flow, modes, &inside)?;
+    let set = sought.set(&inside)?;
+    let meets = |old: &StickingSet| old.meets(&set, &sought.sizes);
+    (!found.iter().any(meets)).then_some(set)
 }
 
 impl StickingSet {
-    /// Whether the two have a state in common, as far as their corners tell.
-    fn meets(&self, other: &Self) -> bool {
+    /// Whether the two have a state in common, as far as their corners tell, where states are of these sizes.
+    fn meets(&self, other: &Self, sizes: &[f64]) -> bool {
         let sides = self.low.iter().zip(&self.high);
         let others = other.low.iter().zip(&other.high);
         sides
             .zip(others)
-            .all(|((low, high), (other_low, other_high))| {
-                let blur = SAME * usual(low.abs().max(high.abs()));
+            .zip(sizes)
+            .all(|(((low, high), (other_low, other_high)), size)| {
+                let blur = SAME * low.abs().max(high.abs()).max(*size);
                 low - blur <= *other_high && *other_low <= high + blur
             })
     }

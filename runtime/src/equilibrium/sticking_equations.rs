@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::resting::held;
+use super::sizes::sizes;
 use crate::field::exact::Mode;
 use crate::linear::svd;
 use crate::motion::{Contacts, Flow, Modes, Place, Row};
@@ -19,6 +20,19 @@ pub(super) struct Sought<'a> {
     pub(super) modes: &'a Modes,
     /// What states are measured in.
     pub(super) sizes: Vec<f64>,
+}
+
+impl<'a> Sought<'a> {
+    /// Where states are about as large as here.
+    pub(super) fn new(flow: &'a dyn Flow, modes: &'a Modes, near: &[f64]) -> Option<Self> {
+        let mut sought = Self {
+            flow,
+            modes,
+            sizes: Vec::new(),
+        };
+        sought.sizes = sizes(near, &sought.at(near)?.jacobian);
+        Some(sought)
+    }
 }
 
 impl Sought<'_> {

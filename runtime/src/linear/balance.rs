@@ -13,8 +13,16 @@ const FARTHEST: f64 = 1e200;
 /// Eigenvalues stay, and their errors no longer depend on the units of the states (Parlett and Reinsch 1969). An entry
 /// that is rounding error beside the rest of its row has no say: it would be made to look like something.
 pub(crate) fn balanced(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let units = units(matrix);
+    DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| {
+        matrix[(i, j)] * (units[j] / units[i])
+    })
+}
+
+/// D: in these units of the states each row is about as large as its column.
+pub(crate) fn units(matrix: &DMatrix<f64>) -> Vec<f64> {
     let order = matrix.nrows();
-    let mut balanced = matrix.clone();
+    let mut units = vec![1.0; order];
     let mut sizes = matrix.map(f64::abs);
     for mut row in sizes.row_iter_mut() {
         let nothing = order as f64 * f64::EPSILON * row.max();
@@ -25,16 +33,15 @@ pub(crate) fn balanced(matrix: &DMatrix<f64>) -> DMatrix<f64> {
         for i in 0..order {
             let unit = unit(&sizes, i);
             changed |= unit != 1.0;
-            for all in [&mut balanced, &mut sizes] {
-                all.row_mut(i).unscale_mut(unit);
-                all.column_mut(i).scale_mut(unit);
-            }
+            units[i] *= unit;
+            sizes.row_mut(i).unscale_mut(unit);
+            sizes.column_mut(i).scale_mut(unit);
         }
         if !changed {
             break;
         }
     }
-    balanced
+    units
 }
 
 /// By what the column i is to be multiplied, and its row to be divided.

@@ -6,7 +6,7 @@ mod elimination;
 mod schur;
 mod svd;
 
-pub(crate) use balance::balanced;
+pub(crate) use balance::{balanced, units};
 pub(crate) use eigenvalue::{Eigenvalue, eigenvalues};
 pub(crate) use elimination::{orientation, solved};
 pub(crate) use svd::svd;

@@ -8,8 +8,8 @@ use super::record::{EquilibriaRecord, EquilibriumRecord, Extent};
 use super::special::numbered;
 use crate::continuation::{Ending, Kind, Walked};
 use crate::equilibrium::{
-    EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, find_around, follow, prove,
-    settings, sizes, starts, sticking_sets,
+    EquilibriumPoint, Proof, Spectrum, StickingSet, Unproven, find, find_around, follow, largest,
+    prove, settings, sizes_at, starts, sticking_sets,
 };
 use crate::field::exact::Mode;
 use crate::flow::FlowError;
@@ -182,8 +182,9 @@ impl System {
             .map(|one| one.place)
             .chain(held)
             .collect();
-        let states = found.iter().map(|place| &place.state).chain(&places[..1]);
-        let sizes = sizes(states.map(Vec::as_slice));
+        let first = places[0].iter().map(|y| y.abs()).collect();
+        let sizes = found.iter().map(|place| sizes_at(family, r, place));
+        let sizes = largest(sizes.chain([first]));
         let far = |place: &Place| apart(&place.state, &places[0], &sizes);
         found
             .into_iter()
