@@ -11,7 +11,7 @@ use super::sought::Search;
 use super::switch::SwitchError;
 use crate::continuation::{Branch, Failure, Settings};
 use crate::integrate::Tolerance;
-use crate::linear::svd;
+use crate::linear::{svd, units};
 use crate::motion::Family;
 
 /// Amplitudes of the first orbit, relative to the state; for a state near 0, against 1.
@@ -68,24 +68,25 @@ impl OrbitBranch {
     }
 }
 
-/// Share of the largest extent below which a state rests, as far as its digits tell.
-const RESTS: f64 = 1e-12;
+/// The least extent of a state over the largest, in units in which each moves the others as much as they move it: about which
+/// mean it swings may change by more than a state that hardly does so swings.
+const LEAST: f64 = 0.1;
 
-/// The ellipse a cos ωt − b sin ωt: a, and the extent of each state along it; 1 for one that rests.
+/// The ellipse a cos ωt − b sin ωt: a, and the extent of each state along it.
 fn ellipse(jacobian: &DMatrix<f64>, period: f64) -> Option<(DVector<f64>, Vec<f64>)> {
     let axis = axis(jacobian, period)?;
     // J a = −ω b.
     let other = jacobian * &axis * (period / TAU);
     let extents = axis.iter().zip(&other).map(|(a, b)| a.hypot(*b));
     let mut extents: Vec<f64> = extents.collect();
-    let largest = extents
+    let units = units(jacobian);
+    let shares = extents
         .iter()
-        .fold(0.0_f64, |most, extent| most.max(*extent));
-    for extent in extents
-        .iter_mut()
-        .filter(|extent| **extent <= RESTS * largest)
-    {
-        *extent = 1.0;
+        .zip(&units)
+        .map(|(extent, unit)| extent / unit);
+    let largest = shares.fold(0.0, f64::max);
+    for (extent, unit) in extents.iter_mut().zip(&units) {
+        *extent = extent.max(LEAST * largest * unit);
     }
     Some((axis, extents))
 }
