@@ -20,6 +20,7 @@ mod division;
 mod echelon;
 mod equations;
 mod error;
+mod fading;
 mod flat;
 mod given;
 mod grip;

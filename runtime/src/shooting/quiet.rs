@@ -16,7 +16,8 @@ const STOPPED: f64 = 16.0 * f64::EPSILON;
 /// How long nothing has moved.
 #[derive(Debug, Clone)]
 pub(super) struct Quiet {
-    /// The farthest that each state has moved in one span.
+    /// How far each state has moved in the last span, and the farthest that it has in one.
+    latest: Vec<f64>,
     reach: Vec<f64>,
     /// The fastest that each has moved over one span.
     fastest: Vec<f64>,
@@ -30,6 +31,7 @@ pub(super) struct Quiet {
 impl Quiet {
     pub(super) fn new(order: usize) -> Self {
         Self {
+            latest: vec![0.0; order],
             reach: vec![0.0; order],
             fastest: vec![0.0; order],
             spans: 0,
@@ -43,6 +45,7 @@ impl Quiet {
         let (mut moved, mut stops) = (0.0_f64, true);
         for (j, reach) in self.reach.iter_mut().enumerate() {
             let change = high[j].max(from[j]) - low[j].min(from[j]);
+            self.latest[j] = change;
             self.fastest[j] = self.fastest[j].max(change / length);
             stops &= change / length <= STOPPED * self.fastest[j];
             *reach = reach.max(change);
@@ -61,6 +64,11 @@ impl Quiet {
         }
         self.moved[1] = moved;
         self.spans += 1;
+    }
+
+    /// How far each state has moved in the last span, and the farthest that it has in one.
+    pub(super) fn extents(&self) -> [&[f64]; 2] {
+        [&self.latest, &self.reach]
     }
 
     /// How far each state may be from where it comes to rest once nothing counts that it moves by.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::fading::{fades_to, is_slow};
 use super::guess::{Guess, magnitude_of};
 use super::quiet::Quiet;
 use super::shift::Shifts;
@@ -61,6 +62,11 @@ pub fn settle<T>(
         if flow.phase().is_none() && rests {
             return Ok(watch.rest());
         }
+        let undriven = flow.phase().is_none();
+        let fades = undriven.then(|| fades_to(flow, &watch.place, watch.quiet.extents()));
+        if let Some(equilibrium) = fades.flatten() {
+            return Ok(Settled::Equilibrium(equilibrium, watch.quiet.errors()));
+        }
         chunk *= if still { 2.0 } else { 1.0 };
         silent = if still { silent + 1 } else { 0 };
         for guess in watch.guesses(flow, longest)? {
@@ -69,7 +75,7 @@ pub fn settle<T>(
             }
         }
     }
-    Ok(if watch.slow(flow)? {
+    Ok(if is_slow(flow, &watch.place, &watch.extent, watch.time)? {
         watch.rest()
     } else {
         Settled::Neither(watch.time, watch.place)
@@ -208,15 +214,6 @@ impl Watch {
         let moving = self.quiet.moving(&self.place.state, &self.extent);
         let shifts = || Shifts::of(flow, &self.magnitude());
         !moving.is_empty() && !moving.iter().all(|&j| shifts().may_run(j))
-    }
-
-    /// Whether the state hardly moves over the time watched.
-    fn slow(&self, flow: &dyn Flow) -> Result<bool, FlowError> {
-        let velocity = flow.velocity(&self.place)?.f;
-        Ok((0..velocity.len()).all(|j| {
-            velocity[j].abs() * self.time
-                <= 1e-3 * self.place.state[j].abs().max(self.extent[j]).max(1e-9)
-        }))
     }
 
     /// New returns to the section that are close enough; later ones must be closer.

@@ -4,3 +4,4 @@ mod curves;
 mod equilibria;
 mod margins;
 mod onset;
+mod scales;
