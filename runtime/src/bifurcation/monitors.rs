@@ -112,8 +112,8 @@ fn unsure<P: PeriodicPoint>(ends: [&P; 2]) -> bool {
 /// Whether r stands still between two points at which a multiplier is 1, as far as errors tell: orbits there are a family,
 /// and it is their errors that turn r or move the multiplier.
 fn stand<P: PeriodicPoint>(ends: [&P; 2], accuracy: f64) -> bool {
-    let [from, to] = ends.map(P::r);
-    (to - from).abs() <= accuracy * to.abs() && unsure(ends)
+    let [from, to] = ends;
+    (to.r() - from.r()).abs() <= accuracy * to.r_scale() && unsure(ends)
 }
 
 /// Whether no multiplier is near 1 or comes near it between two points: where r turns, one is 1.

@@ -10,6 +10,11 @@ pub trait Watched: Clone {
     /// The design variable.
     fn r(&self) -> f64;
 
+    /// What errors of r are measured in: r, or where that vanishes what its branch measures it in.
+    fn r_scale(&self) -> f64 {
+        self.r().abs()
+    }
+
     /// r-component of the unit tangent of the branch.
     fn slope(&self) -> f64;
 

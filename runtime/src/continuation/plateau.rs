@@ -34,8 +34,9 @@ impl<R: Reader> Walk<'_, R> {
             return;
         };
         let r = self.points[at].r();
+        let error = DOUBT * accuracy * self.points[at].r_scale();
         let mut fold = Located::at(Kind::Fold, r, self.points[at].clone());
-        (fold.error, fold.after) = (DOUBT * accuracy * r.abs(), at);
+        (fold.error, fold.after) = (error, at);
         let reading = &*self.followed;
         reading.reader.refine(&reading.branch.problem, &mut fold);
         let before = self.located.partition_point(|one| one.after <= at);
@@ -44,7 +45,8 @@ impl<R: Reader> Walk<'_, R> {
 
     /// Forgets what seemed to be folds at this r, which the branch comes ever nearer to without an end: errors turn r there.
     pub(super) fn forget_turns_at(&mut self, r: f64) {
-        let near = DOUBT * self.followed.accuracy * r.abs();
+        let scale = self.points.last().map_or(r.abs(), Watched::r_scale);
+        let near = DOUBT * self.followed.accuracy * scale;
         self.located.retain(|one| {
             one.kind != Kind::Fold || one.abrupt || (one.r - r).abs() > near.max(one.error)
         });
@@ -55,7 +57,7 @@ impl<R: Reader> Walk<'_, R> {
 /// so near to each other neither the sign of their step nor a multiplier tells that r turns, but those before and behind do.
 fn turned<P: Watched>(points: &[P], accuracy: f64) -> Option<Range<usize>> {
     let step = |i: usize| points[i].r() - points[i - 1].r();
-    let certain = |i: &usize| step(*i).abs() > accuracy * points[*i].r().abs();
+    let certain = |i: &usize| step(*i).abs() > accuracy * points[*i].r_scale();
     let left = points
         .len()
         .checked_sub(1)

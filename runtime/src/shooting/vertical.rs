@@ -1,6 +1,7 @@
 //! Where r stands still while the orbits of a branch go on changing.
 
 use super::orbit::Orbit;
+use crate::continuation::Watched;
 
 /// Orbits in a row by which it is told.
 const MANY: usize = 20;
@@ -15,11 +16,13 @@ const WIDE: f64 = 10.0;
 pub(super) fn stands_still(orbits: &[Orbit], accuracy: f64) -> Option<f64> {
     let last = orbits.last()?;
     let stays = |orbit: &&Orbit| {
-        let still = (orbit.r - last.r).abs() <= accuracy * last.r.abs();
+        let still = (orbit.r - last.r).abs() <= accuracy * last.r_scale();
         let marginal = || orbit.floquet.pull() <= MARGIN * accuracy;
         still && (marginal() || orbit.floquet.may_be_one())
     };
     let many = orbits.iter().rev().take_while(stays).count();
     let first = orbits.get(orbits.len() - many).filter(|_| many >= MANY)?;
-    (last.apart(first) > WIDE * accuracy.sqrt()).then_some(last.r)
+    let zero = last.r.abs() <= accuracy * last.r_scale();
+    let r = if zero { 0.0 } else { last.r };
+    (last.apart(first) > WIDE * accuracy.sqrt()).then_some(r)
 }

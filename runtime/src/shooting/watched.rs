@@ -17,6 +17,10 @@ impl Watched for Orbit {
         self.r
     }
 
+    fn r_scale(&self) -> f64 {
+        self.heading.r_scale
+    }
+
     fn slope(&self) -> f64 {
         self.heading.slope
     }

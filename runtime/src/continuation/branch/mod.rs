@@ -230,7 +230,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let same = DVector::from_element(z.len(), 1.0);
         tangent = rescaled(tangent, &same, self.r_scale / r_scale);
         self.r_scale = r_scale;
-        let stands = |before: &Base<P::Extra>| (r - before.r).abs() <= STILL * r.abs();
+        let stands = |before: &Base<P::Extra>| (r - before.r).abs() <= STILL * r_scale;
         self.still = match self.point.as_ref().is_some_and(stands) {
             true => self.still + 1,
             false => 0,
