@@ -67,7 +67,8 @@ fn through(
     let (mut problem, z) =
         problem(family, r, &guess, search.segments).map_err(Failure::Evaluation)?;
     problem.accuracy = search.accuracy;
-    problem.may_run();
+    let flow = problem.family.at(r).map_err(Failure::Evaluation)?;
+    problem.may_run(flow.as_ref());
     problem.centre(r).map_err(Failure::Evaluation)?;
     let plain = problem.clone();
     problem.balance(&orbit.segments, (&z, r));

@@ -1,5 +1,6 @@
 //! Where the events of orbits change: borders, what lies beyond them, and their curves.
 
+mod between;
 mod borders;
 mod carriage;
 mod carried;
