@@ -8,6 +8,7 @@ use super::plane::Plane;
 use super::subject::Subject;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::flow::FlowError;
+use crate::math::ends;
 
 /// Step of the differences that give the slopes of the condition, relative to the scales: Φ itself is
 /// exact for the steps of the integrator, but not smooth below its tolerance.
@@ -99,13 +100,9 @@ impl<S: Subject> CriticalProblem<S> {
     }
 }
 
-/// The slope of a function between two places beside one, or from there where one of them is none: a parameter may end at its
-/// bound.
+/// The slope of a function between two places beside one, or from there where one of them is none.
 fn slope(here: (f64, f64), beside: [(f64, Result<f64, FlowError>); 2]) -> Result<f64, FlowError> {
-    let ((a, low), (b, high)) = match beside {
-        [(_, Err(_)), (x, Ok(value))] | [(x, Ok(value)), (_, Err(_))] => (here, (x, value)),
-        [(a, low), (b, high)] => ((a, low?), (b, high?)),
-    };
+    let [(a, low), (b, high)] = ends(here, beside)?;
     Ok((high - low) / (b - a))
 }
 

@@ -1,5 +1,6 @@
 //! The functions that formulas may use, over any [`Scalar`].
 
+mod difference;
 pub mod enclosure;
 mod extrapolation;
 pub mod interval;
@@ -7,6 +8,7 @@ pub mod interval;
 pub mod slope;
 mod spread;
 
+pub(crate) use difference::ends;
 pub(crate) use extrapolation::{at_zero, line};
 pub(crate) use spread::Spread;
 

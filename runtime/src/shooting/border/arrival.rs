@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::problem::Round;
+use super::round::Round;
 use crate::flow::Determinant;
 use crate::motion::Derivatives;
 

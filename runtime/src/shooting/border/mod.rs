@@ -22,6 +22,7 @@ mod once;
 mod passing;
 mod problem;
 mod rising;
+mod round;
 mod runs;
 mod sheet;
 mod sides;

@@ -9,11 +9,13 @@ use std::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector};
 
 use super::candidate::{Border, Condition};
+use super::round::{Round, chain};
 use super::runs::Runs;
 use super::sheet::Sheet;
 use crate::continuation::{Linearisation, ZeroProblem};
 use crate::field::Work;
 use crate::flow::{FlowError, Want};
+use crate::math::ends;
 use crate::motion::{Derivatives, Flow, Place, spelt};
 use crate::shooting::Orbit;
 
@@ -35,20 +37,6 @@ pub struct BorderProblem<S> {
     pub(super) runs: Runs,
     /// Work of all evaluations.
     pub work: Work,
-}
-
-/// The motion from the border once around, in pieces.
-pub(super) struct Round {
-    /// From the border to where all is calm: that place, and how it depends on where it began.
-    pub(super) out: (Place, Derivatives),
-    /// Back to the border, at last held in its mode.
-    pub(super) back: (Place, Derivatives),
-}
-
-impl Round {
-    fn derivatives(&self) -> Derivatives {
-        chain(&self.out.1, &self.back.1)
-    }
 }
 
 impl<S: Sheet> BorderProblem<S> {
@@ -143,23 +131,26 @@ impl<S: Sheet> BorderProblem<S> {
         let scale = self.scale();
         let mut slopes = DMatrix::zeros(2, order + 3);
         let second = self.sheet.along_q(z[order + 1]).map(|_| order + 2);
+        let here = at(z, q)?;
         for i in (0..order).chain([order + 1]).chain(second) {
-            let mut ends = [(z.clone(), q), (z.clone(), q)];
-            for ((z, q), sign) in ends.iter_mut().zip([-1.0, 1.0]) {
-                if i == order + 2 {
-                    *q += sign * DIFFERENCE * self.scales[1];
-                } else {
-                    z[i] += sign * DIFFERENCE * scale[i];
-                }
-            }
-            let place = |(z, q): &(DVector<f64>, f64)| if i == order + 2 { *q } else { z[i] };
-            let width = place(&ends[1]) - place(&ends[0]);
-            let [low, high] = [at(&ends[0].0, ends[0].1)?, at(&ends[1].0, ends[1].1)?];
+            let size = if i == order + 2 {
+                self.scales[1]
+            } else {
+                scale[i]
+            };
+            let beside = [-1.0, 1.0].map(|sign| {
+                let (mut z, mut q) = (z.clone(), q);
+                let place = if i == order + 2 { &mut q } else { &mut z[i] };
+                *place += sign * DIFFERENCE * size;
+                (*place, at(&z, q))
+            });
+            let middle = f64::midpoint(beside[0].0, beside[1].0);
+            let [(a, low), (b, high)] = ends((middle, here), beside)?;
             for row in 0..2 {
-                slopes[(row, i)] = (high[row] - low[row]) / width;
+                slopes[(row, i)] = (high[row] - low[row]) / (b - a);
             }
         }
-        Ok((at(z, q)?, slopes))
+        Ok((here, slopes))
     }
 
     /// Whether what only touches zero, held on, rises again; and the rate of the way to the limit at an edge.
@@ -177,19 +168,6 @@ impl<S: Sheet> BorderProblem<S> {
                 (true, held.map_or(f64::NAN, |[_, rate]| rate))
             }
         })
-    }
-}
-
-/// The derivatives of one motion after another. The motion's own velocity is carried into itself, so that
-/// with any share of the time the end moves at its velocity there.
-pub(super) fn chain(first: &Derivatives, second: &Derivatives) -> Derivatives {
-    Derivatives {
-        state: &second.state * &first.state,
-        design: &second.design + &second.state * &first.design,
-        time: second.time.clone(),
-        determinant: first.determinant.times(second.determinant),
-        factors: Vec::new(),
-        lost: first.lost.max(second.lost),
     }
 }
 
