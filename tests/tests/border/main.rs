@@ -9,6 +9,7 @@ mod curves;
 mod ends;
 mod grazing;
 mod held;
+mod hit;
 mod kinked;
 mod lets_go;
 mod starts;

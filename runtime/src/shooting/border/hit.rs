@@ -4,7 +4,7 @@
 //! depth g to which the gap would have fallen, v² = −2 g g̈: to first order (I − A) δy = k v and g_y δy + g_r δr = 0 with the
 //! kick k of a unit speed.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::sides::Sides;
 
@@ -23,7 +23,26 @@ pub(super) struct Hit {
     bend: f64,
 }
 
+/// How many times the rest of the map what an impact adds to it is, where it is as slow as that.
+const STEEP: f64 = 1e3;
+
 impl Sides {
+    /// Φ of orbits that are hit so slowly that their multiplier which grows without bound is large, in these units: with
+    /// v² = −2 g g̈ it is A − k g_y g̈/v.
+    pub(super) fn steep(&self, units: &[f64]) -> Option<DMatrix<f64>> {
+        let (kick, _) = self.kick.as_ref()?;
+        let (along, map) = (&self.number.0, &self.map_once(true).state);
+        let units = DVector::from_column_slice(units);
+        let added = kick.component_div(&units).norm() * along.component_mul(&units).norm();
+        let inner = DMatrix::from_fn(units.len(), units.len(), |i, j| {
+            map[(i, j)] * units[j] / units[i]
+        });
+        let share = STEEP * inner.norm().max(1.0) / added;
+        let once = map - kick * along.transpose() * share;
+        let map = if self.is_half() { &once * &once } else { once };
+        map.iter().all(|entry| entry.is_finite()).then_some(map)
+    }
+
     /// The way out; `None` if nothing is hit, or if that is not determined.
     pub(super) fn hit(
         &self,

@@ -10,12 +10,13 @@ use super::sides::Sides;
 use crate::bifurcation::{Disturbances, Kind, floquet};
 use crate::continuation::{Failure, SETTLED, ZeroProblem, correct_at};
 use crate::field::Work;
-use crate::flow::FlowError;
+use crate::flow::{EventKind, FlowError};
 use crate::integrate::Tolerance;
-use crate::motion::{Family, most_stuck};
+use crate::motion::{Event, Family, most_stuck};
 use crate::shooting::orbit::{Orbit, Solution};
 use crate::shooting::problem::OrbitProblem;
 use crate::shooting::same::SAME_ORBIT;
+use crate::shooting::shot::Shot;
 
 /// Borders that are tried, the nearest first.
 const TRIED: usize = 4;
@@ -24,6 +25,8 @@ const TRIED: usize = 4;
 const SHARPER: [f64; 3] = [0.02, 0.002, 2e-4];
 /// Residual, or correction, up to which errors of the integration may keep Newton's method from converging.
 const NOISY: f64 = 1e-3;
+/// Share of the period within which an impact is that of the grazing itself.
+const AT_ONCE: f64 = 1e-6;
 /// What is reported over what two runs differ by: they share part of their errors.
 const DOUBT: f64 = 2.0;
 
@@ -145,6 +148,9 @@ fn read(
     let sides = Sides::of(problem, flow.as_ref(), (state, period), (&slopes, runs)).ok()?;
     let border = problem.border.clone();
     let mut shot = problem.shot(&*flow, z, &sides.start, runs).ok()?;
+    if !keeps_impacts(&sides, &border, near, &shot) {
+        return None;
+    }
     let residual = at.residual.norm();
     shot.closure = residual;
     shot.passages[0].derivatives = Some(sides.map(border.happens));
@@ -166,6 +172,22 @@ fn read(
     Some(edge)
 }
 
+/// Whether a wall that is grazed is hit as often besides as on the orbit that comes to it: what is grazed where another impact has
+/// ceased as well is the next border.
+fn keeps_impacts(sides: &Sides, border: &Border, near: &Orbit, shot: &Shot) -> bool {
+    if sides.kick.is_none() || border.mirror.is_some() {
+        return true;
+    }
+    let grazed = (1.0 - border.calm) * shot.period;
+    let apart = |event: &&Event| (event.time - grazed).abs() > AT_ONCE * shot.period;
+    let hit = |event: &&Event| {
+        event.contact == border.contact && matches!(event.kind, EventKind::Impact { .. })
+    };
+    let all = shot.passages.iter().flat_map(|passage| &passage.events);
+    let besides = all.filter(hit).filter(apart).count();
+    besides + usize::from(border.happens) == near.events.iter().filter(hit).count()
+}
+
 impl Edge {
     /// Whether no orbit continues the branch beyond it: the motion jumps, or all laps become one there, an odd number of
     /// times.
@@ -181,14 +203,13 @@ impl Edge {
     /// The orbit as it is on one side of the border, in the neighbourhood of `near`; `slope` is the r-component of the tangent
     /// of the branch there.
     pub(super) fn seen_from(&self, near: &Orbit, happens: bool, slope: f64) -> Orbit {
-        let map = self.sides.map(happens);
         let zeros = self.zeros(near, happens);
         let accuracy = near.error_estimate;
         let velocity = &self.sides.velocity;
         let neutral = self.sides.runs.pins.len();
-        let judged = || {
+        let judged = |monodromy| {
             let all = Disturbances {
-                monodromy: map.state.clone(),
+                monodromy,
                 velocity: velocity.clone(),
                 factors: Vec::new(),
             };
@@ -197,12 +218,13 @@ impl Edge {
             floquet(phi, velocity, None, zeros, &[], neutral, accuracy)
         };
         let mut orbit = self.orbit.clone();
-        // Where force drops, or an impact begins, the map has no limit.
-        orbit.floquet = if self.border.drops || self.sides.is_unbounded(happens) {
-            near.floquet.clone()
-        } else {
-            judged()
+        let map = match self.sides.is_unbounded(happens) {
+            true => self.sides.steep(&near.magnitude()),
+            false => Some(self.sides.map(happens).state),
         };
+        // Where force drops, the map has no limit.
+        let map = map.filter(|_| !self.border.drops);
+        orbit.floquet = map.map_or_else(|| near.floquet.clone(), judged);
         // Of what is about to happen, the orbit beside it knows more than the one that is there.
         (orbit.events, orbit.segments) = (near.events.clone(), near.segments.clone());
         orbit.heading.slope = slope;

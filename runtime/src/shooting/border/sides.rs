@@ -103,12 +103,21 @@ impl Sides {
 
     /// The return map on the side where the event happens, or on the other.
     pub(super) fn map(&self, happens: bool) -> Derivatives {
-        let map = &self.maps[usize::from(happens)];
-        if self.turn < 1.0 {
-            chain(map, map)
-        } else {
-            map.clone()
+        let map = self.map_once(happens);
+        match self.is_half() {
+            true => chain(map, map),
+            false => map.clone(),
         }
+    }
+
+    /// The map from the border to it, or to its image.
+    pub(super) fn map_once(&self, happens: bool) -> &Derivatives {
+        &self.maps[usize::from(happens)]
+    }
+
+    /// Whether that is half of the way around.
+    pub(super) fn is_half(&self) -> bool {
+        self.turn < 1.0
     }
 
     /// Whether the return map on this side has no derivative.
@@ -156,7 +165,7 @@ impl Sides {
         scale: &DVector<f64>,
         r_scale: f64,
     ) -> DMatrix<f64> {
-        let (map, order) = (&self.maps[usize::from(happens)], self.velocity.len());
+        let (map, order) = (self.map_once(happens), self.velocity.len());
         let n = order + 1;
         let slope = |i: usize, j: usize| match j {
             j if j < order => map.state[(i, j)] - f64::from(i == j),
