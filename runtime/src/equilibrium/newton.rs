@@ -110,8 +110,8 @@ pub(crate) fn rests(family: &Family, r: f64, from: &Place) -> Option<Equilibrium
 /// Where Newton comes to rest: found anew from there, in the sizes that states have there, until it stays.
 fn rested(family: &Family, r: f64, from: &Place) -> Option<(Place, EquilibriumProblem)> {
     let mut place = from.clone();
+    let mut problem = EquilibriumProblem::new(family.clone(), r, &place);
     for _ in 0..ROUNDS {
-        let mut problem = EquilibriumProblem::new(family.clone(), r, &place);
         let z = newton(&mut problem, DVector::from_column_slice(&place.state), r)?;
         let before = std::mem::replace(&mut place, problem.place(&z)).state;
         for (y, began) in place.state.iter_mut().zip(&from.state) {
@@ -119,9 +119,11 @@ fn rested(family: &Family, r: f64, from: &Place) -> Option<(Place, EquilibriumPr
                 *y = 0.0;
             }
         }
-        if near(&place.state, &before, &sizes_at(family, r, &place)) {
+        let next = EquilibriumProblem::new(family.clone(), r, &place);
+        if near(&place.state, &before, next.magnitude()) {
             return Some((place, problem));
         }
+        problem = next;
     }
     None
 }
@@ -136,9 +138,9 @@ fn same(family: &Family, r: f64, [a, b]: [&Place; 2]) -> bool {
             a == b || (a.rubs() && b.rubs() && !a.binds() && !b.binds() && !matters(i))
         })
     };
-    let [sizes, others] = [a, b].map(|place| sizes_at(family, r, place));
-    let mut sizes: Vec<f64> = sizes.iter().zip(&others).map(|(a, b)| a.min(*b)).collect();
-    for j in unread(family, r, a) {
+    let [own, others] = [a, b].map(|place| sizes_at(family, r, place));
+    let mut sizes: Vec<f64> = own.iter().zip(&others).map(|(a, b)| a.min(*b)).collect();
+    for j in unread(family, r, a, &own) {
         sizes[j] = f64::INFINITY;
     }
     near(&a.state, &b.state, &sizes) && (a.modes == b.modes || alike())

@@ -35,10 +35,11 @@ impl EquilibriumProblem {
     /// The problem of an equilibrium near this place, where the design variable is r.
     #[must_use]
     pub fn new(family: Family, r: f64, near: &Place) -> Self {
-        let unread = unread(&family, r, near).into_iter();
+        let magnitude = sizes_at(&family, r, near);
+        let unread = unread(&family, r, near, &magnitude).into_iter();
         Self {
             kept: unread.map(|j| (j, near.state[j])).collect(),
-            magnitude: sizes_at(&family, r, near),
+            magnitude,
             family,
             modes: near.modes.clone(),
             work: Work::default(),

@@ -10,7 +10,7 @@ use super::echelon::{Echelon, Free};
 use super::guess::Guess;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
-use super::shift::{Shifts, slides};
+use super::shift::{Shifts, slides, stops};
 use super::shot::Shot;
 use crate::bifurcation::floquet;
 use crate::continuation::{Linearisation, ZeroProblem, correct_at};
@@ -159,10 +159,9 @@ fn pinned(family: &Family, r: f64, guess: &Guess) -> Option<Vec<Pin>> {
     let free = |shift| is_free(flow.as_ref(), shift, magnitude, &at.extra);
     let free = right.iter().all(free);
     // What is free goes on where it changes: a carriage that friction holds may run on, but a state with stops may not.
-    let stops =
-        |direction: &[f64]| (0..order).any(|j| direction[j] != 0.0 && flow.stop(j).is_finite());
-    let runs =
-        |(_, direction): &Free| !stops(direction) && slides(flow.as_ref(), direction, magnitude);
+    let runs = |(_, direction): &Free| {
+        !stops(flow.as_ref(), direction) && slides(flow.as_ref(), direction, magnitude)
+    };
     let held = |c: &Vec<f64>| is_conserved(flow.as_ref(), c, &at.extra, magnitude);
     let conserved = constant.iter().all(held) && !(free && directions.iter().all(runs));
     let driven = |c: &Vec<f64>| is_driven(flow.as_ref(), c, &at.extra, magnitude);

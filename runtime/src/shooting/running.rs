@@ -10,7 +10,7 @@ use super::echelon::Free;
 use super::lows::section;
 use super::pin::Pin;
 use super::problem::OrbitProblem;
-use super::shift::{keeps_rates, slides};
+use super::shift::{keeps_rates, slides, stops};
 use super::shot::Shot;
 use crate::continuation::Linearisation;
 use crate::flow::{FlowError, Peaks, Want};
@@ -23,10 +23,9 @@ impl OrbitProblem {
     /// Lets orbits that close gain, from now on, along what may be shifted: beyond where friction holds it they run on. What is
     /// free only as long as a press that it would close is open does not, nor does it beyond.
     pub(super) fn may_run(&mut self, flow: &dyn Flow) {
-        let stops = |d: &[f64]| (0..d.len()).any(|j| d[j] != 0.0 && flow.stop(j).is_finite());
         let mut free = self.pins.iter().filter_map(Pin::along).peekable();
         let any = free.peek().is_some();
-        let runs = free.all(|d| stops(d) || slides(flow, d, &self.magnitude));
+        let runs = free.all(|d| stops(flow, d) || slides(flow, d, &self.magnitude));
         if self.shift.is_none() && any && runs {
             self.shift = Some(vec![0.0; self.order()]);
         }

@@ -224,6 +224,12 @@ fn directions(flow: &dyn Flow, usual: &[f64]) -> Vec<Free> {
     Echelon::of(&null, order, &[]).directions(usual)
 }
 
+/// Whether a direction moves the internal state of a law that has stops: it may be shifted, but does not go on.
+pub(super) fn stops(flow: &dyn Flow, direction: &[f64]) -> bool {
+    let mut moved = direction.iter().enumerate().filter(|(_, d)| **d != 0.0);
+    moved.any(|(j, _)| flow.stop(j).is_finite())
+}
+
 /// Whether any share of a shift changes nothing.
 pub(crate) fn slides(flow: &dyn Flow, shift: &[f64], usual: &[f64]) -> bool {
     SHARES.iter().all(|share| {
