@@ -53,6 +53,12 @@ pub(super) fn certain(r: f64, error: Option<f64>) -> usize {
     error.map_or(SHOWN, |error| left(error / r.abs(), [1, SHOWN]))
 }
 
+/// The design variable at a special point with the digits that it deserves; zero, if it is that as far as its error tells.
+pub(super) fn located(r: f64, error: Option<f64>) -> String {
+    let zero = error.is_some_and(|error| error >= r.abs());
+    number(if zero { 0.0 } else { r }, certain(r, error))
+}
+
 /// The digits that this relative error leaves, within these bounds; four where it says nothing.
 fn left(error: f64, [least, most]: [usize; 2]) -> usize {
     let digits = -error.log10();
@@ -261,6 +267,8 @@ mod tests {
         let left = errors.map(|error| certain(-11.28, Some(error)));
         assert_eq!(left, [1, 4, 8, 10]);
         assert_eq!(certain(-11.28, None), 10);
+        let at = |r, error| located(r, Some(error));
+        assert_eq!([at(1e-15, 1e-10), at(-2.5e-3, 3e-5)], ["0", "-0.0025"]);
     }
 
     #[test]

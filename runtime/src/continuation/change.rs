@@ -43,10 +43,11 @@ impl<P: Watched> Change<P> {
 
     /// r of the change within the bracket, and its error: where a margin vanishes, if that tells it better than the bracket.
     pub(super) fn within(&self, accuracy: f64) -> (f64, f64) {
-        let [low, high] = self.nearest().map(|spot| spot.point.r());
+        let nearest = self.nearest().map(|spot| &spot.point);
+        let [low, high] = nearest.map(Watched::r);
         let middle = f64::midpoint(low, high);
         // Each end is an orbit that is known to the accuracy, and so are its events.
-        let least = accuracy * (middle.abs() + self.drift([low, high]));
+        let least = accuracy * (nearest[0].r_scale() + self.drift([low, high]));
         let sides = [&self.before, &self.after];
         let zeros = sides.map(|side| margin::vanishes(side, [low, high]));
         let bracket = (middle, 0.5 * (high - low).abs());
@@ -168,8 +169,7 @@ pub(super) fn change<Q: Path>(
 }
 
 fn width<P: Watched>([a, b]: [&Spot<P>; 2]) -> f64 {
-    let r = a.point.r();
-    (b.point.r() - r).abs() / r.abs().max(f64::MIN_POSITIVE)
+    (b.point.r() - a.point.r()).abs() / a.point.r_scale()
 }
 
 fn try_between<Q: Path>(

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::branch::Branch;
 use super::ending::Ending;
 use super::located::Located;
+use super::path::Watched;
 use super::range::Settings;
 use super::reading::{CrossingOf, ErrorOf, Reader, Reading};
 use super::walk::Walk;
@@ -50,7 +51,7 @@ impl<R: Reader> Walk<'_, R> {
         let (mut found, searched) = (walk.located, walk.searched);
         self.searched += searched;
         self.searched += way.work().since(&begun);
-        let least = NEAR * to.r.abs() + to.error.max(0.0);
+        let least = NEAR * to.point.r_scale() + to.error.max(0.0);
         found.retain(|one| {
             let apart = (one.r - to.r).abs();
             !one.last && apart > least && apart < gap
@@ -64,12 +65,12 @@ impl<R: Reader> Walk<'_, R> {
     fn towards(&self, branch: &Branch<R::Problem>, r: f64) -> Option<(Reading<R>, f64)> {
         let base = branch.point.as_ref()?;
         let away = base.r - r;
-        if away.abs() <= GAP * r.abs() {
+        if away.abs() <= GAP * branch.r_scale() {
             return None;
         }
         let settings = Settings {
             from: base.r + BEHIND * away,
-            to: r + NEAR * r.abs().copysign(away),
+            to: r + NEAR * branch.r_scale().copysign(away),
             points: POINTS,
             ..branch.settings()
         };

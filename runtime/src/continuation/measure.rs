@@ -9,8 +9,8 @@ const MOST: f64 = 4.0;
 /// Share of r at the start of the branch below which it is not measured: enough to step over zero.
 const LEAST: f64 = 0.1;
 
-/// The magnitude of r at the start of a branch whose tangent is not known yet.
-pub(super) fn first(r: f64) -> f64 {
+/// The magnitude of r where no tangent of a branch is known.
+pub(crate) fn own_scale(r: f64) -> f64 {
     if r == 0.0 { 1.0 } else { r.abs() }
 }
 
@@ -30,7 +30,7 @@ pub(super) fn at(r: f64, tangent: &DVector<f64>, r_scale: f64, [from, to]: [f64;
     if usual.is_finite() && usual > 0.0 {
         usual
     } else {
-        first(r)
+        own_scale(r)
     }
 }
 

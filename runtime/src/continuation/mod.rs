@@ -43,6 +43,7 @@ pub use ending::{Ending, Lost};
 pub use kind::Kind;
 pub use link::Link;
 pub use located::{Findings, Located, Unexplained};
+pub(crate) use measure::own_scale;
 pub use monitor::{Monitor, Verdict, changes, rests};
 pub use path::{Border, Chance, Path, Spot, Watched};
 pub use point::Point;

@@ -10,17 +10,15 @@ pub trait Watched: Clone {
     /// The design variable.
     fn r(&self) -> f64;
 
-    /// What errors of r are measured in: r, or where that vanishes what its branch measures it in.
-    fn r_scale(&self) -> f64 {
-        self.r().abs()
-    }
+    /// What its branch measures r in, and errors of r with it: r itself, but not where that is next to nothing.
+    fn r_scale(&self) -> f64;
 
     /// r-component of the unit tangent of the branch.
     fn slope(&self) -> f64;
 
     /// How far it is from another point, relative to the values of what is followed.
     fn moved(&self, from: &Self) -> f64 {
-        ((self.r() - from.r()) / self.r()).abs()
+        ((self.r() - from.r()) / self.r_scale()).abs()
     }
 
     /// The number of unstable directions.

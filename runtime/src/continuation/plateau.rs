@@ -78,6 +78,10 @@ mod tests {
             self.0
         }
 
+        fn r_scale(&self) -> f64 {
+            self.0.abs()
+        }
+
         fn slope(&self) -> f64 {
             1.0
         }

@@ -122,12 +122,12 @@ impl<P: Watched> Zero<P> {
             let off = (apart + test(at).abs()) / slope * lasting;
             let lasts = (again.lasts() - at.lasts()).abs() + off.abs();
             [
-                DOUBT * moved + CHANCE * accuracy * at.r().abs(),
+                DOUBT * moved + CHANCE * accuracy * at.r_scale(),
                 DOUBT * lasts + CHANCE * accuracy * at.lasts(),
             ]
         });
         let [moved, lasts] = measured.unwrap_or([f64::NAN; 2]);
-        let beside = DOUBT * (self.apart(slope.is_finite()) + accuracy * at.r().abs());
+        let beside = DOUBT * (self.apart(slope.is_finite()) + accuracy * at.r_scale());
         [if moved.is_finite() { moved } else { beside }, lasts]
     }
 }
@@ -214,6 +214,10 @@ mod tests {
     impl Watched for Number {
         fn r(&self) -> f64 {
             self.0
+        }
+
+        fn r_scale(&self) -> f64 {
+            self.0.abs()
         }
 
         fn slope(&self) -> f64 {

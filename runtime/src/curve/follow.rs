@@ -102,6 +102,7 @@ impl Reader for Orbits {
         CurvePoint {
             p,
             q: point.r,
+            q_scale: point.r_scale,
             of: orbit,
             test: point.extra.test,
             tangent: [point.tangent[order + 1], point.tangent[order + 2]],

@@ -23,6 +23,8 @@ pub struct BorderPoint {
     pub p: f64,
     /// The second one.
     pub q: f64,
+    /// What its curve measures q in.
+    pub q_scale: f64,
     /// The orbit.
     pub shot: BorderShot,
     /// Which border it is on.
@@ -36,6 +38,10 @@ pub struct BorderPoint {
 impl Watched for BorderPoint {
     fn r(&self) -> f64 {
         self.q
+    }
+
+    fn r_scale(&self) -> f64 {
+        self.q_scale
     }
 
     fn slope(&self) -> f64 {
@@ -113,6 +119,7 @@ impl Reader for Along {
         BorderPoint {
             p: point.z[count - 1],
             q: point.r,
+            q_scale: point.r_scale,
             shot: point.extra.clone(),
             kind: problem.border.kind(point.extra.inwards),
             residual: point.residual,

@@ -96,6 +96,7 @@ impl Reader for Equilibria {
         CurvePoint {
             p,
             q: point.r,
+            q_scale: point.r_scale,
             of,
             test: point.extra.test,
             tangent: [point.tangent[count], point.tangent[count + 1]],

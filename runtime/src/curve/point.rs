@@ -16,6 +16,8 @@ pub struct CurvePoint<T> {
     pub p: f64,
     /// The second one.
     pub q: f64,
+    /// What its curve measures q in.
+    pub q_scale: f64,
     /// What is special; its residual includes that of the condition.
     pub of: T,
     /// The condition that makes it special, as it was met.
@@ -85,6 +87,10 @@ impl Unfolds for CriticalEquilibrium {
 impl<T: Clone> Watched for CurvePoint<T> {
     fn r(&self) -> f64 {
         self.q
+    }
+
+    fn r_scale(&self) -> f64 {
+        self.q_scale
     }
 
     fn slope(&self) -> f64 {

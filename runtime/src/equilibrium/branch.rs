@@ -71,6 +71,7 @@ impl Reader for Equilibria {
             state: place.state,
             r: point.r,
             way: point.way(&problem.scale()),
+            r_scale: point.r_scale,
             slope: point.tangent[point.z.len()],
             determinant: problem.determinant(&point.z, point.r, velocity),
             critical: None,

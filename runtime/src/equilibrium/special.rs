@@ -21,6 +21,8 @@ pub struct EquilibriumPoint {
     pub margins: Vec<(usize, f64)>,
     /// The tangent of the branch in the units of (state, r).
     pub way: DVector<f64>,
+    /// What its branch measures r in.
+    pub r_scale: f64,
     /// r-component of the unit tangent: changes sign at a fold.
     pub(super) slope: f64,
     /// Sign of the product of all eigenvalues.
@@ -60,6 +62,10 @@ impl EquilibriumPoint {
 impl Watched for EquilibriumPoint {
     fn r(&self) -> f64 {
         self.r
+    }
+
+    fn r_scale(&self) -> f64 {
+        self.r_scale
     }
 
     fn slope(&self) -> f64 {

@@ -37,7 +37,7 @@ pub(super) fn changes_at_once(
     let search = near(last, accuracy);
     let way = (last.r - before.r).signum();
     let found = BEYOND.into_iter().find_map(|far| {
-        let r = last.r + far * way * last.r.abs();
+        let r = last.r + far * way * last.heading.r_scale;
         let guess = settings
             .contains(r)
             .then(|| guess(family, [before, last], r))??;

@@ -190,7 +190,7 @@ pub(super) fn passes(
     accuracy: f64,
 ) -> Crossing<OrbitProblem, Orbit> {
     let mut located = Located::at(kind, r, last.clone());
-    (located.point.r, located.error) = (r, error + NOISE * accuracy * r.abs());
+    (located.point.r, located.error) = (r, error + NOISE * accuracy * last.heading.r_scale);
     let there = beyond
         .as_ref()
         .and_then(|started| started.0.problem.family.at(r).ok());

@@ -19,7 +19,7 @@ pub(super) fn homoclinic(family: &Family, orbits: &[Orbit]) -> Option<f64> {
     let last = orbits.last()?;
     let units = last.magnitude();
     let rest = |before: &&Orbit| {
-        let still = (before.r - last.r).abs() <= STILL * last.r.abs();
+        let still = (before.r - last.r).abs() <= STILL * last.heading.r_scale;
         let ends = [(&before.min, &last.min), (&before.max, &last.max)];
         let alike = ends.iter().all(|(a, b)| apart(a, b, &units) <= ALIKE);
         still && alike && before.period < last.period

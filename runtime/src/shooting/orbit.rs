@@ -8,6 +8,7 @@ use super::lows::section;
 use super::pin::{Pin, through, told};
 use super::shot::{Shot, usual};
 use crate::bifurcation::{Disturbances, Floquet, floquet};
+use crate::continuation::own_scale;
 use crate::field::Work;
 use crate::motion::{Event, Family, Place, Segment, most_stuck};
 
@@ -177,7 +178,7 @@ impl Orbit {
                 start: solution.start(),
                 tangent: None,
                 way: None,
-                r_scale: 1.0,
+                r_scale: own_scale(solution.r),
                 slope: 1.0,
             },
             work,

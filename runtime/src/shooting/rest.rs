@@ -71,7 +71,7 @@ pub(super) fn rests_beyond(
     accuracy: f64,
 ) -> Option<Crossing<OrbitProblem, Orbit>> {
     let (last, before) = orbits.split_last()?;
-    let far = |orbit: &&Orbit| (orbit.r - r).abs() >= AWAY * r.abs();
+    let far = |orbit: &&Orbit| (orbit.r - r).abs() >= AWAY * last.heading.r_scale;
     let from = before.iter().rev().find(far)?;
     let slides = (0..last.place.modes.len()).filter(|contact| slides(last, *contact) > 0.0);
     let mut rests = slides.map(|contact| Rest { contact, r, error });

@@ -101,7 +101,7 @@ impl Orbit {
 
     /// The same, r relative to itself beside them.
     pub(super) fn away(&self, other: &Self) -> f64 {
-        let r = (other.r - self.r).abs() / self.r.abs().max(f64::MIN_POSITIVE);
+        let r = (other.r - self.r).abs() / self.heading.r_scale;
         self.apart(other).max(r)
     }
 

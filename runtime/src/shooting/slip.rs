@@ -65,11 +65,11 @@ pub(super) fn lets_go(
 fn spread(orbits: &[Orbit]) -> Option<[&Orbit; 3]> {
     let (last, before) = orbits.split_last()?;
     let from = |far: f64| {
-        let apart = |orbit: &&Orbit| (orbit.r - last.r).abs() >= far * last.r.abs();
+        let apart = |orbit: &&Orbit| (orbit.r - last.r).abs() >= far * last.heading.r_scale;
         before.iter().rev().find(apart)
     };
     let second = from(APART)?;
-    let first = from(2.0 * (second.r / last.r - 1.0).abs())?;
+    let first = from(2.0 * (second.r - last.r).abs() / last.heading.r_scale)?;
     Some([first, second, last])
 }
 

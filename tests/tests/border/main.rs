@@ -14,3 +14,4 @@ mod kinked;
 mod lets_go;
 mod starts;
 mod still;
+mod zero;

@@ -80,7 +80,12 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             direction.neg_mut();
         }
         let r = settings.from;
-        Self::set_out(problem, (z, r), (&direction, measure::first(r)), settings)
+        Self::set_out(
+            problem,
+            (z, r),
+            (&direction, measure::own_scale(r)),
+            settings,
+        )
     }
 
     /// Converges across `direction` (scaled, r last, in this magnitude) from (z, r) and gives the first point; the

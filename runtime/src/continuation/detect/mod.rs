@@ -74,7 +74,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         // Events that switch together at one value of r do so in two steps for a tolerance, or as far as their errors tell.
         located.dedup_by(|b, a| {
             let distance = (b.r - a.r).abs();
-            let close = distance <= ONE_CHANGE * accuracy * a.r.abs();
+            let close = distance <= ONE_CHANGE * accuracy * a.point.r_scale();
             a.abrupt && b.abrupt && (close || distance <= a.error + b.error)
         });
         if let Some(bound) = &self.bound {
@@ -216,7 +216,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                     // Where the branch turns at once, neither end need be near it.
                     let corner = self.path.corner([before.share, after.share]);
                     let least = DOUBT * SIDES * accuracy;
-                    let at = corner.map(|(r, error)| (r, DOUBT * error + least * r.abs()));
+                    let at = corner
+                        .map(|(r, error)| (r, DOUBT * error + least * before.point.r_scale()));
                     (kind, before, at.unwrap_or_else(|| found.within(least)))
                 }
             };

@@ -15,6 +15,10 @@ impl Watched for Point {
         self.r
     }
 
+    fn r_scale(&self) -> f64 {
+        self.r.abs()
+    }
+
     fn slope(&self) -> f64 {
         1.0
     }

@@ -51,7 +51,7 @@ pub(in crate::shooting) fn cross(
         let slope = towards(found, &branch.problem, &scale, branch.r_scale());
         let way = found.orbit.r - last.r;
         // So near to it an orbit may lie beyond for its errors.
-        let level = way.abs() <= NOISE * accuracy * last.r.abs();
+        let level = way.abs() <= NOISE * accuracy * last.heading.r_scale;
         let one = last.away(&found.orbit) <= NOISE * accuracy.max(last.error_estimate);
         let apart = last.apart(&found.orbit);
         // As the branch leads to it, so it leads on from the last orbit.

@@ -47,7 +47,7 @@ pub(in crate::shooting) fn refine(family: &Family, found: &mut Located<Orbit>, a
         return;
     };
     let turns = found.kind == Kind::Fold;
-    let reach = found.error.max(TURNED * found.r.abs());
+    let reach = found.error.max(TURNED * found.point.heading.r_scale);
     let ends = match turns {
         true => [found.r - reach, found.r + reach],
         false => found.sides.map(|(r, _)| r),
@@ -96,7 +96,7 @@ fn lost(
 ) -> Option<Lost> {
     let magnitude = orbit.magnitude();
     let symmetric = Symmetric::of(orbit, symmetry, &magnitude);
-    let near = (orbit.r, orbit.r.abs().max((to - from).abs()));
+    let near = (orbit.r, orbit.heading.r_scale.max((to - from).abs()));
     let lost = symmetric.lost(family, near, accuracy)?;
     ((lost.r - from) * (lost.r - to) <= 0.0).then_some(lost)
 }

@@ -73,7 +73,7 @@ impl<'a> Counterpart<'a> {
             .special
             .get_or_init(|| self.followed(along, &copy.state).unwrap_or_default());
         let same = |exact: &Located<EquilibriumPoint>| {
-            exact.kind == copy.kind && (exact.r - copy.r).abs() <= SHIFT * copy.r.abs()
+            exact.kind == copy.kind && (exact.r - copy.r).abs() <= SHIFT * exact.point.r_scale
         };
         !special.iter().any(same)
     }

@@ -10,7 +10,7 @@ use crate::app::failure::Failure;
 use crate::app::progress::Progress;
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{certain, number};
+use crate::app::text::{located, number};
 use crate::model::ModelInfo;
 use crate::report::Panel;
 use crate::study::{
@@ -110,7 +110,7 @@ fn folds(one: &Followed) -> String {
         .special
         .iter()
         .filter(|one| one.kind == Kind::Fold);
-    let folds = folds.map(|one| number(one.r, certain(one.r, one.error)));
+    let folds = folds.map(|one| located(one.r, one.error));
     folds.collect::<Vec<_>>().join(", ")
 }
 

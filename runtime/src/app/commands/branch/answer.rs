@@ -10,7 +10,7 @@ use crate::app::document::Document;
 use crate::app::harmonics::{harmonic, names};
 use crate::app::request::Request;
 use crate::app::spreadsheet::Columns;
-use crate::app::text::{certain, followed, heading, number, timed};
+use crate::app::text::{certain, followed, heading, located, number, timed};
 use crate::field::Work;
 use crate::model::ModelInfo;
 use crate::report::chart::{Chart, Drawn};
@@ -79,14 +79,14 @@ fn special(info: &ModelInfo, branch: &BranchRecord) -> String {
         .column("special", |one: &Special| one.label.clone())
         .column("kind", |one| one.kind.to_string())
         .column(followed(info, &branch.along), |one| {
-            number(one.r, certain(one.r, one.error))
+            located(one.r, one.error)
         })
         .column(timed(info, "period", "s"), |one| {
             // It is known less well than what it was located in, and at a fold much less.
-            let located = certain(one.r, one.error).max(5) - 1;
+            let digits = certain(one.r, one.error).max(5) - 1;
             number(
                 one.period,
-                located.min(certain(one.period, one.period_error)),
+                digits.min(certain(one.period, one.period_error)),
             )
         })
         .column("", remark)

@@ -7,7 +7,7 @@ use crate::app::answer::Answer;
 use crate::app::axis::{along_axis, axis};
 use crate::app::document::Document;
 use crate::app::spreadsheet::{Columns, part, parts};
-use crate::app::text::{certain, followed, heading, number, states, time_unit, timed};
+use crate::app::text::{followed, heading, located, number, states, time_unit, timed};
 use crate::equilibrium::{Proof, Unproven};
 use crate::model::ModelInfo;
 use crate::report::chart::{Chart, Drawn, Mark, Point};
@@ -211,7 +211,7 @@ fn special(info: &ModelInfo, along: &str) -> Columns<'static, SpecialEquilibrium
     Columns::new()
         .column("special", |one: &SpecialEquilibrium| one.label.clone())
         .column("kind", |one| format!("{}{}", one.kind, mark(one.artefact)))
-        .column(along, |one| number(one.r, certain(one.r, one.error)))
+        .column(along, |one| located(one.r, one.error))
         .column("period", period)
         .column("", |one| one.onset.unwrap_or("").to_owned())
 }
