@@ -161,7 +161,7 @@ fn told(all: &[Eigenvalue], floor: f64, off: f64) -> Vec<Told> {
             value: one.value,
             log: (size > floor).then(|| size.ln()),
             loose: pair.map_or(one.condition / size, |other| other.loose),
-            error: one.error(0.0) + one.condition * off,
+            error: one.moved(off),
         });
     }
     told

@@ -246,7 +246,7 @@ impl<R: Reader> Reading<R> {
     pub(super) fn go_on(&mut self, (mut branch, first): Started<R::Problem>) {
         self.spent = self.work();
         let first = branch.back_in_range().unwrap_or(first);
-        self.branch = branch;
+        (self.branch, self.sharp) = (branch, false);
         self.first = Some(self.read(&first));
     }
 

@@ -143,6 +143,9 @@ impl<'a, R: Reader> Walk<'a, R> {
     /// The end of a branch on which there is no next step; `None` if it goes on beyond a point at which it is not smooth.
     fn stopped(&mut self) -> Option<Ending<ErrorOf<R>>> {
         let stop = self.followed.stop().cloned().unwrap_or(Stop::TooManyPoints);
+        if matches!(stop, Stop::Creeping(_)) && self.followed.sharpen() {
+            return None;
+        }
         if !stop.is_stuck() {
             return match self.refused(&stop) {
                 Some(crossing) => self.come_to(crossing),

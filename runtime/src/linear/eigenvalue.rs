@@ -5,6 +5,9 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::balance::balanced;
 use super::schur::schur;
 
+/// The most eigenvalues next to one that are looked at as one cluster with it.
+const NEIGHBOURS: usize = 4;
+
 /// An eigenvalue.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Eigenvalue {
@@ -12,6 +15,8 @@ pub(crate) struct Eigenvalue {
     pub(crate) value: Complex<f64>,
     /// How far a change of the matrix moves it, at most and in the first order, over the size of that change.
     pub(crate) condition: f64,
+    /// How far the nearest others are, the nearest first; infinite where there is none.
+    pub(crate) gaps: [f64; NEIGHBOURS],
     /// The size of the change of the matrix for which the computed eigenvalues are the exact ones.
     pub(crate) backward: f64,
     /// The size of the matrix, in units that suit it: Frobenius' norm.
@@ -19,11 +24,31 @@ pub(crate) struct Eigenvalue {
 }
 
 impl Eigenvalue {
-    /// How far it may be from the true one by rounding, and by a relative error of the matrix: condition times the
-    /// backward error of the computation, which is measured, and the error of the matrix.
+    /// How far it may be from the true one by rounding, and by a relative error of the matrix.
     pub(crate) fn error(&self, matrix: f64) -> f64 {
-        self.condition * (self.backward + matrix * self.size)
+        self.moved(matrix * self.size)
     }
+
+    /// The same for a matrix with an error of this size: by that and by the backward error of the computation, which is measured.
+    pub(crate) fn moved(&self, change: f64) -> f64 {
+        moved(self.condition, &self.gaps, self.backward + change)
+    }
+}
+
+/// How far a change of the matrix moves an eigenvalue: condition times change, if that is less than the gap to the next one.
+/// Where it is more, both move as the roots of x (g − x) = ± condition · change · g, and m of them as those of a polynomial of
+/// the degree m: by the m-th root of condition · change · g₁ ⋯ g₍ₘ₋₁₎ (Lidskii), doubled for the terms between.
+fn moved(condition: f64, gaps: &[f64], change: f64) -> f64 {
+    let first = condition * change;
+    let (mut moved, mut product) = (first, first);
+    for (others, gap) in (1..).zip(gaps) {
+        if moved <= *gap {
+            break;
+        }
+        product *= gap;
+        moved = 2.0 * product.powf(1.0 / f64::from(others + 1));
+    }
+    moved.min(first)
 }
 
 /// Eigenvalues of a square matrix; none if it is not finite.
@@ -40,12 +65,15 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Eigenvalue> {
     let one = |i: usize| {
         let (right, left) = form.vectors(i);
         let condition = right.norm() * left.norm();
-        let value = refined(&matrix, form.triangle[(i, i)], &right, &left);
+        let (value, gaps) = (form.triangle[(i, i)], form.gaps(i));
+        let error = moved(condition, &gaps, backward);
+        let refined = refined(&matrix, value, &right, &left);
         Eigenvalue {
-            value: value
-                .filter(|value| (value - form.triangle[(i, i)]).norm() <= condition * backward)
-                .unwrap_or(form.triangle[(i, i)]),
+            value: refined
+                .filter(|refined| (refined - value).norm() <= error)
+                .unwrap_or(value),
             condition,
+            gaps,
             backward,
             size: matrix.norm(),
         }
@@ -89,6 +117,7 @@ fn within(matrix: &DMatrix<f64>) -> Vec<Eigenvalue> {
     let one = Eigenvalue {
         value: Complex::new(0.0, 0.0),
         condition: 1.0,
+        gaps: [f64::INFINITY; NEIGHBOURS],
         backward: size,
         size,
     };
@@ -140,6 +169,17 @@ impl Triangular {
         let left = DVector::from_fn(last + 1, |j, _| left[last - j]);
         (&self.basis * right, self.basis.conjugate() * left)
     }
+
+    /// How far the eigenvalues nearest to number i are: as far, at least, as [`vector`] takes them to be.
+    fn gaps(&self, i: usize) -> [f64; NEIGHBOURS] {
+        let value = self.triangle[(i, i)];
+        let others = (0..self.triangle.nrows()).filter(|j| *j != i);
+        let gap = |j: usize| (self.triangle[(j, j)] - value).norm();
+        let mut all: Vec<f64> = others.map(|j| gap(j).max(least(&self.triangle))).collect();
+        all.sort_by(f64::total_cmp);
+        all.resize(NEIGHBOURS.max(all.len()), f64::INFINITY);
+        [0, 1, 2, 3].map(|k| all[k])
+    }
 }
 
 /// Makes the block of rows i and i + 1 triangular.
@@ -179,10 +219,15 @@ fn pair(a: f64, b: f64, c: f64, d: f64) -> [Complex<f64>; 2] {
     }
 }
 
+/// How far apart rounding takes equal eigenvalues of a matrix.
+fn least(triangle: &DMatrix<Complex<f64>>) -> f64 {
+    f64::EPSILON * triangle.norm().max(f64::MIN_POSITIVE)
+}
+
 /// The right vector of eigenvalue i of a triangular matrix, its entry i being 1.
 fn vector(triangle: &DMatrix<Complex<f64>>, i: usize) -> DVector<Complex<f64>> {
     let value = triangle[(i, i)];
-    let least = f64::EPSILON * triangle.norm().max(f64::MIN_POSITIVE);
+    let least = least(triangle);
     let mut found = DVector::zeros(triangle.nrows());
     found[i] = Complex::new(1.0, 0.0);
     for row in (0..i).rev() {
@@ -218,6 +263,33 @@ mod tests {
             let off = (found.value.re).hypot(found.value.im.abs() - 1.0);
             assert!(off <= found.error(0.0), "{off:e}: {found:?}");
             assert!(found.error(0.0) < 1e-5, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn equal_eigenvalues_with_one_vector_are_known_to_a_root_of_rounding() {
+        // (λ + 1)² exactly, as of critical damping; (λ − 2)³; (λ + 1)⁴ turned, so that rounding parts them.
+        let chain = |order: usize, value: f64| {
+            DMatrix::from_fn(order, order, |i, j| match () {
+                () if i == j => value,
+                () if j == i + 1 => 1.0,
+                () => 0.0,
+            })
+        };
+        let turn = DMatrix::from_fn(4, 4, |i, j| ((i * j + i + 2 * j) as f64).sin());
+        let turn = turn.qr().q();
+        let damped = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -1.0, -2.0]);
+        let turned = turn.transpose() * chain(4, -1.0) * &turn;
+        for (matrix, value, most) in [
+            (damped, -1.0, 1e-6),
+            (chain(3, 2.0), 2.0, 1e-4),
+            (turned, -1.0, 1e-2),
+        ] {
+            for found in eigenvalues(&matrix) {
+                let off = (found.value - Complex::new(value, 0.0)).norm();
+                let error = found.error(f64::EPSILON);
+                assert!(off <= error && error < most, "{off:e}: {found:?}");
+            }
         }
     }
 

@@ -26,6 +26,8 @@ pub struct Branch<P: ZeroProblem> {
     pub(super) count: usize,
     /// How many more tiny steps were made than longer ones have made up for.
     pub(super) tiny: usize,
+    /// How many it makes before it stops.
+    patience: usize,
     /// Steps in a row on which r stood still.
     still: usize,
     /// Where it turns however short the step is, and whether it has just done so.
@@ -42,6 +44,8 @@ const RETRACTED: f64 = 0.25;
 /// Steps shorter than this, in scaled coordinates, are tiny: so many lead nowhere, unless longer ones go as far in between.
 pub(super) const TINY: f64 = 1e-4;
 const CREEPING: usize = 600;
+/// After so many of them they may be what errors leave of longer ones: points are evaluated more sharply, if they can be.
+const NOISY: usize = 60;
 /// Share of r by which it stands still: so many such steps are spent on orbits that r does not tell apart, as along a canard.
 const STILL: f64 = 1e-12;
 const STANDING: usize = 600;
@@ -108,6 +112,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             link: None,
             before: None,
             tiny: 0,
+            patience: NOISY,
             still: 0,
             corner: None,
             turned: false,
@@ -178,13 +183,14 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         Some(end)
     }
 
-    /// Tries once more where no step was small enough, with one as long as the last that was, or so long that a corner is
-    /// told.
+    /// Tries once more where no step was small enough, or too many are tiny, with one as long as the last that was made, or so
+    /// long that a corner is told.
     pub(super) fn resume(&mut self) {
         let last = self.before.as_ref().map(|(_, _, _, length)| *length);
         let least = SHORTENED * self.settings.smallest_step;
         self.step = last.map_or(self.settings.first_step, |last| last.max(least));
         (self.stop, self.corner) = (None, None);
+        self.patience = CREEPING;
     }
 
     /// Whether it may go on around a corner, where it stopped.
@@ -284,7 +290,7 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
             self.stop = Some(Stop::TooManyPoints);
             return None;
         }
-        if self.tiny > CREEPING {
+        if self.tiny > self.patience {
             self.stop = Some(Stop::Creeping(TINY));
             return None;
         }
