@@ -1,10 +1,11 @@
 //! Which symmetry an orbit has, and whether it loses one at a branch point.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use nalgebra::DMatrix;
 
 use super::involution::Symmetry;
+use super::turns::Turns;
 use crate::flow::{FlowError, Want};
 use crate::linear::eigenvalues;
 use crate::motion::{Family, Flow};
@@ -29,7 +30,7 @@ impl Orbit {
     /// direction in which it leaves changes sign where the orbit maps to itself. And whether that is half a period later.
     ///
     /// Looked for are symmetries of order two: changes of sign, exchanges of states (up to six of them), and half a
-    /// turn of a drive; each leaves the orbit as it is at once, or after half its period.
+    /// turn of a drive or of what runs on; each leaves the orbit as it is at once, or after half its period.
     ///
     /// # Errors
     /// The flow fails on the orbit.
@@ -38,8 +39,8 @@ impl Orbit {
         family: &Family,
     ) -> Result<Option<(Symmetry, bool)>, FlowError> {
         let flow = family.at(self.r)?;
-        let drive = flow.phase();
-        let candidates = self.symmetries(flow.as_ref(), Symmetry::all(flow.order(), drive));
+        let turns = self.turns(flow.as_ref());
+        let candidates = self.symmetries(flow.as_ref(), Symmetry::all(&turns));
         if candidates.is_empty() {
             return Ok(None);
         }
@@ -55,7 +56,7 @@ impl Orbit {
             map.is_some_and(|map| changes_sign(one, map, fixed))
         };
         let mut own = self
-            .those_that_keep(candidates, ends, drive, CLOSE)
+            .those_that_keep(candidates, ends, &turns, CLOSE)
             .into_iter();
         Ok(own.find(loses))
     }
@@ -66,12 +67,12 @@ impl Orbit {
         &self,
         candidates: Vec<Symmetry>,
         (start, half): (&[f64], Option<&[f64]>),
-        drive: Option<usize>,
+        turns: &Turns,
         share: f64,
     ) -> Vec<(Symmetry, bool)> {
         let halfway = |one: &Symmetry| {
             let image = one.of(start);
-            let is = |state: &[f64]| self.are_one(&image, state, drive, share);
+            let is = |state: &[f64]| self.are_one(&image, state, turns, share);
             match is(start) {
                 true => Some(false),
                 false => half.filter(|half| is(half)).map(|_| true),
@@ -86,10 +87,10 @@ impl Orbit {
     pub(super) fn own_symmetries(&self, flow: &dyn Flow) -> Vec<(Symmetry, bool)> {
         let begin = self.begins();
         let half = flow.advance(begin, 0.5 * self.period, Want::default());
-        let (half, drive) = (half.map(|half| half.end.state), flow.phase());
+        let (half, turns) = (half.map(|half| half.end.state), self.turns(flow));
         let ends = (begin.state.as_slice(), half.as_deref().ok());
-        let candidates = Symmetry::all(flow.order(), drive);
-        let mut own = self.those_that_keep(candidates, ends, drive, SURE);
+        let candidates = Symmetry::all(&turns);
+        let mut own = self.those_that_keep(candidates, ends, &turns, SURE);
         for state in self.around() {
             own.retain(|(one, _)| commutes(flow, one, &state));
         }
@@ -128,7 +129,8 @@ impl Orbit {
         let flow = family.at(self.r).ok()?;
         let image = flow.place(&symmetry.of(&self.begins().state)).ok()?;
         let back = flow.advance(&image, self.period, Want::default()).ok()?;
-        Some(self.are_one(&image.state, &back.end.state, flow.phase(), errors))
+        let turns = self.turns(flow.as_ref());
+        Some(self.are_one(&image.state, &back.end.state, &turns, errors))
     }
 
     /// Whether this symmetry leaves it as it is but for these errors, at once or after half its period; `None` if it cannot be gone
@@ -143,7 +145,8 @@ impl Orbit {
         let begin = self.begins();
         let time = if *halfway { 0.5 * self.period } else { 0.0 };
         let met = flow.advance(begin, time, Want::default()).ok()?.end.state;
-        Some(self.are_one(&symmetry.of(&begin.state), &met, flow.phase(), errors))
+        let turns = self.turns(flow.as_ref());
+        Some(self.are_one(&symmetry.of(&begin.state), &met, &turns, errors))
     }
 
     /// Those of the candidates that are symmetries of the field.
@@ -168,16 +171,15 @@ impl Orbit {
         })
     }
 
+    /// What of its states comes round.
+    pub(super) fn turns(&self, flow: &dyn Flow) -> Turns {
+        Turns::of(flow.order(), flow.phase(), self.shift.as_deref())
+    }
+
     /// Whether two states are one, to this share of the orbit's extents.
-    fn are_one(&self, p: &[f64], q: &[f64], drive: Option<usize>, share: f64) -> bool {
+    fn are_one(&self, p: &[f64], q: &[f64], turns: &Turns, share: f64) -> bool {
         let magnitude = self.magnitude();
-        (0..p.len()).all(|j| {
-            let mut apart = p[j] - q[j];
-            if drive == Some(j) {
-                apart -= TAU * (apart / TAU).round();
-            }
-            apart.abs() <= share * magnitude[j]
-        })
+        (0..p.len()).all(|j| turns.rest(j, p[j] - q[j]).abs() <= share * magnitude[j])
     }
 }
 

@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::involution::Symmetry;
 use super::kept::NEARLY;
+use super::turns::Turns;
 use crate::bifurcation::Kind;
 use crate::bifurcation::test_function::fold;
 use crate::continuation::{Located, changes};
@@ -95,7 +96,8 @@ fn lost(
     accuracy: f64,
 ) -> Option<Lost> {
     let magnitude = orbit.magnitude();
-    let symmetric = Symmetric::of(orbit, symmetry, &magnitude);
+    let turns = orbit.turns(family.at(orbit.r).ok()?.as_ref());
+    let symmetric = Symmetric::of(orbit, symmetry, (&magnitude, turns));
     let near = (orbit.r, orbit.heading.r_scale.max((to - from).abs()));
     let lost = symmetric.lost(family, near, accuracy)?;
     ((lost.r - from) * (lost.r - to) <= 0.0).then_some(lost)
@@ -147,6 +149,7 @@ struct Symmetric<'a> {
     /// Whether that is so after half its period.
     halfway: bool,
     magnitude: &'a [f64],
+    turns: Turns,
     start: Place,
     /// Half its period, or all of it.
     span: f64,
@@ -154,7 +157,11 @@ struct Symmetric<'a> {
 
 impl<'a> Symmetric<'a> {
     /// An orbit that has this symmetry, or nearly so.
-    fn of(orbit: &Orbit, (symmetry, halfway): (Symmetry, bool), magnitude: &'a [f64]) -> Self {
+    fn of(
+        orbit: &Orbit,
+        (symmetry, halfway): (Symmetry, bool),
+        (magnitude, turns): (&'a [f64], Turns),
+    ) -> Self {
         let mut start = orbit.begins().clone();
         if !halfway {
             start.state = symmetry.kept(&start.state);
@@ -163,6 +170,7 @@ impl<'a> Symmetric<'a> {
             symmetry,
             halfway,
             magnitude,
+            turns,
             start,
             span: if halfway { 0.5 } else { 1.0 } * orbit.period,
         }
@@ -243,7 +251,7 @@ impl<'a> Symmetric<'a> {
             let passage = passage.ok()?;
             let along = passage.derivatives?;
             let map = &matrix * along.state;
-            let miss = self.miss(flow, &passage.end);
+            let miss = self.miss(&passage.end);
             let size = miss.amax();
             if size <= CLOSED || (size <= CLOSES && size >= last) {
                 return Some(map);
@@ -255,20 +263,12 @@ impl<'a> Symmetric<'a> {
     }
 
     /// By how much the start lacks what comes back to it, in magnitudes.
-    fn miss(&self, flow: &dyn Flow, end: &Place) -> DVector<f64> {
+    fn miss(&self, end: &Place) -> DVector<f64> {
         let image = match self.halfway {
             true => self.symmetry.of(&end.state),
             false => end.state.clone(),
         };
-        let off = |j: usize| {
-            let off = image[j] - self.start.state[j];
-            let turns = if flow.phase() == Some(j) {
-                (off / TAU).round()
-            } else {
-                0.0
-            };
-            (off - TAU * turns) / self.magnitude[j]
-        };
+        let off = |j: usize| self.turns.rest(j, image[j] - self.start.state[j]) / self.magnitude[j];
         DVector::from_fn(image.len(), |j, _| off(j))
     }
 

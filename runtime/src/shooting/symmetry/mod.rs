@@ -3,6 +3,7 @@
 mod involution;
 mod kept;
 mod lost;
+mod turns;
 
 pub(super) use involution::Symmetry;
 pub(super) use kept::SURE;

@@ -14,6 +14,8 @@ use super::record::Cost;
 
 /// Repetitions of which the fastest counts.
 const REPEATS: usize = 3;
+/// Share of the unit of a state that is rounding error.
+const NOTHING: f64 = 1e-14;
 /// Relative extent below which an orbit is an equilibrium.
 const EXTENT: f64 = 1e-6;
 
@@ -75,12 +77,17 @@ impl Shooting {
         }
     }
 
-    /// Relative, signed errors of frequency and largest magnitudes against `truth`.
+    /// Relative, signed errors of frequency and largest magnitudes against `truth`; of what is nothing there, in the units in
+    /// which it is followed.
     pub(super) fn errors(&self, truth: &Self) -> (f64, Vec<f64>) {
         let pairs = self.max_abs().into_iter().zip(truth.max_abs());
+        let error = |((a, b), unit): ((f64, f64), &f64)| match b > NOTHING * unit {
+            true => a / b - 1.0,
+            false => (a - b) / unit,
+        };
         (
             truth.period / self.period - 1.0,
-            pairs.map(|(a, b)| a / b - 1.0).collect(),
+            pairs.zip(&truth.magnitude).map(error).collect(),
         )
     }
 
