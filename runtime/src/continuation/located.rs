@@ -106,7 +106,8 @@ impl<P> Located<P> {
 }
 
 /// Drops what was found within two steps and is nearer to each other than its errors: of two folds both, as rounding turns r
-/// there, and turns it back; beside one, a branch point, as it is one multiplier that passes 1 at both.
+/// there, and turns it back; beside one, a branch point, as it is one multiplier that passes 1 at both; and what else passes or
+/// turns where a symmetry is lost, or that once more.
 pub(super) fn drop_pairs<P>(located: &mut Vec<Located<P>>) {
     let near = |two: &[Located<P>]| {
         let near = (two[1].r - two[0].r).abs() <= two[0].error.max(two[1].error);
@@ -117,8 +118,17 @@ pub(super) fn drop_pairs<P>(located: &mut Vec<Located<P>>) {
         located.drain(first..first + 2);
     }
     let kinds = |two: &[Located<P>]| match [two[0].kind, two[1].kind] {
-        [Kind::Fold, Kind::BranchPoint] => Some(1),
-        [Kind::BranchPoint, Kind::Fold] => Some(0),
+        [Kind::SymmetryBreaking, Kind::SymmetryBreaking] => {
+            Some(usize::from(two[1].error >= two[0].error))
+        }
+        [
+            Kind::Fold | Kind::SymmetryBreaking,
+            Kind::BranchPoint | Kind::Fold,
+        ] => Some(1),
+        [
+            Kind::BranchPoint | Kind::Fold,
+            Kind::Fold | Kind::SymmetryBreaking,
+        ] => Some(0),
         _ => None,
     };
     let beside = |two: &[Located<P>]| kinds(two).filter(|_| near(two));
@@ -219,12 +229,19 @@ mod tests {
 
     #[test]
     fn what_no_error_parts_is_one_fold_or_none() {
-        use Kind::{BranchPoint, Flip, Fold};
+        use Kind::{BranchPoint, Flip, Fold, SymmetryBreaking};
         let near = |kinds: [Kind; 2]| kinds.map(|kind| found(kind, 1.0, 3)).to_vec();
         assert_eq!(left(near([Fold, Fold])), []);
         assert_eq!(left(near([Fold, BranchPoint])), [Fold]);
         assert_eq!(left(near([BranchPoint, Fold])), [Fold]);
         assert_eq!(left(near([Flip, Fold])), [Flip, Fold]);
+        for other in [SymmetryBreaking, Fold, BranchPoint] {
+            let each = [[SymmetryBreaking, other], [other, SymmetryBreaking]];
+            assert!(
+                each.into_iter()
+                    .all(|two| left(near(two)) == [SymmetryBreaking])
+            );
+        }
         for (r, after) in [(1.0 + 1e-8, 3), (1.0, 5)] {
             let two = vec![found(Fold, 1.0, 3), found(BranchPoint, r, after)];
             assert_eq!(left(two), [Fold, BranchPoint]);

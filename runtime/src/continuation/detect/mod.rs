@@ -111,7 +111,10 @@ impl<Q: Path> Hunt<'_, '_, Q> {
     fn parts(&mut self, from: &Spot<Q::Point>, to: &Spot<Q::Point>) -> bool {
         let ends = [&from.point, &to.point];
         let border = |path: &mut Q| path.border(ends).is_some();
-        !ends[0].same_regime(ends[1]) && (!ends[0].seems_in_regime_of(ends[1]) || border(self.path))
+        // Around a corner, too, what is short is what the branch turns for.
+        let corner = |path: &mut Q| path.corner([from.share, to.share]).is_some();
+        !ends[0].same_regime(ends[1])
+            && (!ends[0].seems_in_regime_of(ends[1]) || corner(self.path) || border(self.path))
     }
 
     /// Whether a function that has one sign at both ends may have the other one between them, or the regime may change and
