@@ -154,6 +154,11 @@ impl<P: ZeroProblem + Clone> Branch<P> {
                 trial += 1;
             }
             self.step *= SHORTER;
+            let short = !ends && self.step < smallest;
+            if short && turns == failures && turns < CORNER {
+                // The steps before were short already: longer ones tell whether it is a corner.
+                self.step = SHORTENED * smallest;
+            }
             if ends || self.step < smallest {
                 self.corner = (turns >= CORNER).then(|| (base, stop.clone()));
                 self.stop = Some(stop);

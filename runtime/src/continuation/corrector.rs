@@ -18,6 +18,8 @@ pub(crate) const CLOSED: f64 = 1e3;
 
 /// Share of the last correction up to which the next one shows that Newton's method converges.
 pub(super) const CONTRACTS: f64 = 0.25;
+/// So many corrections in a row that do not shrink by more show that it creeps.
+const ALIKE: usize = 3;
 
 /// Why a correction failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -81,6 +83,16 @@ pub struct Corrected<Extra> {
     pub residual: f64,
     /// Norms of all corrections, in units of the scale.
     pub corrections: Vec<f64>,
+}
+
+impl<Extra> Corrected<Extra> {
+    /// Whether its last corrections shrank by about the same share each time: solutions meet there, or a family of them ends.
+    pub(crate) fn creeps(&self) -> bool {
+        let shrank = |two: &[f64]| two[1] > CONTRACTS * two[0];
+        let last = self.corrections.iter().rev().take(ALIKE + 1);
+        let last: Vec<f64> = last.rev().copied().collect();
+        last.len() > ALIKE && last.windows(2).all(shrank)
+    }
 }
 
 /// Corrects (z, r) along the hyperplane orthogonal to `normal` (scaled coordinates, r last) until a

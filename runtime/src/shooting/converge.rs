@@ -146,6 +146,7 @@ pub(super) fn from(
         loose = newton(&guess, accuracy, tolerance, false);
     }
     let mut loose = loose?;
+    let creeps = loose.0.creeps();
     let mut work = rough.1.work;
     work += loose.1.work;
     tolerance = tolerance.times(TIGHTER);
@@ -193,7 +194,7 @@ pub(super) fn from(
         r,
         residual: tight.residual,
     };
-    let mut orbit = Orbit::read(family, solution, error, work);
+    let mut orbit = Orbit::read(family, solution.clone(), error, work);
     // What hardly attracts keeps the error of each period: two runs may agree by chance.
     // Two runs in closed form differ by rounding alone, which says little of how large it may be.
     let (local, share) = match problem.work.is_in_closed_form() {
@@ -207,6 +208,10 @@ pub(super) fn from(
     // Extrema are those of the last motion, one correction away from the orbit.
     let last = tight.corrections.last().copied().unwrap_or(0.0);
     orbit.error_estimate = DOUBT * (share * orbit.error_estimate).max(least).max(last);
+    if creeps {
+        // What passes 1 there does so as the orbit comes to it: it is known to no more than the orbit is.
+        orbit = Orbit::read(family, solution, orbit.error_estimate, work);
+    }
     let is_known = orbit.error_estimate < UNKNOWN || orbit.floquet.growths.marginal() == 0;
     if !is_known {
         let (motion, errors) = ((&*shot.start.state, shot.period), guess.shares(accuracy));

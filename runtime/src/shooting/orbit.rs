@@ -79,6 +79,7 @@ impl Heading {
 }
 
 /// A converged solution of the shooting equations.
+#[derive(Clone)]
 pub(crate) struct Solution<'a> {
     pub(crate) shot: &'a Shot,
     pub(crate) z: &'a DVector<f64>,

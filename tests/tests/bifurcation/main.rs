@@ -7,6 +7,8 @@ mod branch;
 mod canard;
 mod curves;
 mod diagram;
+mod edge;
+mod escapement;
 mod family;
 mod flips;
 mod folds;

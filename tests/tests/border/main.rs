@@ -14,4 +14,5 @@ mod kinked;
 mod lets_go;
 mod starts;
 mod still;
+mod turned;
 mod zero;

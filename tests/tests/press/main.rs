@@ -1,6 +1,7 @@
 //! Contacts that press and let go.
 
 mod annulus;
+mod apex;
 mod audit;
 mod bell;
 mod bilinear;

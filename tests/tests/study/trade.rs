@@ -1,10 +1,12 @@
 //! The errors that smoothings make: fitted, predicted from the exact orbit alone, and bounded.
 
 use stickslip::field::{Kernel, Smoothing};
+use stickslip::model;
 use stickslip::model::Model;
 use stickslip::study::System;
 use stickslip::study::predict::{PredictError, Prediction};
 use stickslip::study::trade::{Curve, Fit, Scope, Trade};
+use stickslip_models::friction::Tustin;
 use stickslip_models::{BeltOscillator, BeltPair, DrillString};
 use stickslip_tests::exact;
 
@@ -288,5 +290,27 @@ fn work_buys_precision() {
         } else {
             assert!(last.total > 1e-4);
         }
+    }
+}
+
+model! {
+    /// A block on a belt beside a mass at rest.
+    struct Beside {
+        state x = 0.0;
+        state v = 0.5;
+        state still = 0.0;
+        friction F = Tustin { static_level: 1.0, kinetic_level: 0.5, speed: 0.3, viscous: 0.0 } opposing v - 0.5;
+        der(x) = v;
+        der(v) = F - x;
+        der(still) = -still;
+    }
+}
+
+#[test]
+fn what_does_not_move_has_an_error_all_the_same() {
+    let found = curve((Beside::default(), [0.0, 0.5, 0.0]), Kernel::Arctan);
+    assert!(found.points.len() > 3, "{:?}", found.lost);
+    for point in &found.points {
+        assert_eq!(point.max_abs[2], 0.0, "{}", point.size);
     }
 }

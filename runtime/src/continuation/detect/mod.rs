@@ -199,6 +199,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         if low.share > from.share {
             self.step(from, low, halvings);
         }
+        // Where the branch turns at once, neither end need be near it.
+        let corner = self.path.corner([before.share, after.share]);
         if let Some(border) = &found.border {
             self.located.push(Located {
                 left: border.points[1].slope(),
@@ -210,14 +212,12 @@ impl<Q: Path> Hunt<'_, '_, Q> {
             if border.last {
                 return;
             }
-        } else if found.is_sharp() {
+        } else if found.is_sharp() || corner.is_some() {
             // Where two events meet, no other lies between them.
             let (kind, at, (r, error)) = match &found.meeting {
                 Some((at, error)) => (Kind::VanishingSegment, at, (at.point.r(), *error)),
                 None => {
                     let kind = self.path.name([&before.point, &after.point]);
-                    // Where the branch turns at once, neither end need be near it.
-                    let corner = self.path.corner([before.share, after.share]);
                     let least = DOUBT * SIDES * accuracy;
                     let at = corner
                         .map(|(r, error)| (r, DOUBT * error + least * before.point.r_scale()));

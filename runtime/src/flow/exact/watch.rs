@@ -114,7 +114,7 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
         }
         let rest = polynomial.deflated(order);
         // What touches zero by no more than rounding errors does not fall.
-        let touches = |theta| order == 0 && polynomial.depth(theta) <= NOISE * terms;
+        let touches = |theta| polynomial.depth(theta) <= NOISE * terms;
         let fall = rest.first_fall().filter(|(theta, _)| !touches(*theta));
         self.doubtful |=
             error > NOISE * terms && is_doubtful(&rest, fall, error * DEFLATED[order.min(3)]);
