@@ -112,7 +112,7 @@ impl Ended {
 }
 
 fn reason(ending: &Ending<FlowError>, along: Along) -> String {
-    let value = |r: &f64| rounded(along.value(*r));
+    let value = |r: &f64| rounded(along.value(*r) + 0.0);
     match ending {
         Ending::Stopped(stop) => stop.to_string(),
         Ending::At(Kind::Fold, r) => {
