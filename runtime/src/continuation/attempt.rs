@@ -2,8 +2,9 @@
 
 use nalgebra::DVector;
 
-use super::branch::{Before, Branch, Refusal, SHORTENED, TINY};
+use super::branch::{Before, Branch, Refusal, SHORTENED};
 use super::corrector::{Corrected, Failure, bordered, correct};
+use super::creep::TINY;
 use super::link::{Corner, Link};
 use super::point::{Base, Point, unit};
 use super::predictor::tangent;
@@ -65,7 +66,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         }
         let problem = self.problem.clone();
         let r_scale = self.r_scale;
-        let before = (problem.clone(), base.clone(), r_scale, length);
+        // Taken back, it is at the corner as it came there.
+        let before = (problem.clone(), comes.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let back = base.r == self.settings.from && length > AROUND * self.settings.smallest_step;
         if stop.is_some() {
@@ -86,10 +88,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let point = accepted.inspect_err(|_| self.problem.clone_from(&link.problem))?;
         self.link = Some(link);
         self.before = Some(before);
-        self.tiny = match length < TINY {
-            true => self.tiny + 1,
-            false => self.tiny.saturating_sub((length / TINY) as usize),
-        };
+        self.creep.step(length);
         self.step = (self.step * factor).min(self.settings.largest_step);
         self.stop = stop;
         Ok(point)

@@ -8,6 +8,7 @@ mod branch;
 mod change;
 mod corner;
 mod corrector;
+mod creep;
 mod crossing;
 mod damped;
 mod detect;

@@ -6,6 +6,7 @@ use nalgebra::DVector;
 
 use super::ZeroProblem;
 use super::corrector::{Corrected, Failure, correct};
+use super::creep::{Creep, STILL};
 use super::link::Link;
 use super::measure;
 use super::point::{Base, Point, rescaled, unit};
@@ -24,12 +25,7 @@ pub struct Branch<P: ZeroProblem> {
     pub(super) before: Option<Before<P>>,
     pub(super) step: f64,
     pub(super) count: usize,
-    /// How many more tiny steps were made than longer ones have made up for.
-    pub(super) tiny: usize,
-    /// How many it makes before it stops.
-    patience: usize,
-    /// Steps in a row on which r stood still.
-    still: usize,
+    pub(super) creep: Creep,
     /// Where it turns however short the step is, and whether it has just done so.
     pub(super) corner: Option<Corner<P::Extra, P::Error>>,
     pub(super) turned: bool,
@@ -41,14 +37,6 @@ pub(super) type Before<P> = (P, Base<<P as ZeroProblem>::Extra>, f64, f64);
 
 /// Share of a step that was taken back with which the next one begins.
 const RETRACTED: f64 = 0.25;
-/// Steps shorter than this, in scaled coordinates, are tiny: so many lead nowhere, unless longer ones go as far in between.
-pub(super) const TINY: f64 = 1e-4;
-const CREEPING: usize = 600;
-/// After so many of them they may be what errors leave of longer ones: points are evaluated more sharply, if they can be.
-const NOISY: usize = 60;
-/// Share of r by which it stands still: so many such steps are spent on orbits that r does not tell apart, as along a canard.
-const STILL: f64 = 1e-12;
-const STANDING: usize = 600;
 /// A step that may be shortened often enough to tell a corner, over the smallest one.
 pub(super) const SHORTENED: f64 = 1e3;
 
@@ -111,9 +99,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             point: None,
             link: None,
             before: None,
-            tiny: 0,
-            patience: NOISY,
-            still: 0,
+            creep: Creep::none(),
             corner: None,
             turned: false,
             step: settings.first_step,
@@ -190,7 +176,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         let least = SHORTENED * self.settings.smallest_step;
         self.step = last.map_or(self.settings.first_step, |last| last.max(least));
         (self.stop, self.corner) = (None, None);
-        self.patience = CREEPING;
+        self.creep.is_sharp();
     }
 
     /// Whether it may go on around a corner, where it stopped.
@@ -242,10 +228,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         tangent = rescaled(tangent, &same, self.r_scale / r_scale);
         self.r_scale = r_scale;
         let stands = |before: &Base<P::Extra>| (r - before.r).abs() <= STILL * r_scale;
-        self.still = match self.point.as_ref().is_some_and(stands) {
-            true => self.still + 1,
-            false => 0,
-        };
+        let still = self.point.as_ref().is_some_and(stands);
+        self.creep.stand(still);
         self.point = Some(Base {
             z: z.clone(),
             r,
@@ -290,12 +274,8 @@ impl<P: ZeroProblem + Clone> Iterator for Branch<P> {
             self.stop = Some(Stop::TooManyPoints);
             return None;
         }
-        if self.tiny > self.patience {
-            self.stop = Some(Stop::Creeping(TINY));
-            return None;
-        }
-        if self.still >= STANDING {
-            self.stop = Some(Stop::Upright(self.still));
+        if let Some(stop) = self.creep.stop() {
+            self.stop = Some(stop);
             return None;
         }
         match self.corner.take() {
