@@ -66,8 +66,7 @@ impl<P: ZeroProblem + Clone> Branch<P> {
         }
         let problem = self.problem.clone();
         let r_scale = self.r_scale;
-        // Taken back, it is at the corner as it came there.
-        let before = (problem.clone(), comes.clone(), r_scale, length);
+        let before = (problem.clone(), base.clone(), r_scale, length);
         let ends = [(base.z.clone(), base.r), (corrected.z.clone(), corrected.r)];
         let back = base.r == self.settings.from && length > AROUND * self.settings.smallest_step;
         if stop.is_some() {

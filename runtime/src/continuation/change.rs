@@ -47,7 +47,7 @@ impl<P: Watched> Change<P> {
         let [low, high] = nearest.map(Watched::r);
         let middle = f64::midpoint(low, high);
         // Each end is an orbit that is known to the accuracy, and so are its events.
-        let least = accuracy * (nearest[0].r_scale() + self.drift([low, high]));
+        let least = accuracy * (nearest[0].r_size() + self.drift([low, high]));
         let sides = [&self.before, &self.after];
         let zeros = sides.map(|side| margin::vanishes(side, [low, high]));
         let bracket = (middle, 0.5 * (high - low).abs());
@@ -169,7 +169,7 @@ pub(super) fn change<Q: Path>(
 }
 
 fn width<P: Watched>([a, b]: [&Spot<P>; 2]) -> f64 {
-    (b.point.r() - a.point.r()).abs() / a.point.r_scale()
+    (b.point.r() - a.point.r()).abs() / a.point.r_size().max(f64::MIN_POSITIVE)
 }
 
 fn try_between<Q: Path>(

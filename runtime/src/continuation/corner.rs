@@ -53,7 +53,7 @@ impl<R: Reader> Walk<'_, R> {
         let before = self.located.last();
         let new = before.is_none_or(|before| {
             let off = (before.r - found.located.r).abs();
-            before.after + APART <= self.points.len() || off > SAME * before.point.r_scale()
+            before.after + APART <= self.points.len() || off > SAME * before.point.r_size()
         });
         new.then_some(found)
     }
@@ -78,8 +78,7 @@ impl<R: Reader> Walk<'_, R> {
         };
         let lost = findings.unexplained.first();
         let (from, to) = (last.r(), lost.map_or(corner.r, |lost| lost.between[0]));
-        let off =
-            |one: &Located<R::Point>| (one.r - corner.r).abs() > SAME * corner.point.r_scale();
+        let off = |one: &Located<R::Point>| (one.r - corner.r).abs() > SAME * corner.point.r_size();
         let before = |one: &Located<R::Point>| (one.r - from) * (one.r - to) <= 0.0 && off(one);
         let kept = |one: &&Located<R::Point>| !one.last && one.left.is_nan() && before(one);
         findings.located.iter().take_while(kept).cloned().collect()

@@ -71,7 +71,7 @@ pub(super) fn met<P: Watched>(ends: [&Spot<P>; 2], accuracy: f64) -> Option<Spot
     let times = times(ends).filter(|_| !turns(ends))?;
     let nearer = ends[usize::from(times[1] < times[0])];
     let off = times[0].min(times[1]) * rate(ends, times);
-    (off.abs() <= SETTLED * accuracy * nearer.point.r_scale()).then(|| nearer.clone())
+    (off.abs() <= SETTLED * accuracy * nearer.point.r_size()).then(|| nearer.clone())
 }
 
 /// The points just before and after `spot` between these ends, if both events happen at once there and nowhere beside it.
@@ -113,7 +113,7 @@ pub(super) fn error<Q: Path>(path: &mut Q, ends: [&Spot<Q::Point>; 2], accuracy:
         }
         let point = &ends[0].point;
         // Events are those of the last motion, one correction away from the point.
-        let off = point.r_scale() + (point.lasts() * rate(ends, times)).abs();
+        let off = point.r_size() + (point.lasts() * rate(ends, times)).abs();
         Some(DOUBT * moved? + accuracy * off)
     };
     measured().unwrap_or(f64::NAN)

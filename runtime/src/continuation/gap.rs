@@ -51,7 +51,7 @@ impl<R: Reader> Walk<'_, R> {
         let (mut found, searched) = (walk.located, walk.searched);
         self.searched += searched;
         self.searched += way.work().since(&begun);
-        let least = NEAR * to.point.r_scale() + to.error.max(0.0);
+        let least = NEAR * to.point.r_size() + to.error.max(0.0);
         found.retain(|one| {
             let apart = (one.r - to.r).abs();
             !one.last && apart > least && apart < gap

@@ -10,15 +10,23 @@ pub trait Watched: Clone {
     /// The design variable.
     fn r(&self) -> f64;
 
-    /// What its branch measures r in, and errors of r with it: r itself, but not where that is next to nothing.
+    /// What its branch measures r in: r itself, but not where that is next to nothing.
     fn r_scale(&self) -> f64;
+
+    /// What errors of r are measured in: r itself, or, as far as that is more and its branch measures r in it, what it takes to
+    /// change the unknowns by their own magnitude. Along a canard that is nothing.
+    fn r_size(&self) -> f64 {
+        let slope = self.slope().abs();
+        let effect = slope / (1.0 - slope * slope).max(0.0).sqrt();
+        self.r().abs().max(self.r_scale() * effect.min(1.0))
+    }
 
     /// r-component of the unit tangent of the branch.
     fn slope(&self) -> f64;
 
     /// How far it is from another point, relative to the values of what is followed.
     fn moved(&self, from: &Self) -> f64 {
-        ((self.r() - from.r()) / self.r_scale()).abs()
+        ((self.r() - from.r()) / self.r_size()).abs()
     }
 
     /// The number of unstable directions.

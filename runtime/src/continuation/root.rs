@@ -104,13 +104,13 @@ impl<P: Watched> Zero<P> {
         }
     }
 
-    /// The estimated errors of r there and of how long what is followed takes: from the same point once more, and from what
+    /// The estimated errors of r, of this size next to it, and of how long what is followed takes: from the same point once more, and from what
     /// rounding leaves uncertain; where that says nothing of r, from the point found next to it.
     pub(super) fn errors<Q: Path<Point = P>>(
         &self,
         path: &mut Q,
         Monitor { test, rounding, .. }: &Monitor<'_, P>,
-        accuracy: f64,
+        (accuracy, size): (f64, f64),
     ) -> [f64; 2] {
         let at = &self.spot.point;
         let [slope, along, lasting] = self.slopes(rounding(at));
@@ -122,12 +122,12 @@ impl<P: Watched> Zero<P> {
             let off = (apart + test(at).abs()) / slope * lasting;
             let lasts = (again.lasts() - at.lasts()).abs() + off.abs();
             [
-                DOUBT * moved + CHANCE * accuracy * at.r_scale(),
+                DOUBT * moved + CHANCE * accuracy * size,
                 DOUBT * lasts + CHANCE * accuracy * at.lasts(),
             ]
         });
         let [moved, lasts] = measured.unwrap_or([f64::NAN; 2]);
-        let beside = DOUBT * (self.apart(slope.is_finite()) + accuracy * at.r_scale());
+        let beside = DOUBT * (self.apart(slope.is_finite()) + accuracy * size);
         [if moved.is_finite() { moved } else { beside }, lasts]
     }
 }

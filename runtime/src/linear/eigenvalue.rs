@@ -66,12 +66,13 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Eigenvalue> {
         let (right, left) = form.vectors(i);
         let condition = right.norm() * left.norm();
         let (value, gaps) = (form.triangle[(i, i)], form.gaps(i));
-        let error = moved(condition, &gaps, backward);
+        // Vectors of equal ones tell nothing.
+        let apart = gaps[0] > least(&form.triangle);
+        let known =
+            |refined: &Complex<f64>| apart && (refined - value).norm() <= condition * backward;
         let refined = refined(&matrix, value, &right, &left);
         Eigenvalue {
-            value: refined
-                .filter(|refined| (refined - value).norm() <= error)
-                .unwrap_or(value),
+            value: refined.filter(known).unwrap_or(value),
             condition,
             gaps,
             backward,

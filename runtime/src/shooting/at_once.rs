@@ -9,7 +9,7 @@ use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::rest::settles;
 use crate::bifurcation::Kind;
-use crate::continuation::{Branch, Crossing, Failure, Stop};
+use crate::continuation::{Branch, Crossing, Failure, Stop, Watched};
 use crate::flow::FlowError;
 use crate::motion::{Family, Modes};
 
@@ -37,7 +37,7 @@ pub(super) fn changes_at_once(
     let search = near(last, accuracy);
     let way = (last.r - before.r).signum();
     let found = BEYOND.into_iter().find_map(|far| {
-        let r = last.r + far * way * last.heading.r_scale;
+        let r = last.r + far * way * last.r_size();
         let guess = settings
             .contains(r)
             .then(|| guess(family, [before, last], r))??;

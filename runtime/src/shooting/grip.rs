@@ -8,7 +8,7 @@ use super::pin::Pin;
 use super::problem::OrbitProblem;
 use super::shot::Shot;
 use super::sought::Search;
-use crate::continuation::{Beyond, Crossing, Kind, Located, Started};
+use crate::continuation::{Beyond, Crossing, Kind, Located, Started, Watched};
 use crate::field::exact::Mode;
 use crate::flow::{FlowError, Want};
 use crate::motion::{Flow, Node, Passage, Place};
@@ -190,7 +190,7 @@ pub(super) fn passes(
     accuracy: f64,
 ) -> Crossing<OrbitProblem, Orbit> {
     let mut located = Located::at(kind, r, last.clone());
-    (located.point.r, located.error) = (r, error + NOISE * accuracy * last.heading.r_scale);
+    (located.point.r, located.error) = (r, error + NOISE * accuracy * last.r_size());
     let there = beyond
         .as_ref()
         .and_then(|started| started.0.problem.family.at(r).ok());

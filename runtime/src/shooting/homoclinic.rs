@@ -2,6 +2,7 @@
 
 use super::bound::known;
 use super::orbit::Orbit;
+use crate::continuation::Watched;
 use crate::equilibrium::rests;
 use crate::flow::Want;
 use crate::motion::{Family, apart};
@@ -19,7 +20,7 @@ pub(super) fn homoclinic(family: &Family, orbits: &[Orbit]) -> Option<f64> {
     let last = orbits.last()?;
     let units = last.magnitude();
     let rest = |before: &&Orbit| {
-        let still = (before.r - last.r).abs() <= STILL * last.heading.r_scale;
+        let still = (before.r - last.r).abs() <= STILL * last.r_size();
         let ends = [(&before.min, &last.min), (&before.max, &last.max)];
         let alike = ends.iter().all(|(a, b)| apart(a, b, &units) <= ALIKE);
         still && alike && before.period < last.period

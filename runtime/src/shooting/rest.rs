@@ -15,7 +15,9 @@ use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
 use super::swing::spare_force;
-use crate::continuation::{Branch, Crossing, Kind, Settings, Started, ZeroProblem, correct_at};
+use crate::continuation::{
+    Branch, Crossing, Kind, Settings, Started, Watched, ZeroProblem, correct_at,
+};
 use crate::field::exact::Mode;
 use crate::flow::Want;
 use crate::math::at_zero;
@@ -71,7 +73,7 @@ pub(super) fn rests_beyond(
     accuracy: f64,
 ) -> Option<Crossing<OrbitProblem, Orbit>> {
     let (last, before) = orbits.split_last()?;
-    let far = |orbit: &&Orbit| (orbit.r - r).abs() >= AWAY * last.heading.r_scale;
+    let far = |orbit: &&Orbit| (orbit.r - r).abs() >= AWAY * last.r_size();
     let from = before.iter().rev().find(far)?;
     let slides = (0..last.place.modes.len()).filter(|contact| slides(last, *contact) > 0.0);
     let mut rests = slides.map(|contact| Rest { contact, r, error });

@@ -1,6 +1,7 @@
 //! Whether two orbits are one.
 
 use super::orbit::Orbit;
+use crate::continuation::Watched;
 use crate::motion::apart;
 
 /// Two orbits at one r are one if they differ by this share of their extents at most.
@@ -101,7 +102,7 @@ impl Orbit {
 
     /// The same, r relative to itself beside them.
     pub(super) fn away(&self, other: &Self) -> f64 {
-        let r = (other.r - self.r).abs() / self.heading.r_scale;
+        let r = (other.r - self.r).abs() / self.r_size().max(f64::MIN_POSITIVE);
         self.apart(other).max(r)
     }
 

@@ -11,7 +11,7 @@ use super::orbit::Orbit;
 use super::problem::OrbitProblem;
 use super::sought::Search;
 use super::swing::{peaks, spare_force};
-use crate::continuation::{Branch, Crossing, Kind};
+use crate::continuation::{Branch, Crossing, Kind, Watched};
 use crate::flow::Want;
 use crate::math::at_zero;
 use crate::motion::Family;
@@ -65,11 +65,11 @@ pub(super) fn lets_go(
 fn spread(orbits: &[Orbit]) -> Option<[&Orbit; 3]> {
     let (last, before) = orbits.split_last()?;
     let from = |far: f64| {
-        let apart = |orbit: &&Orbit| (orbit.r - last.r).abs() >= far * last.heading.r_scale;
+        let apart = |orbit: &&Orbit| (orbit.r - last.r).abs() >= far * last.r_size();
         before.iter().rev().find(apart)
     };
     let second = from(APART)?;
-    let first = from(2.0 * (second.r - last.r).abs() / last.heading.r_scale)?;
+    let first = from(2.0 * (second.r - last.r).abs() / last.r_size())?;
     Some([first, second, last])
 }
 

@@ -74,7 +74,7 @@ impl<Q: Path> Hunt<'_, '_, Q> {
         // Events that switch together at one value of r do so in two steps for a tolerance, or as far as their errors tell.
         located.dedup_by(|b, a| {
             let distance = (b.r - a.r).abs();
-            let close = distance <= ONE_CHANGE * accuracy * a.point.r_scale();
+            let close = distance <= ONE_CHANGE * accuracy * a.point.r_size();
             a.abrupt && b.abrupt && (close || distance <= a.error + b.error)
         });
         if let Some(bound) = &self.bound {
@@ -219,8 +219,8 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 None => {
                     let kind = self.path.name([&before.point, &after.point]);
                     let least = DOUBT * SIDES * accuracy;
-                    let at = corner
-                        .map(|(r, error)| (r, DOUBT * error + least * before.point.r_scale()));
+                    let at =
+                        corner.map(|(r, error)| (r, DOUBT * error + least * before.point.r_size()));
                     (kind, before, at.unwrap_or_else(|| found.within(least)))
                 }
             };
@@ -272,7 +272,12 @@ impl<Q: Path> Hunt<'_, '_, Q> {
                 }
                 None => continue,
             };
-            let [error, lasting] = at.errors(self.path, monitor, self.accuracy);
+            // At a zero of the slope itself, what r is known to is told beside it.
+            let size = points
+                .iter()
+                .map(|point| point.r_size())
+                .fold(0.0, f64::max);
+            let [error, lasting] = at.errors(self.path, monitor, (self.accuracy, size));
             located.push(Located {
                 last,
                 error,

@@ -113,8 +113,9 @@ impl<M: Model<N>, const N: usize> Watch<'_, M, N> {
             return;
         }
         let rest = polynomial.deflated(order);
-        // What touches zero by no more than rounding errors does not fall.
-        let touches = |theta| polynomial.depth(theta) <= NOISE * terms;
+        // What touches zero by no more than rounding errors does not fall. A gap that has just opened may close by less.
+        let rubs = self.modes.as_slice()[guard.contact].rubs();
+        let touches = |theta| (order == 0 || rubs) && polynomial.depth(theta) <= NOISE * terms;
         let fall = rest.first_fall().filter(|(theta, _)| !touches(*theta));
         self.doubtful |=
             error > NOISE * terms && is_doubtful(&rest, fall, error * DEFLATED[order.min(3)]);

@@ -5,7 +5,7 @@ use super::candidate::{Border as Candidate, Condition};
 use super::crossing::{CLOSE, NOISE, phase};
 use super::located::{Edge, edge};
 use crate::bifurcation::Kind;
-use crate::continuation::{Border, ZeroProblem};
+use crate::continuation::{Border, Watched, ZeroProblem};
 use crate::flow::FlowError;
 use crate::motion::{Family, Flow};
 use crate::shooting::Orbit;
@@ -13,7 +13,7 @@ use crate::shooting::problem::OrbitProblem;
 
 /// Whether r passes this value from one orbit to the other one, as far as r tells: where it turns between them, it does not.
 fn ahead([from, to]: [&Orbit; 2], r: f64, accuracy: f64) -> bool {
-    let errors = NOISE * accuracy * from.heading.r_scale;
+    let errors = NOISE * accuracy * from.r_size();
     let (low, high) = (from.r.min(to.r), from.r.max(to.r));
     from.heading.slope * to.heading.slope <= 0.0 || (r >= low - errors && r <= high + errors)
 }

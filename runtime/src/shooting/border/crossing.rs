@@ -9,7 +9,7 @@ use super::located::{Edge, edge};
 use super::nears::comes_there;
 use crate::bifurcation::test_function::{flip, fold};
 use crate::continuation::{
-    Beyond, Branch, Crossing, Failure, Located, Started, ZeroProblem, changes,
+    Beyond, Branch, Crossing, Failure, Located, Started, Watched, ZeroProblem, changes,
 };
 use crate::field::Work;
 use crate::flow::{EventKind, FlowError, Want};
@@ -51,7 +51,7 @@ pub(in crate::shooting) fn cross(
         let slope = towards(found, &branch.problem, &scale, branch.r_scale());
         let way = found.orbit.r - last.r;
         // So near to it an orbit may lie beyond for its errors.
-        let level = way.abs() <= NOISE * accuracy * last.heading.r_scale;
+        let level = way.abs() <= NOISE * accuracy * last.r_size();
         let one = last.away(&found.orbit) <= NOISE * accuracy.max(last.error_estimate);
         let apart = last.apart(&found.orbit);
         // As the branch leads to it, so it leads on from the last orbit.

@@ -8,7 +8,7 @@ use super::centred::centred;
 use super::problem::BorderProblem;
 use super::sides::Sides;
 use crate::bifurcation::{Disturbances, Kind, floquet};
-use crate::continuation::{Failure, SETTLED, ZeroProblem, correct_at};
+use crate::continuation::{Failure, SETTLED, Watched, ZeroProblem, correct_at};
 use crate::field::Work;
 use crate::flow::{EventKind, FlowError};
 use crate::integrate::Tolerance;
@@ -70,7 +70,7 @@ fn converge(
     accuracy: f64,
     work: &mut Work,
 ) -> Option<Edge> {
-    let scales = [orbit.heading.r_scale, 1.0];
+    let scales = [orbit.r_size().max(f64::MIN_POSITIVE), 1.0];
     let sharpened = |share: f64| {
         family
             .with_tolerance(Tolerance::for_accuracy(share * accuracy))
@@ -99,7 +99,7 @@ fn converge(
     let runs = problem.runs.clone();
     let mut problem = at(problem.border, next)?;
     problem.runs = runs;
-    let (z, error) = measured(&mut problem, &z, accuracy, orbit.heading.r_scale);
+    let (z, error) = measured(&mut problem, &z, accuracy, orbit.r_size());
     let found = read(&mut problem, family, orbit, &z, error + moved);
     *work += problem.work;
     found
@@ -119,15 +119,15 @@ fn measured(
     problem: &mut BorderProblem<Family>,
     loose: &DVector<f64>,
     accuracy: f64,
-    r_scale: f64,
+    r_size: f64,
 ) -> (DVector<f64>, f64) {
     let last = loose.len() - 1;
     match correct_at(problem, loose.clone(), 0.0, accuracy) {
         Ok(tight) => {
             let apart = (tight.z[last] - loose[last]).abs();
-            (tight.z, DOUBT * apart + SETTLED * accuracy * r_scale)
+            (tight.z, DOUBT * apart + SETTLED * accuracy * r_size)
         }
-        Err(_) => (loose.clone(), accuracy * r_scale),
+        Err(_) => (loose.clone(), accuracy * r_size),
     }
 }
 

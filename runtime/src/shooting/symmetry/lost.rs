@@ -15,7 +15,7 @@ use super::kept::NEARLY;
 use super::turns::Turns;
 use crate::bifurcation::Kind;
 use crate::bifurcation::test_function::fold;
-use crate::continuation::{Located, changes};
+use crate::continuation::{Located, Watched, changes};
 use crate::flow::Want;
 use crate::integrate::Tolerance;
 use crate::linear::{eigenvalues, svd};
@@ -48,7 +48,7 @@ pub(in crate::shooting) fn refine(family: &Family, found: &mut Located<Orbit>, a
         return;
     };
     let turns = found.kind == Kind::Fold;
-    let reach = found.error.max(TURNED * found.point.heading.r_scale);
+    let reach = found.error.max(TURNED * found.point.r_size());
     let ends = match turns {
         true => [found.r - reach, found.r + reach],
         false => found.sides.map(|(r, _)| r),
@@ -98,7 +98,7 @@ fn lost(
     let magnitude = orbit.magnitude();
     let turns = orbit.turns(family.at(orbit.r).ok()?.as_ref());
     let symmetric = Symmetric::of(orbit, symmetry, (&magnitude, turns));
-    let near = (orbit.r, orbit.heading.r_scale.max((to - from).abs()));
+    let near = (orbit.r, orbit.r_size().max((to - from).abs()));
     let lost = symmetric.lost(family, near, accuracy)?;
     ((lost.r - from) * (lost.r - to) <= 0.0).then_some(lost)
 }

@@ -3,7 +3,7 @@
 use super::follow::{Stretch, follow};
 use super::record::{BranchRecord, Watch};
 use super::special::{Special, numbered};
-use crate::continuation::{Kind, Located, Settings};
+use crate::continuation::{Kind, Located, Settings, Watched};
 use crate::field::Work;
 use crate::shooting::{Orbit, OrbitBranch, OrbitError, SwitchError};
 use crate::study::error::StudyError;
@@ -267,7 +267,7 @@ impl Atlas<'_> {
     /// On which side of a flip the doubled orbit lies: with the unstable orbit, or with the stable one.
     fn criticality(&self, event: &Here) -> Option<&'static str> {
         let branch = self.switched(event, true).ok()?;
-        let error = event.error + self.sought.search.accuracy * event.point.heading.r_scale;
+        let error = event.error + self.sought.search.accuracy * event.point.r_size();
         let aside = |orbit: &Orbit| (orbit.r - event.r).abs() > CERTAIN * error;
         let aside = branch.take(LOOKED).find(aside)?;
         let change = event.more_unstable_towards(aside.r)?;
@@ -282,7 +282,7 @@ impl Atlas<'_> {
 /// Whether two special points are one, located on two branches.
 fn same(a: &Located<Orbit>, b: &Located<Orbit>) -> bool {
     a.kind == b.kind
-        && (a.r - b.r).abs() <= SAME_R * a.point.heading.r_scale
+        && (a.r - b.r).abs() <= SAME_R * a.point.r_size()
         && (a.point.period / b.point.period - 1.0).abs() <= SAME_ORBIT
         && a.point.coincides(&b.point, SAME_ORBIT)
 }

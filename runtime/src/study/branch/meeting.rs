@@ -1,7 +1,7 @@
 //! Where a doubled orbit meets the one that it doubles: a flip of that one, or a border on which that doubles.
 
 use crate::bifurcation::test_function::flip;
-use crate::continuation::{Located, SETTLED};
+use crate::continuation::{Located, SETTLED, Watched};
 use crate::shooting::{Guess, Orbit, Search, converge, doubles};
 use crate::study::orbit::Sought;
 
@@ -30,8 +30,8 @@ pub(super) fn undouble(sought: &Sought<'_>, met: &mut Located<Orbit>, last: Opti
     let ahead = last.map_or(0.0, |last| (met.r - last).abs());
     match converge(&sought.family, met.r, &guess, &sought.search) {
         Ok(single) if single.period < 0.75 * orbit.period => {
-            let scale = met.point.heading.r_scale;
-            let near = |r: f64| (r - met.r).abs() <= NEAR * scale;
+            let size = met.point.r_size();
+            let near = |r: f64| (r - met.r).abs() <= NEAR * size;
             let flips = flips(sought, met.r, &single).filter(|flip| near(flip.r));
             let jumps = || {
                 let found = doubles(&sought.family, &single, sought.search.accuracy);
@@ -75,8 +75,8 @@ fn flips(sought: &Sought<'_>, r: f64, orbit: &Orbit) -> Option<Flip> {
         converge(&sought.family, r, &near.guess(), &search).ok()
     };
     let test = |orbit: &Orbit| flip(&orbit.floquet.multipliers);
-    let r_scale = orbit.heading.r_scale;
-    let (mut last, mut next) = ((r, test(orbit)), r + STEP * r_scale);
+    let r_size = orbit.r_size();
+    let (mut last, mut next) = ((r, test(orbit)), r + STEP * r_size);
     let mut orbit = orbit.clone();
     for _ in 0..SECANTS {
         orbit = at(next, &orbit, 1.0)?;
@@ -87,12 +87,12 @@ fn flips(sought: &Sought<'_>, r: f64, orbit: &Orbit) -> Option<Flip> {
             return None;
         }
         let r = next + step;
-        if step.abs() <= accuracy * r_scale {
+        if step.abs() <= accuracy * r_size {
             let sharper = at(r, &orbit, AGAIN)?;
             let off = (test(&sharper) / slope).abs();
-            let error = DOUBT * off + SETTLED * accuracy * r_scale;
+            let error = DOUBT * off + SETTLED * accuracy * r_size;
             let beside = |way: f64| Some(test(&at(r + way, &orbit, 1.0)?));
-            let way = (WAY * accuracy).clamp(STEP, NEAR) * r_scale;
+            let way = (WAY * accuracy).clamp(STEP, NEAR) * r_size;
             return passes(beside, way).then_some(Flip { r, error, orbit });
         }
         (last, next) = ((next, value), r);
