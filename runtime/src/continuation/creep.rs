@@ -52,7 +52,13 @@ impl Creep {
 
     /// Why to go no further, if there is no use.
     pub(super) fn stop<E>(&self) -> Option<Stop<E>> {
-        if self.tiny > self.patience {
+        // Where r stands still, along a canard, they are what they seem to be.
+        let patience = if self.still > 0 {
+            CREEPING
+        } else {
+            self.patience
+        };
+        if self.tiny > patience {
             return Some(Stop::Creeping(TINY));
         }
         (self.still >= STANDING).then_some(Stop::Upright(self.still))

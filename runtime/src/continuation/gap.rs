@@ -65,12 +65,12 @@ impl<R: Reader> Walk<'_, R> {
     fn towards(&self, branch: &Branch<R::Problem>, r: f64) -> Option<(Reading<R>, f64)> {
         let base = branch.point.as_ref()?;
         let away = base.r - r;
-        if away.abs() <= GAP * branch.r_scale() {
+        if away.abs() <= GAP * r.abs() {
             return None;
         }
         let settings = Settings {
             from: base.r + BEHIND * away,
-            to: r + NEAR * branch.r_scale().copysign(away),
+            to: r + NEAR * r.abs().copysign(away),
             points: POINTS,
             ..branch.settings()
         };

@@ -26,7 +26,7 @@ pub trait Watched: Clone {
 
     /// How far it is from another point, relative to the values of what is followed.
     fn moved(&self, from: &Self) -> f64 {
-        ((self.r() - from.r()) / self.r_size()).abs()
+        ((self.r() - from.r()) / self.r()).abs()
     }
 
     /// The number of unstable directions.

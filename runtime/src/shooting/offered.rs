@@ -14,9 +14,9 @@ use crate::bifurcation::Stability;
 use crate::field::exact::Mode;
 use crate::motion::Family;
 
-/// Returns that are all looked at; of as many after them every second one, of twice as many every fourth, and so on: what settles
-/// comes nearer by a share each time, and what never does costs little more.
-const OFTEN: usize = 16;
+/// Returns that are all looked at; of later ones every eighth.
+const OFTEN: usize = 64;
+const SELDOM: usize = 8;
 /// Returns at most that are looked at beyond one that leads to an orbit which hardly attracts.
 const DOUBTED: usize = 32;
 
@@ -113,7 +113,7 @@ impl Failed {
         guess: &Guess,
         search: &Search,
     ) -> Option<Result<Orbit, OrbitError>> {
-        if !is_looked_at(self.count) {
+        if self.count > OFTEN && !self.count.is_multiple_of(SELDOM) {
             self.count += 1;
             return None;
         }
@@ -156,11 +156,6 @@ impl Failed {
             || (runs && self.count == 1).then(|| of_a_family(family, r, guess, search));
         found.or_else(|| one_of_many().flatten().map(Err))
     }
-}
-
-/// Whether a return is looked at before which so many were no orbits.
-fn is_looked_at(count: usize) -> bool {
-    count.is_multiple_of((count / OFTEN + 1).next_power_of_two())
 }
 
 /// That orbits beside this return are as good.

@@ -227,7 +227,7 @@ impl Edge {
         orbit.floquet = map.map_or_else(|| near.floquet.clone(), judged);
         // Of what is about to happen, the orbit beside it knows more than the one that is there.
         (orbit.events, orbit.segments) = (near.events.clone(), near.segments.clone());
-        orbit.heading.slope = slope;
+        (orbit.heading.slope, orbit.heading.r_scale) = (slope, near.heading.r_scale);
         orbit
     }
 
