@@ -19,6 +19,8 @@ const SHORTER: f64 = 0.4;
 const PATIENCE: usize = 3;
 /// Ever shorter steps in a row that turn too far or do not settle, after which it is a corner.
 const CORNER: usize = 5;
+/// The share of a step that goes along r from which on a corner is looked for from farther away: along a canard nothing does.
+const ALONG: f64 = 1e-3;
 /// The step around it, over the smallest one: it hardly shows any more what lies before the corner.
 const AROUND: f64 = 100.0;
 /// The next one that is tried.
@@ -153,7 +155,8 @@ impl<P: ZeroProblem + Clone> Branch<P> {
             }
             self.step *= SHORTER;
             let short = !ends && self.step < smallest;
-            if short && turns == failures && turns < CORNER {
+            let along = base.tangent[base.z.len()].abs() > ALONG;
+            if short && along && turns == failures && turns < CORNER {
                 // The steps before were short already: longer ones tell whether it is a corner.
                 self.step = SHORTENED * smallest;
             }
