@@ -268,7 +268,7 @@ mod tests {
         assert_eq!(left, [1, 4, 8, 10]);
         assert_eq!(certain(-11.28, None), 10);
         let at = |r, error| located(r, Some(error));
-        assert_eq!([at(1e-15, 1e-10), at(-2.5e-3, 3e-5)], ["0", "-0.0025"]);
+        assert_eq!([at(1e-15, 1e-10), at(-2.5e-3, 3e-6)], ["0", "-0.0025"]);
     }
 
     #[test]
